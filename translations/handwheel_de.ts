@@ -304,10 +304,6 @@
         <translation>die Datei hat Formatversion %1; dieses Programm kennt Versionen bis %2</translation>
     </message>
     <message>
-        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
-        <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
-    </message>
-    <message>
         <source>the element &apos;%1&apos; is malformed: %2</source>
         <translation>das Element „%1“ ist fehlerhaft: %2</translation>
     </message>
@@ -330,10 +326,6 @@
     <message>
         <source>Close other documents or programs, or try a model with fewer triangles.</source>
         <translation>Schließen Sie andere Dokumente oder Programme, oder nehmen Sie ein Modell mit weniger Dreiecken.</translation>
-    </message>
-    <message>
-        <source>Check the name, or whether the file was moved.</source>
-        <translation>Prüfen Sie den Namen und ob die Datei verschoben wurde.</translation>
     </message>
     <message>
         <source>Export or copy the file again.</source>
@@ -603,6 +595,14 @@
         <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as in &apos;handwheel inspect&apos;.</source>
         <translation>„handwheel help edit“ führt die Schritte auf; Randschleifen sind nummeriert wie von „handwheel inspect“.</translation>
     </message>
+    <message>
+        <source>Check the name, and whether the file was moved.</source>
+        <translation>Prüfen Sie den Namen und ob die Datei verschoben wurde.</translation>
+    </message>
+    <message>
+        <source>the file contains a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -755,10 +755,6 @@
         <translation>sie lässt sich nicht öffnen</translation>
     </message>
     <message>
-        <source>it holds no valid solid</source>
-        <translation>sie enthält keinen gültigen Volumenkörper</translation>
-    </message>
-    <message>
         <source>its triangles differ</source>
         <translation>ihre Dreiecke weichen ab</translation>
     </message>
@@ -789,10 +785,6 @@
     <message>
         <source>the file cannot be written</source>
         <translation>die Datei lässt sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>the file holds no shape</source>
-        <translation>die Datei enthält keine Form</translation>
     </message>
     <message>
         <source>the solid cannot be translated</source>
@@ -845,10 +837,6 @@
     <message>
         <source>it has a document type</source>
         <translation>es hat einen Dokumenttyp</translation>
-    </message>
-    <message>
-        <source>it has no limits, so it moves without</source>
-        <translation>es hat keine Grenzen und bewegt sich ohne</translation>
     </message>
     <message>
         <source>it has no links</source>
@@ -933,10 +921,6 @@
     <message>
         <source>its object is of the type &apos;other&apos;</source>
         <translation>sein Objekt ist vom Typ „other“</translation>
-    </message>
-    <message>
-        <source>its scale leaves no shape</source>
-        <translation>seine Skalierung lässt keine Form übrig</translation>
     </message>
     <message>
         <source>its type &apos;%1&apos; is not known</source>
@@ -1095,22 +1079,6 @@
         <translation>ihr Prozess lässt sich nicht starten</translation>
     </message>
     <message>
-        <source>its surfaces have no size</source>
-        <translation>ihre Flächen haben keine Ausdehnung</translation>
-    </message>
-    <message>
-        <source>none of its surfaces can be cut into triangles</source>
-        <translation>keine ihrer Flächen lässt sich in Dreiecke zerlegen</translation>
-    </message>
-    <message>
-        <source>the file holds no surface</source>
-        <translation>die Datei enthält keine Fläche</translation>
-    </message>
-    <message>
-        <source>the system ended it; memory may have run out</source>
-        <translation>das System hat sie beendet; vielleicht fehlte Speicher</translation>
-    </message>
-    <message>
         <source>bodies</source>
         <translation>Körper</translation>
     </message>
@@ -1161,10 +1129,6 @@
     <message>
         <source>the package</source>
         <translation>das Paket</translation>
-    </message>
-    <message>
-        <source>its geometry has no kind</source>
-        <translation>seine Geometrie hat keine Art</translation>
     </message>
     <message>
         <source>it is longer than its size</source>
@@ -1281,6 +1245,42 @@
     <message>
         <source>one of its indices is not a number</source>
         <translation>einer seiner Indizes ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it contains no valid solid</source>
+        <translation>sie enthält keinen gültigen Volumenkörper</translation>
+    </message>
+    <message>
+        <source>its surfaces have zero size</source>
+        <translation>ihre Flächen haben keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>none of its surfaces can be triangulated</source>
+        <translation>keine ihrer Flächen lässt sich in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>the file contains no shape</source>
+        <translation>die Datei enthält keine Form</translation>
+    </message>
+    <message>
+        <source>the file contains no surface</source>
+        <translation>die Datei enthält keine Fläche</translation>
+    </message>
+    <message>
+        <source>the system ended it; it may have run out of memory</source>
+        <translation>das System hat sie beendet; vielleicht fehlte Speicher</translation>
+    </message>
+    <message>
+        <source>it has no limits, so it moves without limits</source>
+        <translation>es hat keine Grenzen und bewegt sich ohne</translation>
+    </message>
+    <message>
+        <source>its geometry has no type</source>
+        <translation>seine Geometrie hat keinen Typ</translation>
+    </message>
+    <message>
+        <source>its scale is degenerate</source>
+        <translation>sein Maßstab ist entartet</translation>
     </message>
 </context>
 <context>
@@ -1493,10 +1493,6 @@
         <translation>Diagonalen des Modells</translation>
     </message>
     <message>
-        <source>RMS distance from where it comes to rest</source>
-        <translation>RMS-Abstand von seiner Ruhelage</translation>
-    </message>
-    <message>
         <source>Rate of the servo loop</source>
         <translation>Takt der Servoschleife</translation>
     </message>
@@ -1611,6 +1607,10 @@
     <message>
         <source>Largest deviation of triangles from a curved surface</source>
         <translation>Größte Abweichung der Dreiecke von einer gekrümmten Fläche</translation>
+    </message>
+    <message>
+        <source>RMS distance from its final position</source>
+        <translation>RMS-Abstand von der Endlage</translation>
     </message>
 </context>
 <context>
@@ -3340,10 +3340,6 @@
         <translation>zweite Ecke, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
-        <source>third corner: makes the face</source>
-        <translation>dritte Ecke: erzeugt die Fläche</translation>
-    </message>
-    <message>
         <source>Smooth surface</source>
         <translation>Oberfläche glätten</translation>
     </message>
@@ -3794,6 +3790,10 @@
     <message>
         <source>the pass is full: release it</source>
         <translation>der Schnitt ist voll: loslassen</translation>
+    </message>
+    <message>
+        <source>third corner: creates the face</source>
+        <translation>dritte Ecke: erzeugt die Fläche</translation>
     </message>
 </context>
 <context>
@@ -6253,10 +6253,6 @@
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>%1 is inside something else</source>
-        <translation>%1 liegt in etwas anderem</translation>
-    </message>
-    <message>
         <source>Type another position in the panel.</source>
         <translation>Geben Sie im Bereich eine andere Position ein.</translation>
     </message>
@@ -6275,6 +6271,10 @@
     <message>
         <source>Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies beside the robot in the panel.</source>
         <translation>Ziehen Sie ein Glied mit der Maus oder mit Umschalt den ganzen Arm. Geben Sie Winkel in der Liste der Gelenke ein. Fügen Sie im Feld Körper neben dem Roboter hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 is inside another object</source>
+        <translation>%1 liegt in einem anderen Objekt</translation>
     </message>
 </context>
 <context>

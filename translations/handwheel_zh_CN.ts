@@ -304,10 +304,6 @@
         <translation>文件格式版本为 %1；本程序最高支持版本 %2</translation>
     </message>
     <message>
-        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
-        <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
-    </message>
-    <message>
         <source>the element &apos;%1&apos; is malformed: %2</source>
         <translation>元素“%1”有误：%2</translation>
     </message>
@@ -330,10 +326,6 @@
     <message>
         <source>Close other documents or programs, or try a model with fewer triangles.</source>
         <translation>请关闭其他文档或程序，或使用三角形较少的模型。</translation>
-    </message>
-    <message>
-        <source>Check the name, or whether the file was moved.</source>
-        <translation>请检查文件名，或文件是否已被移动。</translation>
     </message>
     <message>
         <source>Export or copy the file again.</source>
@@ -603,6 +595,14 @@
         <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as in &apos;handwheel inspect&apos;.</source>
         <translation>“handwheel help edit”列出所有步骤；边界环的编号与“handwheel inspect”相同。</translation>
     </message>
+    <message>
+        <source>Check the name, and whether the file was moved.</source>
+        <translation>请检查文件名，或文件是否已被移动。</translation>
+    </message>
+    <message>
+        <source>the file contains a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -755,10 +755,6 @@
         <translation>无法打开</translation>
     </message>
     <message>
-        <source>it holds no valid solid</source>
-        <translation>不含有效实体</translation>
-    </message>
-    <message>
         <source>its triangles differ</source>
         <translation>三角形不一致</translation>
     </message>
@@ -789,10 +785,6 @@
     <message>
         <source>the file cannot be written</source>
         <translation>无法写入文件</translation>
-    </message>
-    <message>
-        <source>the file holds no shape</source>
-        <translation>文件不含形状</translation>
     </message>
     <message>
         <source>the solid cannot be translated</source>
@@ -845,10 +837,6 @@
     <message>
         <source>it has a document type</source>
         <translation>含有文档类型声明</translation>
-    </message>
-    <message>
-        <source>it has no limits, so it moves without</source>
-        <translation>没有限位，因此不受限运动</translation>
     </message>
     <message>
         <source>it has no links</source>
@@ -933,10 +921,6 @@
     <message>
         <source>its object is of the type &apos;other&apos;</source>
         <translation>其对象类型为“other”</translation>
-    </message>
-    <message>
-        <source>its scale leaves no shape</source>
-        <translation>缩放后没有形状</translation>
     </message>
     <message>
         <source>its type &apos;%1&apos; is not known</source>
@@ -1095,22 +1079,6 @@
         <translation>无法启动其进程</translation>
     </message>
     <message>
-        <source>its surfaces have no size</source>
-        <translation>其曲面没有大小</translation>
-    </message>
-    <message>
-        <source>none of its surfaces can be cut into triangles</source>
-        <translation>其曲面均无法三角化</translation>
-    </message>
-    <message>
-        <source>the file holds no surface</source>
-        <translation>文件中没有曲面</translation>
-    </message>
-    <message>
-        <source>the system ended it; memory may have run out</source>
-        <translation>系统将其终止；可能内存不足</translation>
-    </message>
-    <message>
         <source>bodies</source>
         <translation>物体</translation>
     </message>
@@ -1161,10 +1129,6 @@
     <message>
         <source>the package</source>
         <translation>软件包</translation>
-    </message>
-    <message>
-        <source>its geometry has no kind</source>
-        <translation>其几何形状没有类型</translation>
     </message>
     <message>
         <source>it is longer than its size</source>
@@ -1281,6 +1245,42 @@
     <message>
         <source>one of its indices is not a number</source>
         <translation>某个索引不是数字</translation>
+    </message>
+    <message>
+        <source>it contains no valid solid</source>
+        <translation>不含有效实体</translation>
+    </message>
+    <message>
+        <source>its surfaces have zero size</source>
+        <translation>其曲面没有大小</translation>
+    </message>
+    <message>
+        <source>none of its surfaces can be triangulated</source>
+        <translation>其曲面均无法三角化</translation>
+    </message>
+    <message>
+        <source>the file contains no shape</source>
+        <translation>文件不含形状</translation>
+    </message>
+    <message>
+        <source>the file contains no surface</source>
+        <translation>文件中没有曲面</translation>
+    </message>
+    <message>
+        <source>the system ended it; it may have run out of memory</source>
+        <translation>系统将其终止；可能内存不足</translation>
+    </message>
+    <message>
+        <source>it has no limits, so it moves without limits</source>
+        <translation>没有限位，因此不受限运动</translation>
+    </message>
+    <message>
+        <source>its geometry has no type</source>
+        <translation>其几何体没有类型</translation>
+    </message>
+    <message>
+        <source>its scale is degenerate</source>
+        <translation>其缩放为零，形状退化</translation>
     </message>
 </context>
 <context>
@@ -1493,10 +1493,6 @@
         <translation>模型对角线</translation>
     </message>
     <message>
-        <source>RMS distance from where it comes to rest</source>
-        <translation>与静止位置的均方根距离</translation>
-    </message>
-    <message>
         <source>Rate of the servo loop</source>
         <translation>伺服循环的频率</translation>
     </message>
@@ -1611,6 +1607,10 @@
     <message>
         <source>Largest deviation of triangles from a curved surface</source>
         <translation>三角形相对曲面的最大偏差</translation>
+    </message>
+    <message>
+        <source>RMS distance from its final position</source>
+        <translation>与最终位置的均方根距离</translation>
     </message>
 </context>
 <context>
@@ -3312,10 +3312,6 @@
         <translation>第二个角点，逆时针方向</translation>
     </message>
     <message>
-        <source>third corner: makes the face</source>
-        <translation>第三个角点：创建面</translation>
-    </message>
-    <message>
         <source>Smooth surface</source>
         <translation>平滑表面</translation>
     </message>
@@ -3766,6 +3762,10 @@
     <message>
         <source>the pass is full: release it</source>
         <translation>走刀已满：请松开</translation>
+    </message>
+    <message>
+        <source>third corner: creates the face</source>
+        <translation>第三个角点：创建面</translation>
     </message>
 </context>
 <context>
@@ -6203,10 +6203,6 @@
         <translation>添加</translation>
     </message>
     <message>
-        <source>%1 is inside something else</source>
-        <translation>%1 位于其他物体内部</translation>
-    </message>
-    <message>
         <source>Type another position in the panel.</source>
         <translation>请在面板中输入其他位置。</translation>
     </message>
@@ -6225,6 +6221,10 @@
     <message>
         <source>Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies beside the robot in the panel.</source>
         <translation>用鼠标拖动连杆，或按住 Shift 拖动整个机械臂。在关节列表中输入角度。在面板中添加机器人旁的物体。</translation>
+    </message>
+    <message>
+        <source>%1 is inside another object</source>
+        <translation>%1 位于另一个物体内部</translation>
     </message>
 </context>
 <context>

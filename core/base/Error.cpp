@@ -14,7 +14,7 @@ const ErrorDescription ErrorCode::OutOfMemory{
 const ErrorDescription ErrorCode::FileMissing{
     .id = "FileMissing",
     .sentences = {translatable("ErrorText", "there is no such file")},
-    .advice = {translatable("ErrorText", "Check the name, or whether the file was moved.")}};
+    .advice = {translatable("ErrorText", "Check the name, and whether the file was moved.")}};
 
 const ErrorDescription ErrorCode::FileUnreadable{
     .id = "FileUnreadable",

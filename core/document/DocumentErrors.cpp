@@ -33,7 +33,7 @@ const ErrorDescription DocumentError::ReplacesLinked{
 const ErrorDescription DocumentError::KindUnknown{
     .id = "KindUnknown",
     .sentences = {translatable("ErrorText",
-                               "the file holds a '%1', a kind of document that this program does not know")},
+                               "the file contains a '%1', a kind of document that this program does not know")},
     .advice = {translatable("ErrorText", "Open it with a newer version of Handwheel.")}};
 
 const ErrorDescription DocumentError::CheckFailed{

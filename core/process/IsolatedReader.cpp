@@ -87,7 +87,7 @@ std::string reasonOf(int code, const ReaderLimits& limits) {
   constexpr int kSignal = 128;  // codes of signals begin here
   if (code == 127) return "its process cannot be started";
   if (code == kSignal + SIGXCPU) return "it took longer than " + std::to_string(limits.cpu.count()) + " s";
-  if (code == kSignal + SIGKILL) return "the system ended it; memory may have run out";
+  if (code == kSignal + SIGKILL) return "the system ended it; it may have run out of memory";
   return code > kSignal ? "it crashed on this file" : "its answer is not valid";
 }
 

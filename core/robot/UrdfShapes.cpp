@@ -126,7 +126,7 @@ Result<Shape> UrdfShapes::readMesh(const XmlElement& mesh) const {
   const Result<Vec3> scale = readVector(mesh, "scale", Vec3::Ones());
   if (!scale) return scale.error();
   if ((scale->array() == 0.0).any() || scale->cwiseAbs().maxCoeff() > kLargestLength)
-    return malformed(mesh, "its scale leaves no shape");
+    return malformed(mesh, "its scale is degenerate");
   return Shape(MeshShape{*file, *scale});
 }
 

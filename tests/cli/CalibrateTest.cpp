@@ -81,7 +81,7 @@ class CalibrateTest : public QObject {
     const Bench bench;
     const Ran ran = bench.run(kCalibrate + QStringList{"nurbs.chord_mm"});
     QCOMPARE(ran.code, 1);
-    QVERIFY(ran.out.contains("nurbs.chord_mm") && !ran.out.contains("Kept in"));
+    QVERIFY(ran.out.contains("nurbs.chord_mm") && !ran.out.contains("Saved in"));
     QVERIFY(ran.err.startsWith("handwheel: ") && ran.err.count('\n') == 1);
   }
 

@@ -75,7 +75,7 @@ class StepTest : public QObject {
     QTest::addColumn<QByteArray>("script");
     QTest::addColumn<QByteArray>("reason");
     QTest::newRow("killed") << QByteArray("kill -KILL $$")
-                            << QByteArray("the system ended it; memory may have run out");
+                            << QByteArray("the system ended it; it may have run out of memory");
     QTest::newRow("crashed") << QByteArray("kill -SEGV $$") << QByteArray("it crashed on this file");
     QTest::newRow("no answer") << QByteArray("exit 0") << QByteArray("its answer is not valid");
     QTest::newRow("failed") << QByteArray("exit 1") << QByteArray("its answer is not valid");

@@ -119,9 +119,8 @@ std::string repairPurpose() {
          "Everything else is unchanged, bit for bit. Exit code 0: the written file is closed, manifold, oriented\n"
          "and free of self-intersections; 2: defects remain, as reported on stderr; 1: error. The\n"
          "format is given by the extension of OUT.\n\n"
-         "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a "
-         "separate\n"
-         "process. OUT is then a folder with the same subfolders as the input folders.\n"
+         "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a\n"
+         "separate process. OUT is then a folder with the same subfolders as the input folders.\n"
          "Repaired are files of these formats: " +
          meshFormatNames() +
          ", also in subfolders, without hidden files and linked folders. Prints a line for\n"

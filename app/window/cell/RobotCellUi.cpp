@@ -159,7 +159,7 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
   markSelected(isCovered);
   if (!isCovered || !isNew) return;
   emit message({Message::Weight::Info,
-                tr("%1 is inside something else").arg(QString::fromStdString(body->name)),
+                tr("%1 is inside another object").arg(QString::fromStdString(body->name)),
                 tr("It is at the position given in its file; everything else is transparent while it is selected."),
                 tr("Type another position in the panel."),
                 {},

@@ -16,7 +16,7 @@ FidelitySetting proxyToleranceSetting() {
   s.largest = 1e-4;  // a hundredth of a millimetre of what fills a hand; beyond, it feels steps
   s.standard = ContactOptions().tolerance;
   s.presets = {s.standard, s.standard, s.standard};
-  s.error = {translatable("Fidelity", "RMS distance from where it comes to rest"), "mm"};
+  s.error = {translatable("Fidelity", "RMS distance from its final position"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a tick"), "us"};
   s.budget = FidelityBudget::Tick;
   return s;

@@ -113,7 +113,7 @@ std::vector<ToolAction> MakeFaceTool::actions() const {
   const char* effect = QT_TRANSLATE_NOOP("Tool", "first corner, on an open edge");
   if (m_corners.size() == 1) effect = QT_TRANSLATE_NOOP("Tool", "second corner, counter-clockwise");
   if (m_corners.size() == 2) {
-    effect = QT_TRANSLATE_NOOP("Tool", "third corner: makes the face");
+    effect = QT_TRANSLATE_NOOP("Tool", "third corner: creates the face");
     if (m_hovered) effect = hintOf(m_problem, effect);
   }
   return {

@@ -113,7 +113,7 @@ class IsolatedReaderTest : public QObject {
     QTest::newRow("recurses") << "recurse"
                               << "A Library: it crashed on this file";
     QTest::newRow("is killed") << "kill"
-                               << "A Library: the system ended it; memory may have run out";
+                               << "A Library: the system ended it; it may have run out of memory";
     QTest::newRow("exits") << "exit"
                            << "A Library: its answer is not valid";
     QTest::newRow("garbage") << "garbage"

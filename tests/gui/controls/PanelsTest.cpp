@@ -56,7 +56,7 @@ void PanelsTest::startPageByKeyboard() {
 
 void PanelsTest::startPageSamples() {
   StartPage page;
-  const StartTile scan{"sampleTile", "repair", "Repair a sample scan", "A scanned part", false};
+  const StartTile scan{"sampleTile", "repair", "Repair a sample scan", "Opens a sample scan", false};
   const StartTile lathe{"latheTile", "kind-workpiece", "Turn a sample bar", "A shaft", true};
   page.setTiles({scan, lathe});
   QSignalSpy chosen(&page, &StartPage::tileChosen);

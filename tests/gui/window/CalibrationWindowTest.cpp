@@ -76,7 +76,7 @@ class CalibrationWindowTest : public QObject {
       WindowDriver driver;
       raisePanel(driver);
       auto& choice = *driver.window().findChild<FidelityChoice*>();
-      QVERIFY(driver.text("calibrationText").contains("came with the program"));
+      QVERIFY(driver.text("calibrationText").contains("supplied with the program"));
       driver.click("calibrateButton");
       QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
@@ -85,7 +85,7 @@ class CalibrationWindowTest : public QObject {
       driver.click("calibrateButton");
       QVERIFY(!driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
-      QVERIFY(driver.text("calibrationText").contains("are of this machine"));
+      QVERIFY(driver.text("calibrationText").contains("measured on this machine"));
     }
     Bench b;
     QVERIFY(b.choice.calibration().curves.contains("servo.rate"));

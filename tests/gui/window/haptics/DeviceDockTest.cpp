@@ -108,7 +108,7 @@ class DeviceDockTest : public QObject {
     b.choose("Mouse as device");
     QVERIFY(b.waitForTick());
     QTRY_COMPARE(b.headline(), QString("The pointer is outside the view"));
-    QVERIFY(b.part<QLabel>("deviceDetail")->text().contains("without it"));
+    QVERIFY(b.part<QLabel>("deviceDetail")->text().contains("without this"));
   }
 
   // Nothing is shown to nobody, though the loop goes on.
