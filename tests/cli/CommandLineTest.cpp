@@ -59,7 +59,7 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o"}, "The option -o needs a value: OUT.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "-x"}, "There is no option -x.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"},
-        "--fill takes fair, refined, ear, minimal, area, dihedral or ridge, not 'x'.", " repair");
+        "--fill takes fair, refined, ear, minimal, area, dihedral, ridge or flat, not 'x'.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--continuity", "x"},
         "--continuity takes position, tangent or curvature, not 'x'.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--keep-open", "1,"}, "--keep-open takes loop numbers separated by commas.",

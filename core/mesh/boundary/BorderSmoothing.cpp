@@ -113,7 +113,8 @@ class HeldWays {
  private:
   Vec3 place(std::size_t i) const {
     if (m_share[i] == 0.0) return m_places[i];
-    return rounded(m_places[i] + m_share[i] * (m_to[i] - m_places[i]), m_numbers);
+    const Vec3 place = rounded(m_places[i] + m_share[i] * (m_to[i] - m_places[i]), m_numbers);
+    return place == rounded(m_places[i], m_numbers) ? m_places[i] : place;  // rounding alone is no move
   }
 
   // Without any further step all faces are as they may be, so this ends.

@@ -28,7 +28,7 @@ void addTetrahedron(TriangleSoup& soup, const std::array<Vec3, 4>& p) {
 TriangleSoup pairAtAnEdge(double gap) {
   TriangleSoup soup;
   addTetrahedron(soup, {Vec3(1 + gap, 0, 0), Vec3(2, 0, 0.5), Vec3(1 + gap, 0, 1), Vec3(1.5, -1, 0.5)});
-  addTetrahedron(soup, {Vec3(1, 0, 0), Vec3(1, 0, 1), Vec3(0, 0.5, 0.5), Vec3(0.5, 1.5, 0.5)});
+  addTetrahedron(soup, {Vec3(1, 0, 0), Vec3(1, 0, 1), Vec3(0.5, 1.5, 0.5), Vec3(0, 0.5, 0.5)});
   return soup;
 }
 

@@ -270,7 +270,7 @@ void MeshStepsTest::edges() {
   tool.setSetting("evenly", false);
   tool.perform("smooth");
   tool.perform("commit");
-  QVERIFY2(work.step(3).ends_with(" --wavelength 12.5 --uneven"), work.step(3).c_str());
+  QVERIFY2(work.step(3).ends_with(" --wavelength 12.5 --uneven --numbers single"), work.step(3).c_str());
   QCOMPARE(work.check(4), std::string());
 }
 
@@ -350,7 +350,7 @@ void MeshStepsTest::mistakes_data() {
   row("delete 1 2", "'2' is too much");
   row("fill 7", "there is no loop 7, nor any");
   row("fill v3", "there is no loop with the smallest vertex 3");
-  row("repair --fill best", "--fill takes fair, refined, ear, minimal, area, dihedral or ridge, not 'best'");
+  row("repair --fill best", "--fill takes fair, refined, ear, minimal, area, dihedral, ridge or flat, not 'best'");
   row("repair --remove-debris yes", "--remove-debris takes no value");
   row("repair --colour red", "repair has no option '--colour'");
   row("repair --rims off", "--rims takes keep, back or fill, not 'off'");
