@@ -27,8 +27,8 @@ class CommandLineTest : public QObject {
     }
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
-    const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 16);
+    const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;:()-]+\\.$", QRegularExpression::MultilineOption);
+    QCOMPARE(QString(overview.out).count(line), 18);
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
                                "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);

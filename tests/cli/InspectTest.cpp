@@ -182,11 +182,12 @@ class InspectTest : public QObject {
     QCOMPARE(json.at("self_intersecting_pairs").get<int>(), 0);
   }
 
-  void insideOutCubeHasNegativeVolume() {
+  void insideOutCubeIsNotOriented() {
     Shape shape = cube();
     for (auto& f : shape.faces) std::swap(f[0], f[1]);
     const auto json = statistics(shape.off());
-    QVERIFY(json.at("oriented"));
+    QVERIFY(!json.at("oriented"));
+    QCOMPARE(json.at("inside_out_bodies").get<int>(), 1);
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() + 1.0) < 1e-15);
   }
 

@@ -218,7 +218,7 @@ void MeasureTest::repairReadsTheSettings() {
   QVERIFY(ear < draft && draft < standard);
   QCOMPARE(newFaces({"--fidelity", "exact,mesh.fill_method=ear", "--fill", "fair"}), newFaces({"--fidelity", "exact"}));
 
-  for (const char* wrong : {"fast", "mesh.near_weld=7", "mesh.near_weld", "mesh.fill_method=flat"}) {
+  for (const char* wrong : {"fast", "mesh.near_weld=7", "mesh.near_weld", "mesh.fill_method=round"}) {
     const Ran ran = bench.run({"repair", "torn.off", "-o", "c.off", "--fidelity", wrong});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.endsWith("Try 'handwheel help repair'.\n"));

@@ -80,7 +80,8 @@ class RepairTest : public QObject {
                                             "damage",
                                             "seconds"};
     QVERIFY(keysOf(report) == expected);
-    const std::vector<std::string> loopKeys{"id", "edges", "outcome", "method", "reason", "new_faces", "ms"};
+    const std::vector<std::string> loopKeys{"id",        "edges",    "outcome",         "method", "reason",
+                                            "new_faces", "bend_deg", "bend_around_deg", "ms"};
     QVERIFY(keysOf(report["loops"][0]) == loopKeys);
     QCOMPARE(report["input"].get<std::string>(), std::string("a.off"));
     QCOMPARE(report["unit"].get<std::string>(), std::string("cm"));

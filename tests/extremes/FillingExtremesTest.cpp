@@ -122,7 +122,9 @@ void FillingExtremesTest::leastOfAll() {
   QFETCH(double, offset);
   const HalfEdgeMesh mesh = holedBall(scale, offset);
   const HoleFiller filler(mesh);
-  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+  QVERIFY(!loops.empty());
+  for (const BoundaryLoop& loop : loops) {
     const auto statistics = [&](FillMethod method) {
       const FillAttempt attempt = filler.propose(loop, only(method));
       if (attempt.failure != FillFailure::None) qFatal("not filled");
@@ -144,8 +146,10 @@ void FillingExtremesTest::curvatureOfBalls() {
   QFETCH(double, offset);
   const HalfEdgeMesh mesh = holedBall(scale, offset);
   const HoleFiller filler(mesh);
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+  QVERIFY(!loops.empty());
   for (const FillMethod method : {FillMethod::Fair, FillMethod::Ridge}) {
-    for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+    for (const BoundaryLoop& loop : loops) {
       const FillAttempt attempt = filler.propose(loop, only(method, Continuity::Curvature));
       QVERIFY(attempt.failure == FillFailure::None);
       QVERIFY(attempt.patch.points.size() > attempt.patch.loopSize);

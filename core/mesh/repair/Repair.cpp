@@ -52,7 +52,9 @@ class Repairer {
         m_separationBudget(most(tolerance::kSeparationShare, tolerance::kObstructedHoleBudget), m_closeEffort),
         m_tangleEffort(most(tolerance::kFoldedRegionShare, tolerance::kFoldedRegionBudget), m_closeEffort) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
-      if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
+      const FillFailure reason = reasonToLeave(loop, {loop.id});
+      // What folds around a hole is replaced although a sheet that nobody marked is part of it.
+      if (mayClose(reason) || reason == FillFailure::Rim) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
     }
   }

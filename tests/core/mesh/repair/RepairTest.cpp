@@ -203,6 +203,7 @@ void RepairTest::keptHoleOfASheet() {
   options.maxEdges = 4;
   const RepairReport tooLong = repair(mesh, options);
   QVERIFY(test::sameMesh(mesh, input));
+  QCOMPARE(tooLong.loops.size(), loops.size());
   for (const LoopResult& loop : tooLong.loops) QVERIFY(loop.reason == FillFailure::TooLong);
 }
 
@@ -210,7 +211,9 @@ void RepairTest::maxEdges() {
   TriangleSoup soup = test::withHole(test::icosphere(4), Vec3::UnitX(), 0.5);
   soup = test::withHole(soup, -Vec3::UnitX(), 0.1);
   const HalfEdgeMesh input = buildMesh(soup).mesh;
-  for (const BoundaryLoop& smaller : findBoundaryLoops(input)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
+  QCOMPARE(loops.size(), std::size_t{2});
+  for (const BoundaryLoop& smaller : loops) {
     HalfEdgeMesh mesh = input;
     RepairOptions options;
     options.maxEdges = smaller.halfEdges.size();

@@ -50,6 +50,7 @@ class MeshOperationsTest : public QObject {
 
  private slots:
   void eachHasItsOwnNames() {
+    QVERIFY(!meshOperations().empty());
     std::set<std::string> verbs;
     for (const Operation& operation : meshOperations()) {
       QVERIFY(verbs.insert(operation.id).second);
