@@ -2033,6 +2033,10 @@
         <source>The file contains one valid solid.</source>
         <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
     </message>
+    <message>
+        <source>Rounded to the numbers of this format, %1 more pairs of triangles intersect. 3MF, PLY, OBJ and OFF keep all digits.</source>
+        <translation>Auf die Zahlen dieses Formats gerundet, durchdringen sich %1 weitere Paare von Dreiecken. 3MF, PLY, OBJ und OFF behalten alle Stellen.</translation>
+    </message>
 </context>
 <context>
     <name>Property</name>

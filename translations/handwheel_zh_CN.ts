@@ -2019,6 +2019,10 @@
         <source>The file contains one valid solid.</source>
         <translation>文件包含一个有效实体。</translation>
     </message>
+    <message>
+        <source>Rounded to the numbers of this format, %1 more pairs of triangles intersect. 3MF, PLY, OBJ and OFF keep all digits.</source>
+        <translation>按此格式的数值舍入后，另有 %1 对三角形相交。3MF、PLY、OBJ 和 OFF 保留全部位数。</translation>
+    </message>
 </context>
 <context>
     <name>Property</name>
