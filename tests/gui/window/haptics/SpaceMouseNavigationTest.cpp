@@ -82,9 +82,22 @@ struct CapBench {
   bool waitForNavigation(bool isThere) {
     return QTest::qWaitFor([&] { return device.names().empty() != isThere; }, kPatienceMs);
   }
-  // The cap is let go, and the view has come to rest.
+  bool hasReports() {
+    const std::lock_guard lock(mouse->mutex);
+    return !mouse->reports.empty();
+  }
+  // The cap is let go, the device has read that it was, and the view has come to rest.
   CameraState rest() {
     translation = rotation = {};
+    {
+      const std::lock_guard lock(mouse->mutex);
+      mouse->reports.clear();
+    }
+    reports.stop();
+    report();
+    (void)QTest::qWaitFor([&] { return !hasReports(); }, kPatienceMs);
+    QTest::qWait(100);
+    reports.start();
     CameraState last = view.camera();
     (void)QTest::qWaitFor([&] { return last == std::exchange(last, (QTest::qWait(100), view.camera())); }, kPatienceMs);
     return view.camera();
