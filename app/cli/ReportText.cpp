@@ -49,7 +49,9 @@ std::string readableText(const MeshReport& report) {
   text += line("Closed", yesNo(report.closed));
   text += line("Manifold", yesNo(report.manifold));
   text += line("Oriented", yesNo(report.oriented));
-  if (report.insideOutBodies > 0) text += line("Inside out", std::to_string(report.insideOutBodies) + " bodies");
+  if (report.insideOutBodies > 0)
+    text += line("Inside out",
+                 std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));
   text += line("Boundary loops", std::to_string(report.loops.size()));
   text += line("Non-manifold edges", std::to_string(report.nonManifoldEdges));
   text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));

@@ -70,7 +70,7 @@ QString openTitle(const Inspection& inspection) {
                : NextStepsWords::tr("No holes remain except those kept open.");
 }
 
-// False again once a repair is undone.
+// A hole that the repair opened itself was not.
 bool wasTriedOnAll(const Inspection& inspection) {
   const auto& holes = inspection.holes();
   return std::all_of(holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) != FillFailure::None; });
@@ -136,7 +136,9 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
   if (document.cardDismissed) return {};
   if (inspection.isClean()) return cleanStep(document, actions);
-  if (document.repaired && wasTriedOnAll(inspection)) return leftStep(inspection, actions);
+  // Not once that is undone, or anything else was changed: then it may do something.
+  if (document.repairedRevision == document.document.revision() && wasTriedOnAll(inspection))
+    return leftStep(inspection, actions);
   const bool holes = !inspection.holes().empty();
   NextStep step{holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
                 holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,

@@ -208,8 +208,8 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   Inspection& inspection = document->inspection;
   const auto failures = failuresOf(inspection, done.report);
   logRepair(*document, done);
-  document->repaired = true;
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
+  document->repairedRevision = document->document.revision();
   inspection.setFailures(failures);
   if (isChanged) return;
   emit changedNothing(document, tr("Repair all"),

@@ -11,7 +11,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kMostCountedLoops = 2000;  // 0.1 s
+constexpr std::size_t kMostCountedLoops = 2000;  // each is compared with each
 
 constexpr double kBulge = 0.25;  // of the hole's width, above and below its points
 

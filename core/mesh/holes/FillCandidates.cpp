@@ -16,7 +16,7 @@ namespace {
 // through space, after the user's own, with and without a lid.
 constexpr EarWeights kTastes[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
 
-constexpr std::size_t kLeastBendEdges = 100;  // 10 ms
+constexpr std::size_t kLeastBendEdges = 100;  // it is cubic in them
 
 constexpr double kChordPart = 0.5;  // of the progress: the search for the chords that cut a loop into pieces
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kCandidateEffort = 10;
 constexpr std::size_t kJudgeEffort = 4;
 
-// Of a longer loop the first patch is taken that fits: to make them all would take seconds.
+// Of a longer loop the first patch is taken that fits, for a user waits for it.
 constexpr std::size_t kComparedEdges = 500;
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted

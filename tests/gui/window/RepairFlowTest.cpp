@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "haptics/SoupCorners.h"
 
 #include <QComboBox>
 #include <QMessageBox>
@@ -163,6 +165,22 @@ class RepairFlowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(driver.text("nextStepTitle"), "3 holes found.");
     QVERIFY(driver.settle());
+  }
+
+  // A cube that is inside out has no hole of which it would be known that it was tried.
+  void aRepairWithoutHolesIsOfferedAgain() {
+    WindowDriver driver;
+    const QString path = m_folder.filePath("inside-out.stl");
+    writeStl(path, cornersOf(turnedOver(cube(20.0))));
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.count(DefectKind::InsideOut), 1);
+    driver.click("nextStep/repairAll");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::InsideOut), 1);
+    driver.click("nextStep/repairAll");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
   }
 
   void aDismissedCardStaysAway() {

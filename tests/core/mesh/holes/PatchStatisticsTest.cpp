@@ -46,6 +46,7 @@ class PatchStatisticsTest : public QObject {
   void roof();
   void withoutArea();
   void comparedWithItsSurroundings();
+  void capsAreLikeTheirSphere();
 };
 
 void PatchStatisticsTest::lidOfACube_data() {
@@ -112,6 +113,18 @@ void PatchStatisticsTest::comparedWithItsSurroundings() {
     QVERIFY(std::abs(shape.rise - height) < 1e-12 && std::abs(shape.size - std::sqrt(32.0)) < 1e-12);
     QCOMPARE(shape.bendsMore(), std::atan(height / 2.0) > tolerance::kNoticeableBend);
     QCOMPARE(shape.risesMore(), height / std::sqrt(32.0) > tolerance::kNoticeableRise);
+  }
+}
+
+// Caps of up to 42° that continue the sphere are like it.
+void PatchStatisticsTest::capsAreLikeTheirSphere() {
+  for (const double radius : {0.2, 0.4, 0.7}) {
+    const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(4, radius)).mesh;
+    const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
+    const FillAttempt cap = HoleFiller(mesh).propose(loop, {});
+    QVERIFY(cap.failure == FillFailure::None && cap.patch.method == FillMethod::Fair);
+    const PatchComparison shape = compared(mesh, loop, cap.patch);
+    QVERIFY(shape.rise > 0.0 && !shape.risesMore() && !shape.bendsMore());
   }
 }
 
