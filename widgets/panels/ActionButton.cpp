@@ -3,16 +3,22 @@
 #include "panels/ActionButton.h"
 
 #include <QAction>
+#include <QEvent>
 
 namespace handwheel {
 
-ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushButton(parent) {
+ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushButton(parent), m_action(action) {
   setObjectName(action->objectName() + QStringLiteral("Button"));
   setProperty(rank == Rank::Primary ? "primary" : "flat", rank != Rank::Ordinary);
   setCursor(Qt::ArrowCursor);
   follow(action);
   connect(action, &QAction::changed, this, [this, action] { follow(action); });
   connect(this, &QPushButton::clicked, action, &QAction::trigger);
+}
+
+bool ActionButton::event(QEvent* event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) m_action->hover();
+  return QPushButton::event(event);
 }
 
 void ActionButton::follow(const QAction* action) {

@@ -8,7 +8,8 @@ class QAction;
 
 namespace handwheel {
 
-// A push button for an action. Text, tooltip, enabled and checked state are those of the action.
+// A push button for an action. Text, tooltip, enabled and checked state are those of the action, which
+// hears of the pointer or the focus on the button as of that on its menu entry (QAction::hovered).
 class ActionButton : public QPushButton {
   Q_OBJECT
 
@@ -17,8 +18,13 @@ class ActionButton : public QPushButton {
 
   explicit ActionButton(QAction* action, Rank rank = Rank::Ordinary, QWidget* parent = nullptr);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   void follow(const QAction* action);
+
+  QAction* m_action;
 };
 
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 #include "tools/mesh/LoopText.h"
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
+#include "window/mesh/FixPreview.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/RepairJobs.h"
@@ -23,14 +24,26 @@ auto chosen(const auto& values, int row) {
   return row < 0 ? values : std::decay_t<decltype(values)>{values[static_cast<std::size_t>(row)]};
 }
 
+// What names the defect of a row; empty, which names all, for -1.
+FaceSelection faceOf(const std::vector<Face>& faces, int row) {
+  return row < 0 ? FaceSelection() : FaceSelection{faces[static_cast<std::size_t>(row)]};
+}
+
+std::vector<Vertex> endsOf(const std::vector<std::pair<Vertex, Vertex>>& edges, int row) {
+  if (row < 0) return {};
+  const auto& [a, b] = edges[static_cast<std::size_t>(row)];
+  return {a, b};
+}
+
 }  // namespace
 
-DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview,
+DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
                              const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent),
       m_selection(selection),
       m_jobs(jobs),
       m_preview(preview),
+      m_shown(shown),
       m_fidelity(fidelity),
       m_fix(tr("Fix"), this),
       m_thickenSheet(tr("&Thicken sheets"), this),
@@ -43,15 +56,10 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connect(&m_fix, &QAction::triggered, this, [this] {
     if (auto wanted = change()) m_jobs.change(m_document, std::move(*wanted));
   });
-  connect(&m_thickenSheet, &QAction::triggered, this, [this] {
-    std::vector<Vertex> keys;
-    for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
-    m_jobs.change(m_document, thickenFix(std::move(keys), options()));
-  });
-  connect(&m_cutAndClose, &QAction::triggered, this, [this] {
-    m_jobs.change(m_document, cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options()));
-  });
-  connect(&m_selection, &Selection::changed, this, &DefectActions::follow);
+  connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
+  connect(&m_thickenSheet, &QAction::hovered, this, [this] { point(&m_thickenSheet); });
+  connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
+  connect(&m_selection, &Selection::changed, this, [this] { point(nullptr); });
   connect(&m_preview, &HolePreview::changed, this, &DefectActions::follow);
   connect(&m_jobs, &RepairJobs::workingChanged, this, &DefectActions::follow);
   follow();
@@ -65,6 +73,11 @@ void DefectActions::setDocument(MeshTab* document) {
 void DefectActions::choose(std::optional<DefectKind> kind, int row) {
   m_kind = kind;
   m_row = row;
+  point(nullptr);
+}
+
+void DefectActions::point(const QAction* action) {
+  m_pointed = action;
   follow();
 }
 
@@ -81,6 +94,24 @@ void DefectActions::follow() {
                          m_preview.state().failure == FillFailure::SelfIntersecting;
   m_cutAndClose.setVisible(isBlocked);
   m_cutAndClose.setEnabled(free && isBlocked);
+  m_shown.request(m_document, free ? offered(isBlocked) : std::nullopt);
+}
+
+// Where a hole has a patch, that is shown until the pointer is on the button of another way.
+std::optional<MeshChange> DefectActions::offered(bool isBlocked) const {
+  if (m_pointed == &m_thickenSheet && m_thickenSheet.isEnabled()) return thickening();
+  if (isBlocked) return cutting();
+  return m_selection.loop() < 0 ? change() : std::nullopt;
+}
+
+MeshChange DefectActions::thickening() const {
+  std::vector<Vertex> keys;
+  for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
+  return thickenFix(std::move(keys), options());
+}
+
+MeshChange DefectActions::cutting() const {
+  return cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options());
 }
 
 std::vector<int> DefectActions::sheets() const {
@@ -113,10 +144,11 @@ std::optional<MeshChange> DefectActions::change() const {
   if (const auto count = static_cast<int>(inspection.count(*m_kind)); count == 0 || m_row >= count) return std::nullopt;
   switch (*m_kind) {
     case DefectKind::NonManifoldEdge:
+      return nonManifoldFix(numbers, endsOf(defects.nonManifoldEdges, m_row));
     case DefectKind::NonManifoldVertex:
-      return nonManifoldFix(numbers);
+      return nonManifoldFix(numbers, m_row < 0 ? std::vector<Vertex>() : chosen(defects.nonManifoldVertices, m_row));
     case DefectKind::OneSided:
-      return nonOrientableFix(options());
+      return nonOrientableFix(options(), endsOf(defects.nonOrientableEdges, m_row));
     case DefectKind::InsideOut: {
       FaceSelection faces;
       for (const std::vector<Face>& body : chosen(defects.insideOut, m_row))
@@ -131,9 +163,9 @@ std::optional<MeshChange> DefectActions::change() const {
     case DefectKind::NearVertex:
       return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, m_row));
     case DefectKind::Degenerate:
-      return degenerateFix();
+      return degenerateFix(faceOf(defects.degenerateFaces, m_row));
     case DefectKind::Duplicate:
-      return duplicateFix();
+      return duplicateFix(faceOf(defects.duplicateFaces, m_row));
     case DefectKind::SelfIntersection:
       return intersectionFix(numbers, chosen(*inspection.selfIntersections(), m_row));
     case DefectKind::Debris: {

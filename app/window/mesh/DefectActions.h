@@ -11,6 +11,7 @@
 namespace handwheel {
 
 class FidelityChoice;
+class FixPreview;
 class HolePreview;
 class RepairJobs;
 class Selection;
@@ -23,12 +24,15 @@ class DefectActions : public QObject {
   Q_OBJECT
 
  public:
-  DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, const FidelityChoice& fidelity,
-                QObject* parent = nullptr);
+  // shown: gets the fix that is offered.
+  DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
+                const FidelityChoice& fidelity, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);  // null: no mesh is in view
   // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
+  // The pointer has left the button of a fix for the patch of the hole, which is shown again.
+  void forgetPointed() { point(nullptr); }
 
   QAction* fix() { return &m_fix; }                    // hidden when there is nothing to fix
   QAction* thickenSheet() { return &m_thickenSheet; }  // makes a thin body of the selected sheet, or of all
@@ -37,7 +41,11 @@ class DefectActions : public QObject {
 
  private:
   void follow();
+  void point(const QAction* action);
   std::optional<MeshChange> change() const;
+  MeshChange thickening() const;
+  MeshChange cutting() const;
+  std::optional<MeshChange> offered(bool isBlocked) const;
   std::vector<int> sheets() const;  // loop ids
   FillOptions options() const;
 
@@ -45,9 +53,11 @@ class DefectActions : public QObject {
   Selection& m_selection;
   RepairJobs& m_jobs;
   const HolePreview& m_preview;
+  FixPreview& m_shown;
   const FidelityChoice& m_fidelity;
   std::optional<DefectKind> m_kind;
   int m_row = -1;
+  const QAction* m_pointed = nullptr;  // the button under the pointer last, of those beside the patch of a hole
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;

@@ -18,6 +18,7 @@
 #include "window/tools/ToolHost.h"
 
 #include <QCoreApplication>
+#include <utility>
 
 namespace handwheel {
 
@@ -49,6 +50,10 @@ void MeshTools::chooseMethod(FillMethod method) {
   showChoice();
 }
 
+void MeshTools::setPatchHidden(bool isHidden) {
+  if (std::exchange(m_isPatchHidden, isHidden) != isHidden) m_host.runner().deliver([] {});
+}
+
 void MeshTools::showChoice() {
   if (!runningFillTool()) return m_preview.refresh();
   m_host.runner().setSetting("fill", static_cast<double>(m_preview.method()));  // it asks for a patch
@@ -60,7 +65,7 @@ std::unique_ptr<Tool> MeshTools::fillTool() {
   services.faces = [this] { return m_layer.faces(); };
   services.request = [this](const FillRequest& wanted) { request(wanted); };
   services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
-  services.showsPatch = [this] { return m_actions.preview()->isChecked(); };
+  services.showsPatch = [this] { return m_actions.preview()->isChecked() && !m_isPatchHidden; };
   const Vertex selected = m_document->selected;
   return std::make_unique<FillHoleTool>(m_document->document, std::move(services),
                                         selected == kNone ? std::nullopt : std::optional(selected));

@@ -29,6 +29,8 @@ class MeshTools : public QObject {
   void setDocument(MeshTab* document);
   // Sets the method for holes that are filled one by one.
   void chooseMethod(FillMethod method);
+  // Hides the patch of the hole while the preview of another way to close it is shown.
+  void setPatchHidden(bool isHidden);
   // Shows how holes are filled, after it was changed by another than the tool.
   void showChoice();
 
@@ -60,6 +62,7 @@ class MeshTools : public QObject {
   JobRunner m_thinking;  // the jobs of the select tool
   MeshTab* m_document = nullptr;
   std::uint64_t m_ticket = 0;
+  bool m_isPatchHidden = false;
 };
 
 }  // namespace handwheel

@@ -44,7 +44,8 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
       m_actions(m_selection, m_jobs, m_preview, parts.fidelity, this),
-      m_defectActions(m_selection, m_jobs, m_preview, parts.fidelity, this),
+      m_fixPreview(parts.pool, parts.services, *m_actions.preview()),
+      m_defectActions(m_selection, m_jobs, m_preview, m_fixPreview, parts.fidelity, this),
       m_shells(parts, kind, *this, m_jobs),
       m_stepsFile(parts, this),
       m_panel(new DefectsPanel(
@@ -112,6 +113,8 @@ void MeshUi::connectSelection() {
     m_panel->settings()->showPreview(m_preview.state());
     if (m_panel->settings()->isComparing()) compareMethods();
   });
+  connect(&m_fixPreview, &FixPreview::changed, this, &MeshUi::showFix);
+  connect(m_actions.fill(), &QAction::hovered, &m_defectActions, &DefectActions::forgetPointed);
   connect(m_panel->settings(), &HoleSettings::compareRequested, this, &MeshUi::compareMethods);
   connect(&m_preview, &HolePreview::compared, this, &MeshUi::compareMethods);
   connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
@@ -193,7 +196,23 @@ void MeshUi::showPreview(const ToolPreview& preview) {
   const MeshPreview onMesh = meshPreviewOf(preview);
   m_layer->setLiveMesh(onMesh.live);
   m_layer->setHighlightedFaces(onMesh.highlighted);
-  m_layer->setSelectedFaces(onMesh.selected);
+  m_selectedInTool = onMesh.selected;
+  selectFaces();
+}
+
+// What a fix takes away looks like what the user has selected, and what it makes like a patch.
+void MeshUi::showFix() {
+  const ChangePreview& fix = m_fixPreview.shown();
+  m_layer->setPreview(fix.added.points, fix.added.triangles);
+  selectFaces();
+  m_tools.setPatchHidden(!fix.isEmpty());
+  if (m_panel) m_panel->showFixPreview(m_fixPreview.text());
+}
+
+void MeshUi::selectFaces() {
+  FaceSelection faces = m_selectedInTool;
+  faces.add(m_fixPreview.shown().removed);
+  m_layer->setSelectedFaces(faces);
 }
 
 QList<QAction*> MeshUi::toolBar() {
@@ -278,7 +297,8 @@ QString MeshUi::suggestedName(const DocumentTab& document) const {
 }
 
 bool MeshUi::isSettled() const {
-  return m_search.isIdle() && m_touch.isSettled() && m_preview.state().kind != PreviewState::Kind::Working;
+  return m_search.isIdle() && m_touch.isSettled() && !m_fixPreview.isWorking() &&
+         m_preview.state().kind != PreviewState::Kind::Working;
 }
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "window/kinds/KindUi.h"
 #include "window/mesh/DefectActions.h"
+#include "window/mesh/FixPreview.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshHapticsProvider.h"
 #include "window/mesh/MeshTools.h"
@@ -66,6 +67,8 @@ class MeshUi : public KindUi {
   void followFidelity();
   void compareMethods();
   void logMark(const MeshTab& open);
+  void showFix();
+  void selectFaces();
 
   WindowContext m_parts;
   MeshKind& m_kind;
@@ -75,6 +78,7 @@ class MeshUi : public KindUi {
   SelfIntersectionSearch m_search;
   RepairJobs m_jobs;
   RepairActions m_actions;
+  FixPreview m_fixPreview;
   DefectActions m_defectActions;
   ShellActions m_shells;
   StepsFile m_stepsFile;
@@ -87,6 +91,7 @@ class MeshUi : public KindUi {
   MeshHapticsProvider m_touch;
   RepairDemo m_show;
   MeshTab* m_document = nullptr;
+  FaceSelection m_selectedInTool;
 };
 
 }  // namespace handwheel

@@ -110,7 +110,7 @@ std::vector<FaceGroup> equalFaces(std::span<const Triangle> triangles, const Edg
   return groups;
 }
 
-std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress) {
+std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress, const FaceSelection* only) {
   const PositionTriangles byPosition(mesh, progress.part(0.0, 0.2));
   const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.2, 0.4));
   const std::vector<FaceGroup> groups = equalFaces(byPosition.triangles, edges, progress.part(0.4, 0.5));
@@ -133,6 +133,8 @@ std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress) {
   }
   std::size_t removed = 0;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    const auto isMeant = [&](Face f) { return !only || only->contains(f); };
+    if (std::none_of(groups[g].faces.begin(), groups[g].faces.end(), isMeant)) continue;
     const auto keep = static_cast<std::size_t>(choices[sets.root(g)].keep());
     for (std::size_t i = keep; i < groups[g].faces.size(); ++i, ++removed) mesh.removeFace(groups[g].faces[i]);
   }

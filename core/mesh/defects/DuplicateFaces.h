@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "mesh/selection/FaceSelection.h"
 #include "mesh/structure/EdgeTable.h"
-#include "mesh/structure/HalfEdgeMesh.h"
 
 namespace handwheel {
 
@@ -20,8 +20,8 @@ std::vector<FaceGroup> equalFaces(std::span<const Triangle> triangles, const Edg
 
 // Removes faces that have the same three positions as another face. Connected duplicates are treated alike: one of each
 // stays, or none where the surface is closed without them (a wall inside a solid, a flap), or both where they are the
-// two sides of a plate, which is closed as it is. Returns the number removed. Relinks when any was. The mesh is invalid
-// if cancelled.
-std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress = {});
+// two sides of a plate, which is closed as it is. only: of groups with one of these faces; what stays of them is as
+// with all (null). Returns the number removed. Relinks when any was. The mesh is invalid if cancelled.
+std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress = {}, const FaceSelection* only = nullptr);
 
 }  // namespace handwheel

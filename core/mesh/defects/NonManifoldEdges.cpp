@@ -20,6 +20,21 @@ void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Progress progress, Visit visit
   edges.forEachEdge(visitCrowded, progress.part(0.8, 1.0));
 }
 
+// The fans at positions of these classes.
+std::map<std::uint32_t, Fans> fansIn(const HalfEdgeMesh& mesh, const std::vector<std::uint32_t>& classOf,
+                                     const std::vector<bool>& wanted, Progress progress) {
+  std::map<std::uint32_t, Fans> found;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!pollProgress(h, mesh.halfEdgeSlots(), progress)) break;
+    if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
+    const Vertex v = mesh.from(h);
+    if (!wanted[classOf[v]]) continue;
+    std::vector<HalfEdge>& fan = found[classOf[v]][v];
+    if (fan.empty()) fan = mesh.fan(h);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress) {
@@ -31,17 +46,17 @@ std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress
     crowded[low] = crowded[high] = true;
   };
   forEachCrowdedEdge(mesh, progress.part(0.0, 0.8), mark);
-  std::map<std::uint32_t, Fans> fansAt;
-  if (crowded.empty()) return fansAt;
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
-    if (!pollProgress(h, mesh.halfEdgeSlots(), progress.part(0.8, 1.0))) break;
-    if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
-    const Vertex v = mesh.from(h);
-    if (!crowded[classOf[v]]) continue;
-    std::vector<HalfEdge>& fan = fansAt[classOf[v]][v];
-    if (fan.empty()) fan = mesh.fan(h);
-  }
-  return fansAt;
+  return crowded.empty() ? std::map<std::uint32_t, Fans>() : fansIn(mesh, classOf, crowded, progress.part(0.8, 1.0));
+}
+
+std::map<std::uint32_t, Fans> fansAt(const HalfEdgeMesh& mesh, const std::vector<Vertex>& vertices, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.8));
+  std::vector<bool> wanted(byPosition.classes.representative.size(), false);
+  if (progress.cancelled()) return {};
+  for (const Vertex v : vertices) wanted[byPosition.classes.classOf[v]] = true;
+  std::map<std::uint32_t, Fans> found = fansIn(mesh, byPosition.classes.classOf, wanted, progress.part(0.8, 1.0));
+  std::erase_if(found, [](const auto& at) { return at.second.size() < 2; });
+  return found;
 }
 
 std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress) {

@@ -17,6 +17,10 @@ using Fans = std::map<Vertex, std::vector<HalfEdge>>;
 // Finds the fans at the end positions of non-manifold edges, by class of position. Incomplete if cancelled.
 std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress = {});
 
+// Finds the fans at the positions of these vertices in the same form, where there are several. Incomplete if cancelled.
+std::map<std::uint32_t, Fans> fansAt(const HalfEdgeMesh& mesh, const std::vector<Vertex>& vertices,
+                                     Progress progress = {});
+
 // Finds one half-edge of each surplus face pair at non-manifold edges. All pairs at an edge but the first are surplus.
 std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress = {});
 

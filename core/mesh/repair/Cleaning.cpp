@@ -32,11 +32,12 @@ HalfEdge longestEdge(const HalfEdgeMesh& mesh, Face f) {
 // Flips needles that have a neighbour at their longest edge. They may lie side by side: flipping one can free those
 // around it, which are then looked at again.
 void flipAway(HalfEdgeMesh& mesh, const std::vector<Face>& needles) {
+  const FaceSelection chosen(needles);
   std::vector<Face> waiting(needles.rbegin(), needles.rend());
   while (!waiting.empty()) {
     const Face f = waiting.back();
     waiting.pop_back();
-    if (!isDegenerate(mesh.points(f))) continue;
+    if (!chosen.contains(f) || !isDegenerate(mesh.points(f))) continue;
     const HalfEdge h = longestEdge(mesh, f);
     const HalfEdge across = mesh.opposite(h);
     if (!flipEdge(mesh, h)) continue;
@@ -48,6 +49,25 @@ void flipAway(HalfEdgeMesh& mesh, const std::vector<Face>& needles) {
   }
 }
 
+// Those of these degenerate faces that are chosen, or hang together with a chosen one.
+std::vector<Face> connectedWith(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, const FaceSelection& chosen) {
+  const FaceSelection all(faces);
+  FaceSelection found;
+  std::vector<Face> left;
+  for (const Face f : faces) {
+    if (chosen.contains(f)) left.push_back(f);
+  }
+  while (!left.empty()) {
+    const Face f = left.back();
+    left.pop_back();
+    if (!all.contains(f) || !found.add(f)) continue;
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      if (mesh.hasOpposite(h)) left.push_back(HalfEdgeMesh::face(mesh.opposite(h)));
+    }
+  }
+  return found.faces();
+}
+
 // A face that shares each of its edges with nobody or with more than one other, and some with each.
 bool hangsLoose(const std::array<int, 3>& facesAtEdge) {
   const auto free = std::count(facesAtEdge.begin(), facesAtEdge.end(), 1);
@@ -57,19 +77,21 @@ bool hangsLoose(const std::array<int, 3>& facesAtEdge) {
 
 }  // namespace
 
-std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh, Progress progress) {
+std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh, Progress progress, const FaceSelection* only) {
   std::size_t removed = 0;
   std::vector<Face> needles;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!pollProgress(f, mesh.faceSlots(), progress.part(0.0, 0.5))) return removed;
     if (!mesh.isLive(f)) continue;
     if (!mesh.isProper(f)) {
+      if (only && !only->contains(f)) continue;
       mesh.removeFace(f);
       ++removed;
     } else if (isDegenerate(mesh.points(f))) {
       needles.push_back(f);
     }
   }
+  if (only) needles = connectedWith(mesh, needles, *only);
   flipAway(mesh, needles);
   removed += needles.size();
   for (Face f : needles) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/structure/HalfEdgeMesh.h"
+#include "mesh/selection/FaceSelection.h"
 
 namespace handwheel {
 
@@ -11,8 +11,9 @@ namespace handwheel {
 
 // Removes faces of exactly zero area. A needle between two neighbours is flipped away (the long edge's other face is
 // split at the middle vertex, which changes no geometry); others are simply removed. Returns the number of removed
-// faces. Leaves the mesh linked.
-std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh, Progress progress = {});
+// faces. only: these, and those that hang together with them through edges, because a needle between needles cannot be
+// flipped alone; null for all. Leaves the mesh linked.
+std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh, Progress progress = {}, const FaceSelection* only = nullptr);
 
 // Removes flaps: small faces (tolerance::kFlap) attached to the surface at non-manifold edges only. They share no edge
 // with exactly one other face, and at least one edge with faces that do. Nothing opens without them, and closing them

@@ -6,6 +6,7 @@
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeOperations.h"
+#include "mesh/structure/PositionKey.h"
 #include "mesh/structure/PositionTriangles.h"
 #include "proximity/TriangleHierarchy.h"
 
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -264,16 +266,25 @@ void partFans(Parter& parter, Fans& fans, std::vector<Vertex>& moved) {
   }
 }
 
+// Where to separate: everywhere, or at these positions.
+using Places = std::set<PointKey>;
+
+bool isMeant(const HalfEdgeMesh& mesh, HalfEdge h, const Places& only) {
+  const auto isIn = [&](Vertex v) { return only.contains(positionKey(mesh.position(v))); };
+  return only.empty() || (isIn(mesh.from(h)) && isIn(mesh.to(h)));
+}
+
 // Edges between vertices that have one fan each: the same fan passes twice. An edge whose face was split waits for the
 // next pass, because its half-edge may have moved into the new face.
-void partEdges(Parter& parter, const HalfEdgeMesh& mesh, std::vector<Vertex>& added, Progress progress) {
+void partEdges(Parter& parter, const HalfEdgeMesh& mesh, const Places& only, std::vector<Vertex>& added,
+               Progress progress) {
   for (bool again = true; again;) {
     again = false;
     std::unordered_set<Face> split;
     for (HalfEdge h : surplusEdges(mesh, progress.part(0.0, 0.0))) {  // nobody knows how many passes it takes
       if (progress.cancelled()) return;
       const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(mesh.opposite(h));
-      if (split.contains(f) || split.contains(g)) continue;
+      if (split.contains(f) || split.contains(g) || !isMeant(mesh, h, only)) continue;
       const Vertex middle = parter.partEdge(h);
       if (middle == kNone) continue;
       added.push_back(middle);
@@ -283,33 +294,37 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, std::vector<Vertex>& ad
   }
 }
 
-void partAll(Parter& parter, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& fansAt,
+void partAll(Parter& parter, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& found, const Places& only,
              std::vector<Vertex>& moved, Progress progress) {
   // What cannot move at first may once its neighbours along the edge have.
   for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
     before = moved.size();
-    for (auto& [c, fans] : fansAt) {
+    for (auto& [c, fans] : found) {
       if (progress.cancelled()) return;
       partFans(parter, fans, moved);
     }
   }
-  partEdges(parter, mesh, moved, progress);
+  partEdges(parter, mesh, only, moved, progress);
 }
 
 }  // namespace
 
 std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress,
-                                               const std::function<std::size_t()>& spareCrossings) {
-  std::map<std::uint32_t, Fans> fansAt = nonManifoldFans(mesh, progress.part(0.0, 0.5));
-  if (fansAt.empty()) return {};
+                                               const std::function<std::size_t()>& spareCrossings,
+                                               const std::vector<Vertex>& at) {
+  Places only;
+  for (const Vertex v : at) only.insert(positionKey(mesh.position(v)));
+  const auto fans = [&](Progress now) { return at.empty() ? nonManifoldFans(mesh, now) : fansAt(mesh, at, now); };
+  std::map<std::uint32_t, Fans> found = fans(progress.part(0.0, 0.5));
+  if (found.empty() && at.empty()) return {};
   Parter parter(mesh, numbers, progress.part(0.5, 0.8), progress.part(0.8, 0.8));
   std::vector<Vertex> moved;
-  partAll(parter, mesh, fansAt, moved, progress.part(0.8, 0.9));
+  partAll(parter, mesh, found, only, moved, progress.part(0.8, 0.9));
   if (!spareCrossings || progress.cancelled()) return moved;
-  fansAt = nonManifoldFans(mesh, progress.part(0.9, 0.95));
-  if (fansAt.empty()) return moved;
+  found = fans(progress.part(0.9, 0.95));
+  if (found.empty()) return moved;
   parter.mayCross(spareCrossings());
-  partAll(parter, mesh, fansAt, moved, progress.part(0.95, 1.0));
+  partAll(parter, mesh, found, only, moved, progress.part(0.95, 1.0));
   return moved;
 }
 

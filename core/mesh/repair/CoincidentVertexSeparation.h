@@ -6,7 +6,6 @@
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <functional>
-
 #include <vector>
 
 namespace handwheel {
@@ -16,8 +15,11 @@ namespace handwheel {
 // faces in the file. The step is the smallest that the number type can represent and that makes no new
 // self-intersection. Vertices whose welding harms no edge stay. An edge whose ends cannot be moved apart gets a vertex
 // in its middle that can. Returns the vertices that were moved, then those that were added. spareCrossings: called only
-// when some cannot be separated so; then so many self-intersections are made where that separates them.
+// when some cannot be separated so; then so many self-intersections are made where that separates them. at: only what
+// is at the positions of these vertices, there also what touches without harm to an edge; empty: wherever an edge is
+// harmed.
 std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {},
-                                               const std::function<std::size_t()>& spareCrossings = {});
+                                               const std::function<std::size_t()>& spareCrossings = {},
+                                               const std::vector<Vertex>& at = {});
 
 }  // namespace handwheel

@@ -25,16 +25,25 @@ constexpr double kSlit = 0.1;      // of the way to the middle of the faces on o
 constexpr int kSmallerSlits = 10;  // by halves
 constexpr std::size_t kMostLoops = 64;
 
-// The mesh as a file shows it.
+// The mesh as a file shows it, or those faces of it; faces beyond the slots have been added to them.
 struct Welded {
-  Welded(const HalfEdgeMesh& mesh, Progress progress)
-      : byPosition(mesh, progress.part(0.0, 0.6)),
+  Welded(const HalfEdgeMesh& mesh, const FaceSelection* only, std::size_t slots, Progress progress)
+      : byPosition(trianglesOf(mesh, only, slots, progress.part(0.0, 0.6))),
         edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.6, 1.0)) {
     for (const Vertex v : byPosition.classes.representative) points.push_back(mesh.position(v));
   }
 
   bool hasOneSide(Progress progress) const {
     return !nonOrientableEdges(edges, byPosition.triangles, progress).empty();
+  }
+
+  static PositionTriangles trianglesOf(const HalfEdgeMesh& mesh, const FaceSelection* only, std::size_t slots,
+                                       Progress progress) {
+    PositionTriangles all(mesh, progress);
+    for (Face f = 0; only && f < std::min(slots, all.triangles.size()); ++f) {
+      if (!only->contains(f)) all.triangles[f] = {0, 0, 0};  // joins nothing
+    }
+    return all;
   }
 
   PositionTriangles byPosition;
@@ -181,12 +190,14 @@ void closeSlits(HalfEdgeMesh& mesh, const std::vector<Vertex>& cut, const FillOp
 
 }  // namespace
 
-NonOrientableCut cutNonOrientable(HalfEdgeMesh& mesh, double longest, NumberType numbers, Progress progress) {
+NonOrientableCut cutNonOrientable(HalfEdgeMesh& mesh, double longest, NumberType numbers, Progress progress,
+                                  const FaceSelection* only) {
   NonOrientableCut cut;
+  const std::size_t slots = mesh.faceSlots();
   while (cut.loops < kMostLoops) {
     const double share = static_cast<double>(cut.loops) / static_cast<double>(kMostLoops);
     const Progress now = progress.part(share, share + 1.0 / static_cast<double>(kMostLoops));
-    const Welded welded(mesh, now.part(0.0, 0.4));
+    const Welded welded(mesh, only, slots, now.part(0.0, 0.4));
     if (now.cancelled()) break;
     cut.isTwoSided = !welded.hasOneSide(now.part(0.4, 0.6));
     if (cut.isTwoSided) break;
@@ -202,17 +213,18 @@ NonOrientableCut cutNonOrientable(HalfEdgeMesh& mesh, double longest, NumberType
 }
 
 std::size_t closeNonOrientable(HalfEdgeMesh& mesh, const FillOptions& options, double longest, BorderCuts borderCuts,
-                               Progress progress) {
+                               Progress progress, const FaceSelection* only) {
   HalfEdgeMesh result = mesh;
-  const NonOrientableCut cut = cutNonOrientable(result, longest, options.numbers, progress.part(0.0, 0.3));
+  const NonOrientableCut cut = cutNonOrientable(result, longest, options.numbers, progress.part(0.0, 0.3), only);
   if (cut.loops == 0 || progress.cancelled()) return 0;
   const std::size_t crossings = countSelfIntersections(mesh, options.numbers, progress.part(0.3, 0.35));
   std::size_t allowed = countBadEdges(mesh, progress.part(0.35, 0.4));
   if (borderCuts == BorderCuts::Yes) allowed += 2 * cut.opened;
   closeSlits(result, cut.vertices, options, progress.part(0.4, 0.9));
-  const bool isSound = !progress.cancelled() && countBadEdges(result, progress.part(0.9, 0.92)) <= allowed &&
-                       !Welded(result, progress.part(0.92, 0.94)).hasOneSide(progress.part(0.94, 0.95)) &&
-                       countSelfIntersections(result, options.numbers, progress.part(0.95, 1.0)) <= crossings;
+  const bool isSound =
+      !progress.cancelled() && countBadEdges(result, progress.part(0.9, 0.92)) <= allowed &&
+      !Welded(result, only, mesh.faceSlots(), progress.part(0.92, 0.94)).hasOneSide(progress.part(0.94, 0.95)) &&
+      countSelfIntersections(result, options.numbers, progress.part(0.95, 1.0)) <= crossings;
   if (!isSound || progress.cancelled()) return 0;
   mesh = std::move(result);
   return cut.loops;

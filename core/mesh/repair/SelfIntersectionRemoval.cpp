@@ -5,6 +5,7 @@
 #include "base/Tolerance.h"
 #include "mesh/repair/Autorefinement.h"
 #include "mesh/repair/Cleaning.h"
+#include "mesh/repair/CoincidentPieces.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/PositionTriangles.h"
@@ -91,7 +92,9 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   report.cutFaces = cuts.piecesOf.size();
   if (progress.cancelled() || cuts.piecesOf.empty()) return report;
   replace(result, cuts, byPosition);
-  relink(result, progress.part(0.6, 0.7));
+  joinCoincidentPieces(result, static_cast<Face>(mesh.faceSlots()), progress.part(0.6, 0.65));
+  if (progress.cancelled()) return report;
+  relink(result, progress.part(0.65, 0.7));
   removeDegenerateFaces(result, progress.part(0.7, 0.75));
   separateCoincidentVertices(result, numbers, progress.part(0.75, 0.85), [&] {
     const std::size_t made = countSelfIntersections(result, numbers, progress.part(0.85, 0.85));

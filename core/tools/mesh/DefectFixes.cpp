@@ -6,6 +6,7 @@
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/defects/InsideOutShells.h"
+#include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/FoldedRegionRemoval.h"
@@ -14,8 +15,10 @@
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SheetThickening.h"
+#include "mesh/structure/FaceComponents.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
@@ -24,6 +27,7 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace handwheel {
 namespace {
@@ -79,26 +83,79 @@ OperationValues rounding(const char* verb, NumberType numbers) {
   return values;
 }
 
-bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+// Without those that an undo has taken away meanwhile.
+std::vector<Vertex> known(const HalfEdgeMesh& mesh, std::vector<Vertex> vertices) {
+  std::erase_if(vertices, [&](Vertex v) { return v >= mesh.vertexSlots(); });
+  return vertices;
+}
+
+// at: as separateCoincidentVertices() has it.
+bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, const std::vector<Vertex>& at, Progress progress) {
   WorkBudget effort = progress.share(mostEffort(mesh));
-  if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort)).empty())
+  if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort), {}, at).empty())
     relink(mesh, progress.part(0.8, 1.0));
   return !effort.isSpent();
 }
 
-}  // namespace
-
-MeshChange degenerateFix() {
-  return withStep({meshOperation("degenerates").title,
-                   [](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress); }},
-                  "degenerates");
+// One of the vertices at each position where parts touch without sharing an edge.
+std::vector<Vertex> touchingVertices(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return {};
+  std::vector<Vertex> found =
+      findNonManifoldVertices(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.5, 1.0));
+  for (Vertex& v : found) v = byPosition.classes.representative[v];
+  return found;
 }
 
-MeshChange duplicateFix() {
-  return withStep({meshOperation("duplicates").title,
-                   [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); },
-                   QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed")},
-                  "duplicates");
+bool partAllNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  const bool done = partNonManifold(mesh, numbers, {}, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return done;
+  const std::vector<Vertex> left = touchingVertices(mesh, progress.part(0.5, 0.6));
+  return (left.empty() || partNonManifold(mesh, numbers, left, progress.part(0.6, 1.0))) && done;
+}
+
+// The faces of the components that have one of these vertices, by position.
+FaceSelection componentsAt(const HalfEdgeMesh& mesh, const std::vector<Vertex>& vertices, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return {};
+  const FaceComponents components(mesh, byPosition, progress.part(0.5, 1.0));
+  if (progress.cancelled()) return {};
+  const std::vector<std::uint32_t>& classOf = byPosition.classes.classOf;
+  std::set<std::uint32_t> classes, wanted;
+  for (const Vertex v : known(mesh, vertices)) classes.insert(classOf[v]);
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (const Vertex v : mesh.triangle(f))
+      if (classes.contains(classOf[v])) wanted.insert(components.of(f));
+  }
+  return FaceSelection::where(mesh.faceSlots(),
+                              [&](Face f) { return mesh.isLive(f) && wanted.contains(components.of(f)); });
+}
+
+// Null for none, which is what removes all.
+const FaceSelection* onlyOf(const FaceSelection& faces) {
+  return faces.empty() ? nullptr : &faces;
+}
+
+}  // namespace
+
+MeshChange degenerateFix(const FaceSelection& faces) {
+  StepWriter step("degenerates");
+  if (!faces.empty()) step.word(rangesText(faces));
+  return withStep(
+      {meshOperation("degenerates").title,
+       [faces](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress, onlyOf(faces)); }},
+      step.text());
+}
+
+MeshChange duplicateFix(const FaceSelection& faces) {
+  StepWriter step("duplicates");
+  if (!faces.empty()) step.word(rangesText(faces));
+  return withStep(
+      {meshOperation("duplicates").title,
+       [faces](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress, onlyOf(faces)); },
+       QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed")},
+      step.text());
 }
 
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs) {
@@ -111,31 +168,42 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
       {meshOperation("near-vertices").title,
        [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
          std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
-         for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
+         for (const auto& [a, b] : pairs)
+           if (std::max(a, b) < fixed.size()) fixed[a] = fixed[b] = false;
          stitchBorders(mesh, fixed, progress, nearWeld);
        },
        QT_TRANSLATE_NOOP("Tool", "merging them would close no gap, or leave edges with more than two triangles")},
       step.text());
 }
 
-MeshChange nonManifoldFix(NumberType numbers) {
-  return withStep(
-      counted(
-          meshOperation("split-nonmanifold").title,
-          [numbers](HalfEdgeMesh& mesh, Progress progress) { return partNonManifold(mesh, numbers, progress); },
-          QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself")),
-      StepWriter("split-nonmanifold").options(rounding("split-nonmanifold", numbers)).text());
+MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices) {
+  StepWriter step("split-nonmanifold");
+  if (!vertices.empty()) step.word(listText(vertices));
+  step.options(rounding("split-nonmanifold", numbers));
+  return withStep(counted(
+                      meshOperation("split-nonmanifold").title,
+                      [numbers, vertices = std::move(vertices)](HalfEdgeMesh& mesh, Progress progress) {
+                        if (vertices.empty()) return partAllNonManifold(mesh, numbers, progress);
+                        const std::vector<Vertex> at = known(mesh, vertices);
+                        return at.empty() || partNonManifold(mesh, numbers, at, progress);
+                      },
+                      QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself")),
+                  step.text());
 }
 
-MeshChange nonOrientableFix(const FillOptions& options) {
+MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vertices) {
   StepWriter step("two-sides");
+  if (!vertices.empty()) step.word(listText(vertices));
   step.options(filling("two-sides", options));
   return withStep(counted(
                       meshOperation("two-sides").title,
-                      [options](HalfEdgeMesh& mesh, Progress progress) {
+                      [options, vertices = std::move(vertices)](HalfEdgeMesh& mesh, Progress progress) {
                         WorkBudget effort = progress.share(mostEffort(mesh));
+                        const Progress now = progress.within(effort);
+                        FaceSelection parts;
+                        if (!vertices.empty()) parts = componentsAt(mesh, vertices, now.part(0.0, 0.05));
                         closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
-                                           progress.within(effort));
+                                           now.part(0.05, 1.0), vertices.empty() ? nullptr : &parts);
                         return !effort.isSpent();
                       },
                       QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part")),
@@ -207,7 +275,7 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {
           meshOperation("back").title,
           [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
             const bool closed = closeHard(mesh, loops, true, options, progress);
-            const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, progress);
+            const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, {}, progress);
             return closed && parted;
           },
           QT_TRANSLATE_NOOP("Tool", "thickening would intersect the part, or close a hole that is kept open")),
@@ -224,7 +292,7 @@ MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
                         if (!progress.cancelled())
                           done = replaceFolded(mesh, loop, options, progress.part(0.6, 0.95)) && done;
                         if (!progress.cancelled())
-                          done = partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0)) && done;
+                          done = partNonManifold(mesh, options.numbers, {}, progress.part(0.95, 1.0)) && done;
                         return done;
                       },
                       QT_TRANSLATE_NOOP("Tool", "the region to be cut is folded too much")),

@@ -12,20 +12,20 @@
 namespace handwheel {
 
 // Each of these functions creates the change that repairs one kind of defect, with its step. It changes only the defect
-// and its surroundings.
+// and its surroundings. Where faces, vertices or pairs are named, only defects at these are repaired, otherwise all.
 
-// Removes degenerate faces.
-MeshChange degenerateFix();
+// Removes degenerate faces, and those that hang together with a named one.
+MeshChange degenerateFix(const FaceSelection& faces = {});
 // Removes duplicate faces.
-MeshChange duplicateFix();
-// Merges pairs of vertices that are still near each other. All such pairs, when none is given.
+MeshChange duplicateFix(const FaceSelection& faces = {});
+// Merges pairs of vertices that are still near each other.
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs = {});
 // Separates edges with more than two faces, and parts connected at a vertex only. They are moved apart by the last
-// digits.
-MeshChange nonManifoldFix(NumberType numbers);
+// digits. vertices: those at the position of one of these, and the edges between two of them.
+MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices = {});
 // Makes non-orientable (one-sided) parts orientable. Cuts them along short paths until they have two sides, and closes
-// the cuts.
-MeshChange nonOrientableFix(const FillOptions& options);
+// the cuts. vertices: the components at their positions.
+MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vertices = {});
 // Resolves self-intersections by cutting and rejoining the faces. pairs: as findSelfIntersections() returns them.
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
 // Removes the loose pieces that contain one of these faces.

@@ -35,6 +35,17 @@ MeshChange readDebris(StepReader& reader, const OperationValues&, const MeshDocu
   return debrisFix(reader.indices(reader.word("a triangle"), "triangle", document.mesh().faceSlots()));
 }
 
+// Named defects; none for all.
+FaceSelection readFaces(StepReader& reader, const MeshDocument& document) {
+  return reader.hasWord() ? reader.faces(reader.word("a list of triangles"), document.mesh().faceSlots())
+                          : FaceSelection();
+}
+
+std::vector<Vertex> readVertices(StepReader& reader, const MeshDocument& document) {
+  return reader.hasWord() ? reader.indices(reader.word("a vertex"), "vertex", document.mesh().vertexSlots())
+                          : std::vector<Vertex>();
+}
+
 MeshChange readNearVertices(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
   std::vector<std::pair<Vertex, Vertex>> pairs;
   if (reader.hasWord()) pairs = reader.pairs(reader.word("a pair"), "vertex", document.mesh().vertexSlots());
@@ -189,8 +200,12 @@ constexpr Verb kVerbs[] = {
      },
      nullptr},
     {"debris", readDebris, nullptr},
-    {"degenerates", [](StepReader&, const OperationValues&, const MeshDocument&) { return degenerateFix(); }, nullptr},
-    {"duplicates", [](StepReader&, const OperationValues&, const MeshDocument&) { return duplicateFix(); }, nullptr},
+    {"degenerates",
+     [](StepReader& r, const OperationValues&, const MeshDocument& d) { return degenerateFix(readFaces(r, d)); },
+     nullptr},
+    {"duplicates",
+     [](StepReader& r, const OperationValues&, const MeshDocument& d) { return duplicateFix(readFaces(r, d)); },
+     nullptr},
     {"reverse",
      [](StepReader& r, const OperationValues&, const MeshDocument& d) {
        return r.hasWord() ? reverseChange(r.faces(r.word("a list of triangles"), d.mesh().faceSlots()))
@@ -199,11 +214,13 @@ constexpr Verb kVerbs[] = {
      nullptr},
     {"near-vertices", readNearVertices, nullptr},
     {"split-nonmanifold",
-     [](StepReader&, const OperationValues& v, const MeshDocument& d) { return nonManifoldFix(numbersFor(d, v)); },
+     [](StepReader& r, const OperationValues& v, const MeshDocument& d) {
+       return nonManifoldFix(numbersFor(d, v), readVertices(r, d));
+     },
      nullptr},
     {"two-sides",
-     [](StepReader&, const OperationValues& v, const MeshDocument& d) {
-       return nonOrientableFix(fillOptionsFor(d, v));
+     [](StepReader& r, const OperationValues& v, const MeshDocument& d) {
+       return nonOrientableFix(fillOptionsFor(d, v), readVertices(r, d));
      },
      nullptr},
     {"cut-crossings", readCutCrossings, nullptr},

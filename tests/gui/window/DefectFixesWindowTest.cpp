@@ -74,6 +74,50 @@ class DefectFixesWindowTest : public QObject {
     QCOMPARE(driver.text("stateHeadline"), "Watertight");
   }
 
+  // The row, not the kind; the card says before what will be done, and nothing is done until then.
+  void oneRowWithItsPreview() {
+    TriangleSoup soup = cube();
+    for (const std::size_t t : {std::size_t{3}, std::size_t{8}}) soup.triangles.push_back(soup.triangles[t]);
+    WindowDriver driver;
+    QVERIFY(driver.open(file("twice.stl", soup)));
+    clickGroup(driver, DefectKind::Duplicate);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("fixPreviewStatus").startsWith("Removes 2 "));
+    driver.find<QTreeView>("defectList")->expand(driver.defects().groupIndex(DefectKind::Duplicate));
+    driver.clickDefect(DefectKind::Duplicate, 1);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("fixPreviewStatus").startsWith("Removes 1 "));
+    driver.find<QAction>("showPreview")->trigger();
+    QCOMPARE(driver.text("fixPreviewStatus"), QString());
+    driver.find<QAction>("showPreview")->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("fixPreviewStatus").startsWith("Removes 1 "));
+    QCOMPARE(driver.count(DefectKind::Duplicate), 2);
+    driver.click("fixDefectButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Duplicate), 1, kPatienceMs);
+    QVERIFY(driver.settle());
+  }
+
+  // Beside the patch of a hole the other ways are previewed with the pointer on their button.
+  void previewOfABack() {
+    WindowDriver driver;
+    const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };
+    QVERIFY(driver.open(file("sheet.stl", grid(9, 9, false, false, height))));
+    driver.find<QTreeView>("defectList")->expand(driver.defects().groupIndex(DefectKind::KeptOpen));
+    driver.clickDefect(DefectKind::KeptOpen, 0);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("otherPreviewStatus"), QString());
+    auto* button = driver.find<QWidget>("holeSettings")->findChild<QAbstractButton*>("thickenSheetButton");
+    QVERIFY(button && button->isVisible());
+    QFocusEvent enter(QEvent::FocusIn);
+    QCoreApplication::sendEvent(button, &enter);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("otherPreviewStatus").contains("triangle"));
+    QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+    driver.find<QAction>("fillHole")->hover();
+    QCOMPARE(driver.text("otherPreviewStatus"), QString());
+  }
+
   void sheetGetsABack() {
     WindowDriver driver;
     const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };

@@ -11,11 +11,14 @@
 namespace handwheel {
 
 DefectCard::DefectCard(QAction* fix, QWidget* parent)
-    : QFrame(parent), m_name(new QLabel(this)), m_hint(new QLabel(this)) {
+    : QFrame(parent), m_name(new QLabel(this)), m_hint(new QLabel(this)), m_status(new QLabel(this)) {
   setObjectName(QStringLiteral("defectCard"));
   m_name->setProperty("strong", true);
   m_hint->setProperty("muted", true);
-  m_hint->setWordWrap(true);
+  m_status->setProperty("muted", true);
+  m_status->setObjectName(QStringLiteral("fixPreviewStatus"));
+  for (QLabel* label : {m_hint, m_status}) label->setWordWrap(true);
+  showPreview({});
   auto* button = new ActionButton(fix, ActionButton::Rank::Primary, this);
   const auto follow = [button, fix] { button->setVisible(fix->isVisible()); };
   connect(fix, &QAction::changed, button, follow);
@@ -23,7 +26,12 @@ DefectCard::DefectCard(QAction* fix, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(8);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_name, m_hint, button}) column->addWidget(part);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_name, m_hint, m_status, button}) column->addWidget(part);
+}
+
+void DefectCard::showPreview(const QString& text) {
+  m_status->setText(text);
+  m_status->setVisible(!text.isEmpty());
 }
 
 void DefectCard::showDefect(const QString& name, const QString& hint) {

@@ -17,10 +17,13 @@ class DefectCard : public QFrame {
   explicit DefectCard(QAction* fix, QWidget* parent = nullptr);
 
   void showDefect(const QString& name, const QString& hint);
+  // What the fix would do: a sentence, or empty.
+  void showPreview(const QString& text);
 
  private:
   QLabel* m_name;
   QLabel* m_hint;
+  QLabel* m_status;
 };
 
 }  // namespace handwheel

@@ -147,6 +147,11 @@ void DefectsPanel::setSelectedLoop(int loop) {
   updateSettings();
 }
 
+void DefectsPanel::showFixPreview(const QString& text) {
+  m_card->showPreview(text);
+  m_settings->showOtherPreview(text);
+}
+
 void DefectsPanel::setHighlightedLoop(int loop) {
   m_delegate->setHighlightedLoop(loop);
   m_list->viewport()->update();

@@ -43,6 +43,8 @@ class DefectsPanel : public QWidget {
   DefectModel* model() const { return m_model; }
   HoleSettings* settings() const { return m_settings; }
 
+  // What the fix that is offered would do: a sentence, or empty.
+  void showFixPreview(const QString& text);
   void setSelectedLoop(int loop);     // -1 for none
   void setHighlightedLoop(int loop);  // under the cursor in the viewport
 

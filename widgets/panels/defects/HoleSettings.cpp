@@ -54,13 +54,17 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
       m_detail(new QLabel(this)),
       m_method(methodBox(this)),
       m_status(new QLabel(this)),
+      m_otherStatus(new QLabel(this)),
       m_trials(new MethodTable(this)) {
   setObjectName(QStringLiteral("holeSettings"));
   m_name->setProperty("strong", true);
   m_detail->setProperty("muted", true);
   m_status->setProperty("muted", true);
   m_status->setObjectName(QStringLiteral("previewStatus"));
-  m_status->setWordWrap(true);
+  m_otherStatus->setProperty("muted", true);
+  m_otherStatus->setObjectName(QStringLiteral("otherPreviewStatus"));
+  for (QLabel* label : {m_status, m_otherStatus}) label->setWordWrap(true);
+  showOtherPreview({});
   m_status->setMinimumHeight(m_status->fontMetrics().lineSpacing());
   auto* methodLabel = new QLabel(tr("Method"), this);
   methodLabel->setBuddy(m_method);
@@ -94,6 +98,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
     follow();
     column->addWidget(button);
   }
+  column->addWidget(m_otherStatus);
 
   connect(m_method, &QComboBox::currentIndexChanged, this, [this] {
     m_method->setToolTip(fillMethodHint(this->method()));
@@ -142,6 +147,11 @@ void HoleSettings::setMethod(FillMethod method) {
 void HoleSettings::showLoop(const QString& name, const QString& detail) {
   m_name->setText(name);
   m_detail->setText(detail);
+}
+
+void HoleSettings::showOtherPreview(const QString& text) {
+  m_otherStatus->setText(text);
+  m_otherStatus->setVisible(!text.isEmpty());
 }
 
 void HoleSettings::showPreview(const PreviewState& state) {

@@ -40,6 +40,8 @@ class HoleSettings : public QFrame {
   void setMethod(FillMethod method);
   void showLoop(const QString& name, const QString& detail);
   void showPreview(const PreviewState& state);
+  // What the other way to close it would do, of which the pointer is on the button: a sentence, or empty.
+  void showOtherPreview(const QString& text);
   // Whether the comparison of the methods is open, and their statistics are needed.
   bool isComparing() const;
   void showTrials(const std::vector<MethodTrial>& trials);
@@ -55,6 +57,7 @@ class HoleSettings : public QFrame {
   QLabel* m_detail;
   QComboBox* m_method;
   QLabel* m_status;
+  QLabel* m_otherStatus;
   MethodTable* m_trials;
 };
 

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "tools/mesh/ChangePreview.h"
+#include "window/JobRunner.h"
+
+#include <QAction>
+#include <optional>
+
+namespace handwheel {
+
+class WindowServices;
+struct MeshTab;
+
+// Shows what the offered fix would do. It is tried on a worker as soon as it is offered, and given up with the
+// selection.
+class FixPreview : public QObject {
+  Q_OBJECT
+
+ public:
+  // isWanted: the check box of the previews.
+  FixPreview(QThreadPool& pool, WindowServices& services, const QAction& isWanted, QObject* parent = nullptr);
+
+  // Requests the preview of a fix. Does nothing when it is already shown or being computed. No fix: no preview.
+  void request(MeshTab* document, std::optional<MeshChange> fix);
+
+  bool isWorking() const { return m_isWorking; }
+  // What is shown; empty while there is nothing.
+  const ChangePreview& shown() const { return m_shown; }
+  QString text() const;  // "Removes 2 triangles, adds 3"; empty when there is no fix
+
+ signals:
+  void changed();
+
+ private:
+  void start();
+
+  WindowServices& m_services;
+  const QAction& m_isWanted;
+  ServiceHandle m_need;  // held while a preview is wanted
+  JobRunner m_runner;
+  MeshTab* m_document = nullptr;
+  std::uint64_t m_revision = 0;
+  std::optional<MeshChange> m_fix;
+  std::uint64_t m_request = 0;
+  bool m_isWorking = false;
+  bool m_isReady = false;
+  ChangePreview m_shown;
+};
+
+}  // namespace handwheel
