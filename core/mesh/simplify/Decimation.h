@@ -13,7 +13,7 @@ namespace handwheel {
 // How triangles are chosen that go.
 enum class DecimationMethod {
   Bounded,  // ours: with every option
-  // OpenMesh's, sooner done: a vertex goes to one beside it, so those that stay do not move. It bounds no distance and
+  // OpenMesh's: a vertex goes to one beside it, so those that stay do not move. It bounds no distance and
   // looks at no other faces, so error must be none and avoidIntersections false.
   Quadric,
 };
