@@ -17,6 +17,7 @@
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/SubdivideTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
@@ -231,6 +232,9 @@ std::vector<ToolDescriptor> MeshUi::tools() {
           {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
            tr("Make a mesh of fewer triangles that stays near the surface"), QStringLiteral("decimate"),
            QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
+          {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
+           tr("Make a whole mesh finer by a subdivision scheme, open edges too"), QStringLiteral("subdivide"),
+           QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
           {QStringLiteral("transformTool"), tr("&Place"),
            tr("Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin"),
            QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",
