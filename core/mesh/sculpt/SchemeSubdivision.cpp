@@ -106,6 +106,7 @@ SchemeOutcome subdivideAll(HalfEdgeMesh& mesh, const SchemeSubdivision& subdivis
   OpenMeshCopy copy;
   if (const auto refusal = copy.take(mesh, progress.part(0.0, 0.1)); refusal != OpenMeshRefusal::None)
     return {SubdivisionFailure::None, refusal};
+  if (progress.cancelled()) return {SubdivisionFailure::Cancelled, {}};  // the copy may be half linked
   if (copy.hasSeams()) return {SubdivisionFailure::None, OpenMeshRefusal::Seam};
   const std::size_t most = mostNeighbours(copy.surface());
   if (subdivision.scheme == SubdivisionScheme::Butterfly && most > kMostButterflyNeighbours)
