@@ -23,8 +23,8 @@
         <translation>Änderungen an %1 speichern?</translation>
     </message>
     <message>
-        <source>Without saving they are lost.</source>
-        <translation>Sonst gehen sie verloren.</translation>
+        <source>They will be lost if you do not save them.</source>
+        <translation>Sie gehen verloren, wenn Sie nicht speichern.</translation>
     </message>
 </context>
 <context>
@@ -46,72 +46,12 @@
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Does not answer as it should</source>
-        <translation>Antwortet nicht, wie es sollte</translation>
-    </message>
-    <message>
-        <source>Plug it in, then choose it again.</source>
-        <translation>Schließen Sie es an und wählen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>It is being connected and may be loading its firmware. This can take some seconds.</source>
-        <translation>Es wird verbunden und lädt vielleicht seine Firmware. Das kann einige Sekunden dauern.</translation>
-    </message>
-    <message>
-        <source>It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
-        <translation>Es weiß noch nicht, wo es ist. Ziehen Sie den Griff langsam ganz heraus, schieben Sie ihn ganz hinein und bringen Sie ihn zurück zur Mitte. Bis dahin gibt es keine Kraft.</translation>
-    </message>
-    <message>
-        <source>Unplug it, wait for some seconds, plug it in and choose it again.</source>
-        <translation>Ziehen Sie es ab, warten Sie einige Sekunden, schließen Sie es an und wählen Sie es noch einmal.</translation>
-    </message>
-    <message>
         <source>No force: the device is not ready.</source>
         <translation>Keine Kraft: Das Gerät ist nicht bereit.</translation>
     </message>
     <message>
-        <source>No force: what the scene asked for is not a number.</source>
-        <translation>Keine Kraft: Was die Szene verlangt hat, ist keine Zahl.</translation>
-    </message>
-    <message>
-        <source>Damped: more energy came out than went in.</source>
-        <translation>Gedämpft: Es kam mehr Energie heraus, als hineinging.</translation>
-    </message>
-    <message>
-        <source>Damped: it moves faster than a hand at work.</source>
-        <translation>Gedämpft: Es bewegt sich schneller als eine arbeitende Hand.</translation>
-    </message>
-    <message>
-        <source>No force: it moves as if nobody held it.</source>
-        <translation>Keine Kraft: Es bewegt sich, als hielte es niemand.</translation>
-    </message>
-    <message>
         <source>The force rises slowly after a change.</source>
         <translation>Die Kraft steigt nach einer Änderung langsam an.</translation>
-    </message>
-    <message>
-        <source>The force fades: nothing new was heard in time.</source>
-        <translation>Die Kraft klingt ab: Es kam nicht rechtzeitig etwas Neues.</translation>
-    </message>
-    <message>
-        <source>The force changes no faster than is safe.</source>
-        <translation>Die Kraft ändert sich nicht schneller, als sicher ist.</translation>
-    </message>
-    <message>
-        <source>The force is as large as the device may give.</source>
-        <translation>Die Kraft ist so groß, wie das Gerät sie geben darf.</translation>
-    </message>
-    <message>
-        <source>The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls are made softer for it. To allow it, run this line in a terminal, then log out and in again:</source>
-        <translation>Das System lässt die Servoschleife nicht in Echtzeit laufen. Ist der Rechner beschäftigt, kommen Takte zu spät, und Wände werden dafür weicher gemacht. Um es zu erlauben, führen Sie diese Zeile in einem Terminal aus und melden Sie sich dann ab und wieder an:</translation>
-    </message>
-    <message>
-        <source>Axes measured</source>
-        <translation>Gemessene Achsen</translation>
-    </message>
-    <message>
-        <source>Axes driven</source>
-        <translation>Angetriebene Achsen</translation>
     </message>
     <message>
         <source>none</source>
@@ -146,10 +86,6 @@
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Damping of its own</source>
-        <translation>Eigene Dämpfung</translation>
-    </message>
-    <message>
         <source>Radius of the workspace</source>
         <translation>Radius des Arbeitsraums</translation>
     </message>
@@ -162,12 +98,92 @@
         <translation>Verzögerung</translation>
     </message>
     <message>
-        <source>Way of working</source>
-        <translation>Arbeitsweise</translation>
+        <source>Softer than set: %1 of %2 N/mm; limit of the %3 at %4 kHz and %5 ms of delay</source>
+        <translation>Weicher als eingestellt: %1 von %2 N/mm; Grenze für %3 bei %4 kHz und %5 ms Verzögerung</translation>
     </message>
     <message>
-        <source>springs back; its deflection is a speed</source>
-        <translation>federt zurück; seine Auslenkung ist eine Geschwindigkeit</translation>
+        <source>Its position is not calibrated yet. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
+        <translation>Seine Position ist noch nicht kalibriert. Ziehen Sie den Griff langsam ganz heraus, schieben Sie ihn ganz hinein, und bringen Sie ihn zurück in die Mitte. Bis dahin gibt es keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Its position is not calibrated yet. Put the pen into its inkwell and hold it there for a moment; bring a device without an inkwell to its reset position. There is no force until then.</source>
+        <translation>Seine Position ist noch nicht kalibriert. Stecken Sie den Stift in die Halterung, und halten Sie ihn dort einen Moment; ein Gerät ohne Halterung bringen Sie in seine Ruheposition. Bis dahin gibt es keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Its position is not calibrated yet. Calibrate it as described in its manual. There is no force until then.</source>
+        <translation>Seine Position ist noch nicht kalibriert. Kalibrieren Sie es nach seiner Anleitung. Bis dahin gibt es keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Does not respond correctly</source>
+        <translation>Antwortet nicht richtig</translation>
+    </message>
+    <message>
+        <source>Plug it in: it is opened automatically.</source>
+        <translation>Schließen Sie es an: Es wird automatisch geöffnet.</translation>
+    </message>
+    <message>
+        <source>Connecting; the firmware may be loading. This can take some seconds.</source>
+        <translation>Verbindung wird hergestellt; eventuell wird die Firmware geladen. Das kann einige Sekunden dauern.</translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, and plug it in: it is opened automatically.</source>
+        <translation>Ziehen Sie es ab, warten Sie einige Sekunden, und schließen Sie es wieder an: Es wird automatisch geöffnet.</translation>
+    </message>
+    <message>
+        <source>No force: the requested force is not a number.</source>
+        <translation>Keine Kraft: Die angeforderte Kraft ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Damped: the device returned more energy than was put in.</source>
+        <translation>Gedämpft: Das Gerät gab mehr Energie ab, als zugeführt wurde.</translation>
+    </message>
+    <message>
+        <source>Damped: it moves faster than a hand normally does.</source>
+        <translation>Gedämpft: Es bewegt sich schneller, als eine Hand es normalerweise tut.</translation>
+    </message>
+    <message>
+        <source>No force: it moves as if nobody were holding it.</source>
+        <translation>Keine Kraft: Es bewegt sich, als hielte es niemand.</translation>
+    </message>
+    <message>
+        <source>The force fades: no update arrived in time.</source>
+        <translation>Die Kraft klingt ab: Es kam nicht rechtzeitig eine neue Vorgabe.</translation>
+    </message>
+    <message>
+        <source>The rate of change of the force is limited.</source>
+        <translation>Die Änderungsrate der Kraft ist begrenzt.</translation>
+    </message>
+    <message>
+        <source>The force is at the limit of the device.</source>
+        <translation>Die Kraft hat die Grenze des Geräts erreicht.</translation>
+    </message>
+    <message>
+        <source>Softer than set: %1 of %2 N/mm; limit specified for the %3</source>
+        <translation>Weicher als eingestellt: %1 von %2 N/mm; angegebene Grenze für %3</translation>
+    </message>
+    <message>
+        <source>The system does not allow the servo loop to run in real time. Ticks are late when the computer is busy, and the stiffness is reduced to allow for that. To permit real time, run this line in a terminal, then log out and in again:</source>
+        <translation>Das System lässt die Servoschleife nicht in Echtzeit laufen. Wenn der Rechner ausgelastet ist, kommen Takte zu spät; die Steifigkeit ist daher verringert. Um Echtzeit zu erlauben, führen Sie diese Zeile in einem Terminal aus, und melden Sie sich ab und wieder an:</translation>
+    </message>
+    <message>
+        <source>Measured axes</source>
+        <translation>Gemessene Achsen</translation>
+    </message>
+    <message>
+        <source>Actuated axes</source>
+        <translation>Angetriebene Achsen</translation>
+    </message>
+    <message>
+        <source>Internal damping</source>
+        <translation>Innere Dämpfung</translation>
+    </message>
+    <message>
+        <source>Operating mode</source>
+        <translation>Betriebsart</translation>
+    </message>
+    <message>
+        <source>rate control: it springs back, its deflection sets the speed</source>
+        <translation>Geschwindigkeitssteuerung: federt zurück, die Auslenkung gibt die Geschwindigkeit vor</translation>
     </message>
 </context>
 <context>
@@ -202,10 +218,6 @@
     <message>
         <source>the file is too large (%2 %1, at most %3 can be opened)</source>
         <translation>die Datei ist zu groß (%2 %1, höchstens %3 können geöffnet werden)</translation>
-    </message>
-    <message>
-        <source>&apos;%2&apos; makes no sense here</source>
-        <translation>„%2“ ergibt hier keinen Sinn</translation>
     </message>
     <message>
         <source>%1 was expected, but nothing follows</source>
@@ -260,24 +272,12 @@
         <translation>eine Fläche verwendet Eckpunkt %1, der nicht gelesen werden konnte</translation>
     </message>
     <message>
-        <source>a face with %1 corners was cut into triangles as if it were convex</source>
-        <translation>eine Fläche mit %1 Ecken wurde in Dreiecke zerlegt, als wäre sie konvex</translation>
-    </message>
-    <message>
         <source>a face has fewer than three corners (%1)</source>
         <translation>eine Fläche hat weniger als drei Ecken (%1)</translation>
     </message>
     <message>
-        <source>the file contradicts itself (%1: %2 expected, %3 found)</source>
-        <translation>die Datei widerspricht sich (%1: %2 erwartet, %3 gefunden)</translation>
-    </message>
-    <message>
         <source>the data type &apos;%1&apos; is not known</source>
         <translation>der Datentyp „%1“ ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>the file holds no triangle</source>
-        <translation>die Datei enthält kein Dreieck</translation>
     </message>
     <message>
         <source>the file is damaged here, and none of its triangles can be read</source>
@@ -286,10 +286,6 @@
     <message>
         <source>the file could not be written (%1)</source>
         <translation>die Datei konnte nicht geschrieben werden (%1)</translation>
-    </message>
-    <message>
-        <source>the written file does not read back as it should (%1), so it was not kept</source>
-        <translation>die geschriebene Datei liest sich nicht wie erwartet zurück (%1) und wurde daher verworfen</translation>
     </message>
     <message>
         <source>the archive cannot be read (%1)</source>
@@ -308,16 +304,8 @@
         <translation>die Datei hat Formatversion %1; dieses Programm kennt Versionen bis %2</translation>
     </message>
     <message>
-        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
-        <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
-    </message>
-    <message>
         <source>the element &apos;%1&apos; is malformed: %2</source>
         <translation>das Element „%1“ ist fehlerhaft: %2</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
-        <translation>%1 „%2“ wird genannt, ist aber nicht zu finden</translation>
     </message>
     <message>
         <source>%1 cannot be %2; it must lie between %3 and %4</source>
@@ -326,10 +314,6 @@
     <message>
         <source>%1 is not supported</source>
         <translation>%1 wird nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>the library %1 gave up (%2)</source>
-        <translation>die Bibliothek %1 hat aufgegeben (%2)</translation>
     </message>
     <message>
         <source>byte %1</source>
@@ -342,14 +326,6 @@
     <message>
         <source>Close other documents or programs, or try a model with fewer triangles.</source>
         <translation>Schließen Sie andere Dokumente oder Programme, oder nehmen Sie ein Modell mit weniger Dreiecken.</translation>
-    </message>
-    <message>
-        <source>Check the name, or whether the file was moved.</source>
-        <translation>Prüfen Sie den Namen und ob die Datei verschoben wurde.</translation>
-    </message>
-    <message>
-        <source>Name a file that you may read, and check that its disk is connected.</source>
-        <translation>Wählen Sie eine Datei, die Sie lesen dürfen, und prüfen Sie, ob ihr Laufwerk verbunden ist.</translation>
     </message>
     <message>
         <source>Export or copy the file again.</source>
@@ -380,28 +356,12 @@
         <translation>Exportieren Sie das Modell als Dreiecksfläche; Punkte und Kurven allein lassen sich nicht reparieren.</translation>
     </message>
     <message>
-        <source>Check the free space and that you may write there, or choose another place.</source>
-        <translation>Prüfen Sie den freien Platz und Ihre Schreibrechte, oder wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>An earlier file of that name is untouched. Save in another format, for example PLY.</source>
-        <translation>Eine frühere Datei dieses Namens ist unverändert. Speichern Sie in einem anderen Format, zum Beispiel PLY.</translation>
-    </message>
-    <message>
         <source>Copy the file again, or go back to an earlier copy of it.</source>
         <translation>Kopieren Sie die Datei noch einmal, oder nehmen Sie eine frühere Kopie.</translation>
     </message>
     <message>
         <source>Open it with a newer version of Handwheel.</source>
         <translation>Öffnen Sie sie mit einer neueren Version von Handwheel.</translation>
-    </message>
-    <message>
-        <source>Mend the file at this place, or export it again.</source>
-        <translation>Berichtigen Sie die Datei an dieser Stelle, oder exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Put the missing file where the other one expects it.</source>
-        <translation>Legen Sie die fehlende Datei dorthin, wo die andere sie erwartet.</translation>
     </message>
     <message>
         <source>Enter a value within these limits.</source>
@@ -436,16 +396,8 @@
         <translation>das Gerät ist nicht erreichbar (%1)</translation>
     </message>
     <message>
-        <source>the device does not answer as it should (%1)</source>
-        <translation>das Gerät antwortet nicht, wie es soll (%1)</translation>
-    </message>
-    <message>
         <source>Install a plugin that was made for this version, or remove the file.</source>
         <translation>Installieren Sie ein Plugin für diese Version, oder entfernen Sie die Datei.</translation>
-    </message>
-    <message>
-        <source>Check that it is plugged in, that no other program uses it and that you may use it.</source>
-        <translation>Prüfen Sie, ob es eingesteckt ist, ob kein anderes Programm es benutzt und ob Sie es benutzen dürfen.</translation>
     </message>
     <message>
         <source>Switch it off and on again, or try another port.</source>
@@ -454,18 +406,6 @@
     <message>
         <source>%1 or %2</source>
         <translation>%1 oder %2</translation>
-    </message>
-    <message>
-        <source>this is no file that Handwheel knows</source>
-        <translation>das ist keine Datei, die Handwheel kennt</translation>
-    </message>
-    <message>
-        <source>the name has no ending, which would say the format</source>
-        <translation>der Name hat keine Endung, die das Format nennt</translation>
-    </message>
-    <message>
-        <source>the ending &apos;%1&apos; stands for no format that this can be written in</source>
-        <translation>die Endung „%1“ steht für kein Format, in dem dies geschrieben werden kann</translation>
     </message>
     <message>
         <source>Choose another file.</source>
@@ -484,24 +424,8 @@
         <translation>der Schritt lässt sich nicht ausführen: %1</translation>
     </message>
     <message>
-        <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as &apos;handwheel inspect&apos; does.</source>
-        <translation>„handwheel help edit“ führt die Schritte auf; Randschleifen sind nummeriert wie von „handwheel inspect“.</translation>
-    </message>
-    <message>
-        <source>something else has the name &apos;%1&apos;</source>
-        <translation>etwas anderes heißt schon „%1“</translation>
-    </message>
-    <message>
         <source>Choose another name.</source>
         <translation>Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be a name: it needs one line of 1 to %2 bytes</source>
-        <translation>„%1“ kann kein Name sein: nötig ist eine Zeile von 1 bis %2 Byte</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; was looked for in the folder &apos;%3&apos; and in those above it, in vain</source>
-        <translation>%1 „%2“ wurde im Ordner „%3“ und in denen darüber gesucht und nicht gefunden</translation>
     </message>
     <message>
         <source>Put the folder &apos;%2&apos; into &apos;%3&apos; or a folder above it, and open the file again.</source>
@@ -512,24 +436,8 @@
         <translation>ein anderes Programm hat die Datei seit dem Öffnen geändert</translation>
     </message>
     <message>
-        <source>Save under another name to keep both, or replace what the other wrote.</source>
-        <translation>Speichern Sie unter einem anderen Namen, um beides zu behalten, oder ersetzen Sie, was das andere schrieb.</translation>
-    </message>
-    <message>
-        <source>a body of the document is linked to this very file, which would be lost</source>
-        <translation>ein Körper des Dokuments ist mit eben dieser Datei verknüpft, die verloren ginge</translation>
-    </message>
-    <message>
-        <source>Write to another file, or forget the link of the body first.</source>
-        <translation>Schreiben Sie in eine andere Datei, oder lösen Sie zuerst die Verknüpfung des Körpers.</translation>
-    </message>
-    <message>
         <source>the document has no body &apos;%1&apos;</source>
         <translation>das Dokument hat keinen Körper „%1“</translation>
-    </message>
-    <message>
-        <source>Give the name or number of one that it has; &apos;inspect&apos; lists them.</source>
-        <translation>Geben Sie Name oder Nummer eines vorhandenen an; „inspect“ listet sie auf.</translation>
     </message>
     <message>
         <source>the body &apos;%1&apos; is not linked to a file</source>
@@ -548,16 +456,8 @@
         <translation>Legen Sie sie zurück, oder fügen Sie die Datei von ihrem jetzigen Ort hinzu.</translation>
     </message>
     <message>
-        <source>a document has room for at most %1 bodies</source>
-        <translation>ein Dokument fasst höchstens %1 Körper</translation>
-    </message>
-    <message>
         <source>Remove bodies, or add several as one file.</source>
         <translation>Entfernen Sie Körper, oder fügen Sie mehrere als eine Datei hinzu.</translation>
-    </message>
-    <message>
-        <source>the bodies would have %1 triangles, and a document has room for %2</source>
-        <translation>die Körper hätten %1 Dreiecke, und ein Dokument fasst %2</translation>
     </message>
     <message>
         <source>Reduce the mesh before adding it (&apos;handwheel decimate&apos;).</source>
@@ -572,20 +472,136 @@
         <translation>Machen Sie die Schnitte rückgängig, um die Größe zu ändern, oder beginnen Sie mit einem neuen Werkstück.</translation>
     </message>
     <message>
-        <source>the part is in %1 pieces, and the file would hold one solid</source>
-        <translation>das Teil besteht aus %1 Stücken, und die Datei fasst einen Körper</translation>
-    </message>
-    <message>
-        <source>Undo the pass that parted it, or export triangles, for example STL.</source>
-        <translation>Machen Sie den trennenden Schnitt rückgängig, oder exportieren Sie Dreiecke, etwa STL.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is the name of body %2, and the number of another</source>
         <translation>„%1“ ist der Name von Körper %2 und die Nummer eines anderen</translation>
     </message>
     <message>
         <source>Give the name of the other body, or rename body %2.</source>
         <translation>Geben Sie den Namen des anderen Körpers an, oder benennen Sie Körper %2 um.</translation>
+    </message>
+    <message>
+        <source>Choose a file that you have permission to read, and check that its disk is connected.</source>
+        <translation>Wählen Sie eine Datei, die Sie lesen dürfen, und prüfen Sie, ob ihr Laufwerk verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Check the free space and your write permission, or choose another location.</source>
+        <translation>Prüfen Sie den freien Platz und Ihre Schreibrechte, oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>the file is inconsistent (%1: %2 expected, %3 found)</source>
+        <translation>die Datei ist widersprüchlich (%1: %2 erwartet, %3 gefunden)</translation>
+    </message>
+    <message>
+        <source>Correct the file at this position, or export it again.</source>
+        <translation>Berichtigen Sie die Datei an dieser Stelle, oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; was not found in the folder &apos;%3&apos; or in those above it</source>
+        <translation>%1 „%2“ wurde weder im Ordner „%3“ noch in den Ordnern darüber gefunden</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is referenced, but cannot be found</source>
+        <translation>auf %1 „%2“ wird verwiesen, aber es ist nicht zu finden</translation>
+    </message>
+    <message>
+        <source>Put the missing file where it is expected.</source>
+        <translation>Legen Sie die fehlende Datei dorthin, wo sie erwartet wird.</translation>
+    </message>
+    <message>
+        <source>the library %1 failed (%2)</source>
+        <translation>die Bibliothek %1 ist gescheitert (%2)</translation>
+    </message>
+    <message>
+        <source>this is not a file that Handwheel can read</source>
+        <translation>diese Datei kann Handwheel nicht lesen</translation>
+    </message>
+    <message>
+        <source>the extension &apos;%1&apos; is not a format that this can be written in</source>
+        <translation>die Endung „%1“ bezeichnet kein Format, in dem dies geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>the file name has no extension to specify the format</source>
+        <translation>der Dateiname hat keine Endung, die das Format angibt</translation>
+    </message>
+    <message>
+        <source>Save under another name to keep both, or replace the version of the other program.</source>
+        <translation>Speichern Sie unter einem anderen Namen, um beides zu behalten, oder ersetzen Sie die Fassung des anderen Programms.</translation>
+    </message>
+    <message>
+        <source>a body of the document is linked to this file, which would be overwritten</source>
+        <translation>ein Körper des Dokuments ist mit dieser Datei verknüpft, die überschrieben würde</translation>
+    </message>
+    <message>
+        <source>Write to another file, or unlink the body first.</source>
+        <translation>Schreiben Sie in eine andere Datei, oder lösen Sie zuerst die Verknüpfung des Körpers.</translation>
+    </message>
+    <message>
+        <source>the written file did not pass verification (%1), so it was discarded</source>
+        <translation>die geschriebene Datei hat die Prüfung nicht bestanden (%1) und wurde daher verworfen</translation>
+    </message>
+    <message>
+        <source>An existing file of that name was not changed. Save in another format, for example PLY.</source>
+        <translation>Eine vorhandene Datei dieses Namens wurde nicht verändert. Speichern Sie in einem anderen Format, zum Beispiel PLY.</translation>
+    </message>
+    <message>
+        <source>&apos;%2&apos; is not valid here</source>
+        <translation>„%2“ ist hier nicht gültig</translation>
+    </message>
+    <message>
+        <source>a face with %1 corners was triangulated as if it were convex</source>
+        <translation>eine Fläche mit %1 Ecken wurde in Dreiecke zerlegt, als wäre sie konvex</translation>
+    </message>
+    <message>
+        <source>Give the name or number of an existing body; &apos;inspect&apos; lists them.</source>
+        <translation>Geben Sie Name oder Nummer eines vorhandenen an; „inspect“ listet sie auf.</translation>
+    </message>
+    <message>
+        <source>a document can contain at most %1 bodies</source>
+        <translation>ein Dokument fasst höchstens %1 Körper</translation>
+    </message>
+    <message>
+        <source>the bodies would have %1 triangles, and a document can contain %2</source>
+        <translation>die Körper hätten %1 Dreiecke, und ein Dokument fasst %2</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is already in use</source>
+        <translation>der Name „%1“ ist schon vergeben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a valid name: a name is one line of 1 to %2 bytes</source>
+        <translation>„%1“ ist kein gültiger Name: Ein Name ist eine Zeile von 1 bis %2 Bytes</translation>
+    </message>
+    <message>
+        <source>the part is in %1 pieces, and the file can contain only one solid</source>
+        <translation>das Teil besteht aus %1 Stücken, und die Datei fasst einen Körper</translation>
+    </message>
+    <message>
+        <source>Undo the pass that separated it, or export triangles, for example STL.</source>
+        <translation>Machen Sie den trennenden Schnitt rückgängig, oder exportieren Sie Dreiecke, etwa STL.</translation>
+    </message>
+    <message>
+        <source>Check that it is plugged in, that no other program uses it and that you have permission to use it.</source>
+        <translation>Prüfen Sie, ob es angeschlossen ist, kein anderes Programm es verwendet und Sie die Berechtigung dafür haben.</translation>
+    </message>
+    <message>
+        <source>the device does not respond correctly (%1)</source>
+        <translation>das Gerät antwortet nicht richtig (%1)</translation>
+    </message>
+    <message>
+        <source>the file contains no triangles</source>
+        <translation>die Datei enthält kein Dreieck</translation>
+    </message>
+    <message>
+        <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as in &apos;handwheel inspect&apos;.</source>
+        <translation>„handwheel help edit“ führt die Schritte auf; Randschleifen sind nummeriert wie von „handwheel inspect“.</translation>
+    </message>
+    <message>
+        <source>Check the name, and whether the file was moved.</source>
+        <translation>Prüfen Sie den Namen und ob die Datei verschoben wurde.</translation>
+    </message>
+    <message>
+        <source>the file contains a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
     </message>
 </context>
 <context>
@@ -695,10 +711,6 @@
         <translation>XML mit eigenen Entitäten</translation>
     </message>
     <message>
-        <source>a geometry that is no mesh</source>
-        <translation>eine Geometrie, die kein Netz ist,</translation>
-    </message>
-    <message>
         <source>a skinned mesh</source>
         <translation>ein Netz mit Skelett</translation>
     </message>
@@ -711,28 +723,12 @@
         <translation>die 3MF-Erweiterung „%1“</translation>
     </message>
     <message>
-        <source>the floating joint &apos;%1&apos;, which is held still,</source>
-        <translation>das freie Gelenk „%1“, das festgehalten wird,</translation>
-    </message>
-    <message>
-        <source>the planar joint &apos;%1&apos;, which is held still,</source>
-        <translation>das ebene Gelenk „%1“, das festgehalten wird,</translation>
-    </message>
-    <message>
-        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
-        <translation>der Netzname „%1“, der keine Datei auf diesem Rechner ist,</translation>
-    </message>
-    <message>
         <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
         <translation>der Netzname „%1“, der zu weit wegführt,</translation>
     </message>
     <message>
         <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
         <translation>der Netzname „%1“, der sein Paket verlässt,</translation>
-    </message>
-    <message>
-        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
-        <translation>der Netzname „%1“, der auf einem anderen Rechner liegt,</translation>
     </message>
     <message>
         <source>the mesh name &apos;%1&apos;, which names no package,</source>
@@ -757,10 +753,6 @@
     <message>
         <source>it cannot be opened</source>
         <translation>sie lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>it holds no valid solid</source>
-        <translation>sie enthält keinen gültigen Volumenkörper</translation>
     </message>
     <message>
         <source>its triangles differ</source>
@@ -793,10 +785,6 @@
     <message>
         <source>the file cannot be written</source>
         <translation>die Datei lässt sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>the file holds no shape</source>
-        <translation>die Datei enthält keine Form</translation>
     </message>
     <message>
         <source>the solid cannot be translated</source>
@@ -843,32 +831,12 @@
         <translation>Elemente sind zu tief geschachtelt</translation>
     </message>
     <message>
-        <source>it belongs to a ring of joints</source>
-        <translation>es gehört zu einem Ring von Gelenken</translation>
-    </message>
-    <message>
         <source>it contains itself</source>
         <translation>es enthält sich selbst</translation>
     </message>
     <message>
-        <source>it does not say the version of the format</source>
-        <translation>die Formatversion fehlt</translation>
-    </message>
-    <message>
-        <source>it follows itself</source>
-        <translation>es folgt sich selbst</translation>
-    </message>
-    <message>
-        <source>it goes too far when it follows</source>
-        <translation>es geht beim Folgen zu weit</translation>
-    </message>
-    <message>
         <source>it has a document type</source>
         <translation>es hat einen Dokumenttyp</translation>
-    </message>
-    <message>
-        <source>it has no limits, so it moves without</source>
-        <translation>es hat keine Grenzen und bewegt sich ohne</translation>
     </message>
     <message>
         <source>it has no links</source>
@@ -903,10 +871,6 @@
         <translation>es ist zu tief geschachtelt</translation>
     </message>
     <message>
-        <source>it is no length; metres are assumed</source>
-        <translation>es ist keine Länge; Meter werden angenommen</translation>
-    </message>
-    <message>
         <source>it is not JSON</source>
         <translation>es ist kein JSON</translation>
     </message>
@@ -921,10 +885,6 @@
     <message>
         <source>it is not twelve numbers</source>
         <translation>es sind nicht zwölf Zahlen</translation>
-    </message>
-    <message>
-        <source>it is placed too often, or within itself</source>
-        <translation>es ist zu oft oder in sich selbst eingesetzt</translation>
     </message>
     <message>
         <source>it lies on the axis</source>
@@ -951,10 +911,6 @@
         <translation>sein Grad muss 1, 2 oder 3 sein</translation>
     </message>
     <message>
-        <source>its joints form a ring</source>
-        <translation>seine Gelenke bilden einen Ring</translation>
-    </message>
-    <message>
         <source>its knots do not fit its poles</source>
         <translation>seine Knoten passen nicht zu seinen Polen</translation>
     </message>
@@ -963,24 +919,8 @@
         <translation>seine untere Grenze liegt über der oberen</translation>
     </message>
     <message>
-        <source>its number %1 is taken</source>
-        <translation>seine Nummer %1 ist vergeben</translation>
-    </message>
-    <message>
         <source>its object is of the type &apos;other&apos;</source>
         <translation>sein Objekt ist vom Typ „other“</translation>
-    </message>
-    <message>
-        <source>its scale leaves no shape</source>
-        <translation>seine Skalierung lässt keine Form übrig</translation>
-    </message>
-    <message>
-        <source>its size is no length</source>
-        <translation>seine Größe ist keine Länge</translation>
-    </message>
-    <message>
-        <source>its transformation is not understood</source>
-        <translation>seine Transformation ist unverständlich</translation>
     </message>
     <message>
         <source>its type &apos;%1&apos; is not known</source>
@@ -993,14 +933,6 @@
     <message>
         <source>its vertices have no positions</source>
         <translation>seine Eckpunkte haben keine Positionen</translation>
-    </message>
-    <message>
-        <source>no joint links it with %1</source>
-        <translation>kein Gelenk verbindet es mit %1</translation>
-    </message>
-    <message>
-        <source>one of its indices is no number</source>
-        <translation>einer seiner Indizes ist keine Zahl</translation>
     </message>
     <message>
         <source>there are two of that name</source>
@@ -1033,10 +965,6 @@
     <message>
         <source>the handshake of a WebSocket</source>
         <translation>der Handschlag eines WebSockets</translation>
-    </message>
-    <message>
-        <source>where it is</source>
-        <translation>wo es ist</translation>
     </message>
     <message>
         <source>unplugged</source>
@@ -1103,18 +1031,6 @@
         <translation>ein Objekt wird erwartet</translation>
     </message>
     <message>
-        <source>its loops cannot be told any more</source>
-        <translation>seine Ränder sind nicht mehr zu erkennen</translation>
-    </message>
-    <message>
-        <source>its triangles contradict each other</source>
-        <translation>seine Dreiecke widersprechen einander</translation>
-    </message>
-    <message>
-        <source>link %1 hangs on another joint already</source>
-        <translation>Glied %1 hängt schon an einem anderen Gelenk</translation>
-    </message>
-    <message>
         <source>there is no such key</source>
         <translation>diese Taste gibt es nicht</translation>
     </message>
@@ -1125,10 +1041,6 @@
     <message>
         <source>the number of samples is missing or impossible</source>
         <translation>die Anzahl der Punkte fehlt oder ist unmöglich</translation>
-    </message>
-    <message>
-        <source>another size of a bar that was cut already; undo its passes first</source>
-        <translation>eine andere Größe einer Stange, die schon bearbeitet ist; machen Sie zuerst die Schnitte rückgängig</translation>
     </message>
     <message>
         <source>passes</source>
@@ -1147,10 +1059,6 @@
         <translation>lesbare Teile</translation>
     </message>
     <message>
-        <source>it contradicts itself</source>
-        <translation>sie widerspricht sich</translation>
-    </message>
-    <message>
         <source>it crashed on this file</source>
         <translation>sie ist an dieser Datei abgestürzt</translation>
     </message>
@@ -1167,28 +1075,8 @@
         <translation>ihre Antwort ist zu groß</translation>
     </message>
     <message>
-        <source>its answer makes no sense</source>
-        <translation>ihre Antwort ergibt keinen Sinn</translation>
-    </message>
-    <message>
         <source>its process cannot be started</source>
         <translation>ihr Prozess lässt sich nicht starten</translation>
-    </message>
-    <message>
-        <source>its surfaces have no size</source>
-        <translation>ihre Flächen haben keine Ausdehnung</translation>
-    </message>
-    <message>
-        <source>none of its surfaces can be cut into triangles</source>
-        <translation>keine ihrer Flächen lässt sich in Dreiecke zerlegen</translation>
-    </message>
-    <message>
-        <source>the file holds no surface</source>
-        <translation>die Datei enthält keine Fläche</translation>
-    </message>
-    <message>
-        <source>the system ended it; memory may have run out</source>
-        <translation>das System hat sie beendet; vielleicht fehlte Speicher</translation>
     </message>
     <message>
         <source>bodies</source>
@@ -1231,10 +1119,6 @@
         <translation>ein Text wurde erwartet</translation>
     </message>
     <message>
-        <source>it is no object</source>
-        <translation>es ist kein Objekt</translation>
-    </message>
-    <message>
         <source>its pose cannot be used</source>
         <translation>seine Lage ist nicht verwendbar</translation>
     </message>
@@ -1245,18 +1129,6 @@
     <message>
         <source>the package</source>
         <translation>das Paket</translation>
-    </message>
-    <message>
-        <source>its geometry has no kind</source>
-        <translation>seine Geometrie hat keine Art</translation>
-    </message>
-    <message>
-        <source>its key is no number</source>
-        <translation>sein Schlüssel ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>its matrix is no rotation</source>
-        <translation>seine Matrix ist keine Drehung</translation>
     </message>
     <message>
         <source>it is longer than its size</source>
@@ -1271,8 +1143,144 @@
         <translation>die Position des Körpers</translation>
     </message>
     <message>
-        <source>to cut them once more would take too long</source>
+        <source>its position</source>
+        <translation>seine Position</translation>
+    </message>
+    <message>
+        <source>a geometry that is not a mesh</source>
+        <translation>eine Geometrie, die kein Netz ist,</translation>
+    </message>
+    <message>
+        <source>the floating joint &apos;%1&apos;, which is treated as fixed,</source>
+        <translation>das schwebende Gelenk „%1“, das als fest behandelt wird,</translation>
+    </message>
+    <message>
+        <source>the planar joint &apos;%1&apos;, which is treated as fixed,</source>
+        <translation>das ebene Gelenk „%1“, das als fest behandelt wird,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which is not a file on this computer,</source>
+        <translation>der Netzname „%1“, der keine Datei auf diesem Rechner ist,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which is on another computer,</source>
+        <translation>der Netzname „%1“, der auf einem anderen Rechner liegt,</translation>
+    </message>
+    <message>
+        <source>it is inconsistent</source>
+        <translation>sie ist widersprüchlich</translation>
+    </message>
+    <message>
+        <source>its answer is not valid</source>
+        <translation>ihre Antwort ist ungültig</translation>
+    </message>
+    <message>
+        <source>it belongs to a closed loop of joints</source>
+        <translation>es gehört zu einer geschlossenen Kette von Gelenken</translation>
+    </message>
+    <message>
+        <source>the version of the format is missing</source>
+        <translation>die Version des Formats fehlt</translation>
+    </message>
+    <message>
+        <source>it mimics itself</source>
+        <translation>es ahmt sich selbst nach (mimic)</translation>
+    </message>
+    <message>
+        <source>its mimic factor or offset is too large</source>
+        <translation>sein Faktor oder Versatz (mimic) ist zu groß</translation>
+    </message>
+    <message>
+        <source>it is not a length; metres are assumed</source>
+        <translation>es ist keine Länge; Meter werden angenommen</translation>
+    </message>
+    <message>
+        <source>it is instanced too often, or within itself</source>
+        <translation>es wird zu oft oder in sich selbst verwendet</translation>
+    </message>
+    <message>
+        <source>its joints form a closed loop</source>
+        <translation>seine Gelenke bilden eine geschlossene Kette</translation>
+    </message>
+    <message>
+        <source>its loops cannot be identified any more</source>
+        <translation>seine Ränder sind nicht mehr zu erkennen</translation>
+    </message>
+    <message>
+        <source>its number %1 is already in use</source>
+        <translation>seine Nummer %1 ist schon vergeben</translation>
+    </message>
+    <message>
+        <source>its key is not a number</source>
+        <translation>sein Schlüssel ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its matrix is not a rotation</source>
+        <translation>seine Matrix ist keine Drehung</translation>
+    </message>
+    <message>
+        <source>cutting them again would take too long</source>
         <translation>sie noch einmal zu schneiden dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>its size is not a length</source>
+        <translation>seine Größe ist keine Länge</translation>
+    </message>
+    <message>
+        <source>its transformation is not valid</source>
+        <translation>seine Transformation ist unverständlich</translation>
+    </message>
+    <message>
+        <source>its triangles are inconsistent</source>
+        <translation>seine Dreiecke sind widersprüchlich</translation>
+    </message>
+    <message>
+        <source>link %1 already has a parent joint</source>
+        <translation>Glied %1 hat schon ein übergeordnetes Gelenk</translation>
+    </message>
+    <message>
+        <source>no joint connects it to %1</source>
+        <translation>kein Gelenk verbindet es mit %1</translation>
+    </message>
+    <message>
+        <source>one of its indices is not a number</source>
+        <translation>einer seiner Indizes ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it contains no valid solid</source>
+        <translation>sie enthält keinen gültigen Volumenkörper</translation>
+    </message>
+    <message>
+        <source>its surfaces have zero size</source>
+        <translation>ihre Flächen haben keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>none of its surfaces can be triangulated</source>
+        <translation>keine ihrer Flächen lässt sich in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>the file contains no shape</source>
+        <translation>die Datei enthält keine Form</translation>
+    </message>
+    <message>
+        <source>the file contains no surface</source>
+        <translation>die Datei enthält keine Fläche</translation>
+    </message>
+    <message>
+        <source>the system ended it; it may have run out of memory</source>
+        <translation>das System hat sie beendet; vielleicht fehlte Speicher</translation>
+    </message>
+    <message>
+        <source>it has no limits, so it moves without limits</source>
+        <translation>es hat keine Grenzen und bewegt sich ohne</translation>
+    </message>
+    <message>
+        <source>its geometry has no type</source>
+        <translation>seine Geometrie hat keinen Typ</translation>
+    </message>
+    <message>
+        <source>its scale is degenerate</source>
+        <translation>sein Maßstab ist entartet</translation>
     </message>
 </context>
 <context>
@@ -1282,24 +1290,12 @@
         <translation>Es fehlt eine Zahl</translation>
     </message>
     <message>
-        <source>This is too long</source>
-        <translation>Das ist zu lang</translation>
-    </message>
-    <message>
-        <source>Too many brackets within brackets</source>
-        <translation>Zu viele ineinander geschachtelte Klammern</translation>
-    </message>
-    <message>
         <source>A number is missing at the end</source>
         <translation>Am Ende fehlt eine Zahl</translation>
     </message>
     <message>
         <source>A number is missing before “%1”</source>
         <translation>Vor „%1“ fehlt eine Zahl</translation>
-    </message>
-    <message>
-        <source>A sign such as + or * is missing before “%1”</source>
-        <translation>Vor „%1“ fehlt ein Rechenzeichen wie + oder *</translation>
     </message>
     <message>
         <source>A closing bracket is missing at the end</source>
@@ -1318,20 +1314,12 @@
         <translation>„%1“ ist mehrdeutig; schreiben Sie es mit Punkt oder ohne Komma</translation>
     </message>
     <message>
-        <source>There is no unit “%1”</source>
-        <translation>Die Einheit „%1“ gibt es nicht</translation>
-    </message>
-    <message>
         <source>Lengths, angles and plain numbers cannot be added to each other</source>
         <translation>Längen, Winkel und reine Zahlen lassen sich nicht addieren</translation>
     </message>
     <message>
         <source>The result has the wrong unit</source>
         <translation>Das Ergebnis hat die falsche Einheit</translation>
-    </message>
-    <message>
-        <source>Nothing can be divided by zero</source>
-        <translation>Durch null kann nicht geteilt werden</translation>
     </message>
     <message>
         <source>The result is too large</source>
@@ -1341,24 +1329,32 @@
         <source>%1 (character %2).</source>
         <translation>%1 (Zeichen %2).</translation>
     </message>
+    <message>
+        <source>The expression is too long</source>
+        <translation>Der Ausdruck ist zu lang</translation>
+    </message>
+    <message>
+        <source>The brackets are nested too deeply</source>
+        <translation>Die Klammern sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>An operator such as + or * is missing before “%1”</source>
+        <translation>Vor „%1“ fehlt ein Operator wie + oder *</translation>
+    </message>
+    <message>
+        <source>“%1” is not a known unit</source>
+        <translation>„%1“ ist keine bekannte Einheit</translation>
+    </message>
+    <message>
+        <source>Division by zero</source>
+        <translation>Division durch null</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
     <message>
-        <source>Distance below which torn border vertices are one</source>
-        <translation>Abstand, unter dem getrennte Randpunkte einer sind</translation>
-    </message>
-    <message>
         <source>share of the diagonal</source>
         <translation>Anteil der Diagonale</translation>
-    </message>
-    <message>
-        <source>border vertices left torn or merged wrongly</source>
-        <translation>getrennt gebliebene oder falsch vereinte Randpunkte</translation>
-    </message>
-    <message>
-        <source>CPU time to stitch the borders</source>
-        <translation>CPU-Zeit, um die Ränder zu nähen</translation>
     </message>
     <message>
         <source>Method that fills holes</source>
@@ -1382,7 +1378,7 @@
     </message>
     <message>
         <source>RMS distance of the patch from the surface</source>
-        <translation>mittlerer Abstand (RMS) des Flickens von der Fläche</translation>
+        <translation>mittlerer Abstand (RMS) der Füllfläche von der Fläche</translation>
     </message>
     <message>
         <source>% of the hole</source>
@@ -1393,14 +1389,6 @@
         <translation>CPU-Zeit einer Füllung</translation>
     </message>
     <message>
-        <source>Density of patches, in that of their surroundings</source>
-        <translation>Dichte der Flicken, gemessen an ihrer Umgebung</translation>
-    </message>
-    <message>
-        <source>Vertices or faces that an undo step keeps together</source>
-        <translation>Punkte oder Flächen, die ein Rückgängig-Schritt zusammen hält</translation>
-    </message>
-    <message>
         <source>memory of an undo step</source>
         <translation>Speicher eines Rückgängig-Schritts</translation>
     </message>
@@ -1409,24 +1397,12 @@
         <translation>CPU-Zeit, um einen Schritt zu tun, zurückzunehmen und zu wiederholen</translation>
     </message>
     <message>
-        <source>Faces that the display builds and draws together</source>
-        <translation>Flächen, die die Anzeige zusammen aufbaut und zeichnet</translation>
-    </message>
-    <message>
         <source>draw calls of a frame</source>
         <translation>Zeichenaufrufe eines Bildes</translation>
     </message>
     <message>
         <source>calls</source>
         <translation>Aufrufe</translation>
-    </message>
-    <message>
-        <source>CPU time to rebuild what an edit of one face touches</source>
-        <translation>CPU-Zeit, um neu aufzubauen, was die Änderung einer Fläche berührt</translation>
-    </message>
-    <message>
-        <source>How far triangles may leave a curved surface</source>
-        <translation>Wie weit Dreiecke von einer gekrümmten Fläche abweichen dürfen</translation>
     </message>
     <message>
         <source>largest distance of the triangles from the surface</source>
@@ -1481,18 +1457,6 @@
         <translation>Dreiecke einer Form</translation>
     </message>
     <message>
-        <source>Largest distance that removing triangles may leave</source>
-        <translation>Größter Abstand, den das Entfernen von Dreiecken lassen darf</translation>
-    </message>
-    <message>
-        <source>triangles that are left</source>
-        <translation>verbleibende Dreiecke</translation>
-    </message>
-    <message>
-        <source>What fair patches continue of their surroundings</source>
-        <translation>Was glatte Flicken von ihrer Umgebung fortsetzen</translation>
-    </message>
-    <message>
         <source>position</source>
         <translation>Lage</translation>
     </message>
@@ -1513,16 +1477,8 @@
         <translation>Abstände zwischen den Merkmalen</translation>
     </message>
     <message>
-        <source>features that a trembling hand missed</source>
-        <translation>Merkmale, die eine zitternde Hand verfehlt hat</translation>
-    </message>
-    <message>
         <source>CPU time of a tick</source>
         <translation>Rechenzeit eines Takts</translation>
-    </message>
-    <message>
-        <source>Features that pull at once</source>
-        <translation>Merkmale, die zugleich ziehen</translation>
     </message>
     <message>
         <source>RMS difference from the sum of all forces</source>
@@ -1537,16 +1493,8 @@
         <translation>Diagonalen des Modells</translation>
     </message>
     <message>
-        <source>RMS distance from where it comes to rest</source>
-        <translation>RMS-Abstand von seiner Ruhelage</translation>
-    </message>
-    <message>
         <source>Rate of the servo loop</source>
         <translation>Takt der Servoschleife</translation>
-    </message>
-    <message>
-        <source>how far 2 N push into a wall as stiff as the rate allows</source>
-        <translation>wie weit 2 N in eine Wand drücken, die so steif ist, wie der Takt erlaubt</translation>
     </message>
     <message>
         <source>CPU time of a second of touch</source>
@@ -1555,10 +1503,6 @@
     <message>
         <source>Stiffness of surfaces</source>
         <translation>Steifigkeit von Flächen</translation>
-    </message>
-    <message>
-        <source>how far 2 N push into the surface</source>
-        <translation>wie weit 2 N in die Fläche drücken</translation>
     </message>
     <message>
         <source>rate of the servo loop that keeps it stable</source>
@@ -1573,24 +1517,8 @@
         <translation>RMS-Fehler der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>how late the velocity is</source>
-        <translation>wie spät die Geschwindigkeit ist</translation>
-    </message>
-    <message>
-        <source>Distance of the samples of a turned profile</source>
-        <translation>Abstand der Punkte eines gedrehten Profils</translation>
-    </message>
-    <message>
-        <source>largest distance of the profile from what the tool left</source>
-        <translation>größter Abstand des Profils von dem, was das Werkzeug stehen ließ</translation>
-    </message>
-    <message>
         <source>CPU time of cutting and of the triangles that change</source>
         <translation>Rechenzeit eines Schnitts mit seinen neuen Dreiecken</translation>
-    </message>
-    <message>
-        <source>How far triangles may leave the surfaces of a STEP file</source>
-        <translation>Wie weit Dreiecke von den Flächen einer STEP-Datei abweichen dürfen</translation>
     </message>
     <message>
         <source>largest distance from the surface, in diagonals</source>
@@ -1599,6 +1527,90 @@
     <message>
         <source>triangles of the mesh</source>
         <translation>Dreiecke des Netzes</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>eben</translation>
+    </message>
+    <message>
+        <source>Largest deviation of triangles from the surfaces of a STEP file</source>
+        <translation>Größte Abweichung der Dreiecke von den Flächen einer STEP-Datei</translation>
+    </message>
+    <message>
+        <source>penetration at 2 N into the stiffest wall that the rate allows</source>
+        <translation>Eindringtiefe bei 2 N in die steifste Wand, die die Rate erlaubt</translation>
+    </message>
+    <message>
+        <source>penetration at 2 N into the surface</source>
+        <translation>Eindringtiefe in die Fläche bei 2 N</translation>
+    </message>
+    <message>
+        <source>delay of the velocity</source>
+        <translation>Verzögerung der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>features missed by a trembling hand</source>
+        <translation>Merkmale, die eine zitternde Hand verfehlt hat</translation>
+    </message>
+    <message>
+        <source>Features that attract at the same time</source>
+        <translation>Merkmale, die gleichzeitig anziehen</translation>
+    </message>
+    <message>
+        <source>Sample spacing of a turned profile</source>
+        <translation>Abtastabstand eines gedrehten Profils</translation>
+    </message>
+    <message>
+        <source>largest distance of the profile from the exact shape</source>
+        <translation>größter Abstand des Profils von der exakten Form</translation>
+    </message>
+    <message>
+        <source>Distance below which boundary vertices are merged</source>
+        <translation>Abstand, unter dem Randeckpunkte verschmolzen werden</translation>
+    </message>
+    <message>
+        <source>boundary vertices left unmerged or merged wrongly</source>
+        <translation>nicht oder falsch verschmolzene Randeckpunkte</translation>
+    </message>
+    <message>
+        <source>CPU time to merge the boundary vertices</source>
+        <translation>CPU-Zeit, um die Randeckpunkte zu verschmelzen</translation>
+    </message>
+    <message>
+        <source>Continuity of fair patches with their surroundings</source>
+        <translation>Stetigkeit glatter Füllflächen zu ihrer Umgebung</translation>
+    </message>
+    <message>
+        <source>Density of patches, relative to their surroundings</source>
+        <translation>Dichte der Füllflächen, relativ zu ihrer Umgebung</translation>
+    </message>
+    <message>
+        <source>Largest distance from the original when triangles are reduced</source>
+        <translation>Größter Abstand vom Original beim Reduzieren der Dreiecke</translation>
+    </message>
+    <message>
+        <source>remaining triangles</source>
+        <translation>verbleibende Dreiecke</translation>
+    </message>
+    <message>
+        <source>Vertices or triangles in a block of an undo step</source>
+        <translation>Eckpunkte oder Dreiecke in einem Block eines Rückgängig-Schritts</translation>
+    </message>
+    <message>
+        <source>Triangles in a block of the display</source>
+        <translation>Dreiecke in einem Block der Anzeige</translation>
+    </message>
+    <message>
+        <source>CPU time to rebuild the blocks that an edit of one triangle affects</source>
+        <translation>CPU-Zeit zum Neuaufbau der Blöcke, die die Änderung eines Dreiecks betrifft</translation>
+    </message>
+    <message>
+        <source>Largest deviation of triangles from a curved surface</source>
+        <translation>Größte Abweichung der Dreiecke von einer gekrümmten Fläche</translation>
+    </message>
+    <message>
+        <source>RMS distance from its final position</source>
+        <translation>RMS-Abstand von der Endlage</translation>
     </message>
 </context>
 <context>
@@ -1628,20 +1640,16 @@
         <translation>%1 % einer Sekunde für eine Füllung</translation>
     </message>
     <message>
-        <source>As accurate as leaves a third to spare. Takes %1.</source>
-        <translation>So genau, dass ein Drittel frei bleibt. Braucht %1.</translation>
+        <source>Most accurate value that leaves a third of the limit unused. Takes %1.</source>
+        <translation>Genauester Wert, der ein Drittel der Grenze frei lässt. Braucht %1.</translation>
     </message>
     <message>
-        <source>%1: no value is fast enough, the fastest is taken.</source>
+        <source>%1: no value is fast enough, the fastest is used.</source>
         <translation>%1: Kein Wert ist schnell genug, es gilt der schnellste.</translation>
     </message>
 </context>
 <context>
     <name>FileFilters</name>
-    <message>
-        <source>All that Handwheel opens</source>
-        <translation>Alles, was Handwheel öffnet</translation>
-    </message>
     <message>
         <source>All files</source>
         <translation>Alle Dateien</translation>
@@ -1654,6 +1662,10 @@
         <source>All formats</source>
         <translation>Alle Formate</translation>
     </message>
+    <message>
+        <source>All supported files</source>
+        <translation>Alle unterstützten Dateien</translation>
+    </message>
 </context>
 <context>
     <name>HapticSession</name>
@@ -1662,40 +1674,40 @@
         <translation>Simulierte Hand</translation>
     </message>
     <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
         <source>%1 could not be opened</source>
         <translation>%1 konnte nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>%1 is not there</source>
-        <translation>%1 ist nicht da</translation>
     </message>
     <message>
         <source>%1 has failed</source>
         <translation>%1 ist ausgefallen</translation>
     </message>
     <message>
-        <source>It was unplugged, or is without power.</source>
+        <source>Mouse as device</source>
+        <translation>Maus als Gerät</translation>
+    </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>It was unplugged, or has no power.</source>
         <translation>Es wurde abgezogen oder hat keinen Strom.</translation>
     </message>
     <message>
-        <source>It does not answer as it should.</source>
-        <translation>Es antwortet nicht, wie es sollte.</translation>
+        <source>It does not respond correctly.</source>
+        <translation>Es antwortet nicht richtig.</translation>
     </message>
     <message>
-        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
-        <translation>Schließen Sie es wieder an und wählen Sie es noch einmal im Bereich „Gerät“.</translation>
+        <source>Plug it in again: it is opened automatically.</source>
+        <translation>Schließen Sie es wieder an: Es wird automatisch geöffnet.</translation>
     </message>
     <message>
-        <source>A device plugin is not used</source>
-        <translation>Ein Gerätemodul wird nicht verwendet</translation>
+        <source>Unplug it and plug it in again: it is opened automatically.</source>
+        <translation>Ziehen Sie es ab, und schließen Sie es wieder an: Es wird automatisch geöffnet.</translation>
     </message>
     <message>
-        <source>Plug it in again: it is opened by itself.</source>
-        <translation>Stecken Sie es wieder ein: Es wird von selbst geöffnet.</translation>
+        <source>A device plugin could not be loaded</source>
+        <translation>Ein Gerätemodul konnte nicht geladen werden</translation>
     </message>
 </context>
 <context>
@@ -1709,16 +1721,16 @@
         <translation>Über Handwheel</translation>
     </message>
     <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
         <source>Repairs scanned meshes, prepares workpieces and robot cells.</source>
         <translation>Repariert gescannte Netze, bereitet Werkstücke und Roboterzellen vor.</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat.</source>
         <translation>Freie Software unter der GNU General Public License, Version 3 oder später.&lt;br&gt;Gebaut mit Qt, VTK, CGAL, Open CASCADE, Eigen, libzip und expat.</translation>
+    </message>
+    <message>
+        <source>Currently available</source>
+        <translation>Derzeit verfügbar</translation>
     </message>
 </context>
 <context>
@@ -1816,13 +1828,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln non-manifold point(s)</source>
-        <translation>
-            <numerusform>%Ln nicht-mannigfaltiger Punkt</numerusform>
-            <numerusform>%Ln nicht-mannigfaltige Punkte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln pair(s) of near vertices</source>
         <translation>
             <numerusform>%Ln Paar fast gleicher Eckpunkte</numerusform>
@@ -1830,24 +1835,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln triangle(s) without area</source>
-        <translation>
-            <numerusform>%Ln entartetes Dreieck</numerusform>
-            <numerusform>%Ln entartete Dreiecke</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln duplicate triangle(s)</source>
         <translation>
             <numerusform>%Ln doppeltes Dreieck</numerusform>
             <numerusform>%Ln doppelte Dreiecke</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln loose piece(s)</source>
-        <translation>
-            <numerusform>%Ln loses Stück</numerusform>
-            <numerusform>%Ln lose Stücke</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1877,19 +1868,8 @@
         <translation>Keine Löcher. Das ist eine offene Fläche.</translation>
     </message>
     <message>
-        <source>No holes are left except those kept open.</source>
-        <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
-    </message>
-    <message>
         <source>Watertight.</source>
         <translation>Wasserdicht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) faced the wrong way and were turned over.</source>
-        <translation>
-            <numerusform>%Ln Dreieck war verkehrt herum und wurde umgedreht.</numerusform>
-            <numerusform>%Ln Dreiecke waren verkehrt herum und wurden umgedreht.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Saved as %1.</source>
@@ -1906,24 +1886,6 @@
             <numerusform>%Ln Löcher konnten nicht gefüllt werden.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Some defects are left.</source>
-        <translation>Einige Fehler sind übrig.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
-        <translation>
-            <numerusform>%Ln Paar Dreiecke durchdringt sich. Die Liste der Fehler schneidet sie auseinander.</numerusform>
-            <numerusform>%Ln Paare von Dreiecken durchdringen sich. Die Liste der Fehler schneidet sie auseinander.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln edge(s) with one side</source>
-        <translation>
-            <numerusform>%Ln Kante mit nur einer Seite</numerusform>
-            <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%Ln self-intersection(s)</source>
         <translation>
@@ -1935,40 +1897,77 @@
         <source>Closed, but self-intersecting.</source>
         <translation>Geschlossen, aber selbstdurchdringend.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside out</source>
+        <translation>
+            <numerusform>%Ln Körper mit der Innenseite nach außen</numerusform>
+            <numerusform>%Ln Körper mit der Innenseite nach außen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold vertex(ices)</source>
+        <translation>
+            <numerusform>%Ln nicht-mannigfaltiger Eckpunkt</numerusform>
+            <numerusform>%Ln nicht-mannigfaltige Eckpunkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln one-sided edge(s)</source>
+        <translation>
+            <numerusform>%Ln Kante mit nur einer Seite</numerusform>
+            <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln degenerate triangle(s)</source>
+        <translation>
+            <numerusform>%Ln entartetes Dreieck</numerusform>
+            <numerusform>%Ln entartete Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln piece(s) of debris</source>
+        <translation>
+            <numerusform>%Ln loses Stück</numerusform>
+            <numerusform>%Ln lose Stücke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes remain except those kept open.</source>
+        <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of triangles intersect. They can be fixed in the list of defects.</source>
+        <translation>
+            <numerusform>%Ln Paar Dreiecke durchdringt sich. Es lässt sich in der Liste der Fehler beheben.</numerusform>
+            <numerusform>%Ln Paare von Dreiecken durchdringen sich. Sie lassen sich in der Liste der Fehler beheben.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) had the wrong orientation and were reversed.</source>
+        <translation>
+            <numerusform>%Ln Dreieck war falsch orientiert und wurde umgekehrt.</numerusform>
+            <numerusform>%Ln Dreiecke waren falsch orientiert und wurden umgekehrt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Some defects remain.</source>
+        <translation>Einige Fehler sind übrig.</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
-    <message>
-        <source>The file holds one valid solid.</source>
-        <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
-    </message>
     <message>
         <source>The recordings of the device are not in this file.</source>
         <translation>Die Aufzeichnungen des Geräts stehen nicht in dieser Datei.</translation>
     </message>
     <message>
-        <source>Which holes are to stay open is not in this file (%1 marked).</source>
-        <translation>Welche Löcher offen bleiben sollen, steht nicht in dieser Datei (%1 markiert).</translation>
-    </message>
-    <message>
         <source>The coarser levels of the sculpted patch are not in this file.</source>
-        <translation>Die gröberen Stufen des modellierten Flickens stehen nicht in dieser Datei.</translation>
-    </message>
-    <message>
-        <source>The file holds the robot and the bodies as they stand now; it has no joints.</source>
-        <translation>Die Datei enthält den Roboter und die Körper in ihrer jetzigen Stellung; Gelenke hat sie keine.</translation>
-    </message>
-    <message>
-        <source>A STEP file holds exact surfaces and no mesh: its faces (%1) were cut into triangles, which are at most about %2 mm off them.</source>
-        <translation>Eine STEP-Datei enthält exakte Flächen und kein Netz: Ihre Flächen (%1) wurden in Dreiecke zerlegt, die höchstens etwa %2 mm von ihnen abweichen.</translation>
+        <translation>Die gröberen Stufen der modellierten Füllfläche stehen nicht in dieser Datei.</translation>
     </message>
     <message>
         <source>Solids: %1. Surfaces that belong to none: %2.</source>
         <translation>Volumenkörper: %1. Flächen, die zu keinem gehören: %2.</translation>
-    </message>
-    <message>
-        <source>Its lengths (%1) are millimetres here.</source>
-        <translation>Ihre Längen (%1) sind hier Millimeter.</translation>
     </message>
     <message>
         <source>The body &apos;%1&apos; is linked to %2, which is missing; it is shown as it was when it was read.</source>
@@ -1987,24 +1986,16 @@
         <translation>%1 ausgeblendete Körper (%2) wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>The robot is added as it stands, as one mesh: it has no joints and no colours of its own.</source>
-        <translation>Der Roboter wird hinzugefügt, wie er steht, als ein Netz: ohne Gelenke und ohne eigene Farben.</translation>
-    </message>
-    <message>
         <source>The file: %1.</source>
         <translation>Die Datei: %1.</translation>
     </message>
     <message>
-        <source>It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces disagree and %4 points at which faces touch that share no edge.</source>
-        <translation>Sie hat %1 offene Kanten, %2 Kanten mit mehr als zwei Flächen, %3 Kanten, an denen Flächen sich widersprechen, und %4 Punkte, an denen sich Flächen ohne gemeinsame Kante berühren.</translation>
-    </message>
-    <message>
         <source>Vertices moved by the smallest possible amount, so that the file does not weld them: %1.</source>
-        <translation>Um das kleinstmögliche Maß verschobene Punkte, damit die Datei sie nicht verschweißt: %1.</translation>
+        <translation>Um das kleinstmögliche Maß verschobene Eckpunkte, damit die Datei sie nicht verschweißt: %1.</translation>
     </message>
     <message>
         <source>The single precision of the format moved vertices by up to %1 mm; the number of self-intersections may change by that.</source>
-        <translation>Die einfache Genauigkeit des Formats hat Punkte um bis zu %1 mm verschoben; die Zahl der Selbstdurchdringungen kann sich dadurch ändern.</translation>
+        <translation>Die einfache Genauigkeit des Formats hat Eckpunkte um bis zu %1 mm verschoben; die Zahl der Selbstdurchdringungen kann sich dadurch ändern.</translation>
     </message>
     <message>
         <source>The body measures %1 × %2 × %3 mm.</source>
@@ -2013,6 +2004,38 @@
     <message>
         <source>The body &apos;%1&apos; has a shape that this program does not know (&apos;%2&apos;): it is kept, but cannot be shown. A newer version may know it.</source>
         <translation>Der Körper „%1“ hat eine Form, die dieses Programm nicht kennt („%2“): sie bleibt erhalten, kann aber nicht gezeigt werden. Eine neuere Version kennt sie vielleicht.</translation>
+    </message>
+    <message>
+        <source>The file contains the robot and the bodies in their current position; it has no joints.</source>
+        <translation>Die Datei enthält den Roboter und die Körper in ihrer jetzigen Stellung; sie hat keine Gelenke.</translation>
+    </message>
+    <message>
+        <source>The robot is added in its current position, as one mesh: it has no joints and no colours of its own.</source>
+        <translation>Der Roboter wird in seiner jetzigen Stellung als ein Netz hinzugefügt: ohne Gelenke und ohne eigene Farben.</translation>
+    </message>
+    <message>
+        <source>It has %1 open edges, %2 edges with more than two triangles, %3 edges with inconsistent orientation and %4 non-manifold vertices.</source>
+        <translation>Sie hat %1 offene Kanten, %2 Kanten mit mehr als zwei Dreiecken, %3 Kanten mit widersprüchlicher Orientierung und %4 nicht-mannigfaltige Eckpunkte.</translation>
+    </message>
+    <message>
+        <source>A STEP file contains exact surfaces and no mesh: its faces (%1) were triangulated; the triangles are at most about %2 mm from them.</source>
+        <translation>Eine STEP-Datei enthält exakte Flächen und kein Netz: Ihre Flächen (%1) wurden in Dreiecke zerlegt, die höchstens etwa %2 mm von ihnen abweichen.</translation>
+    </message>
+    <message>
+        <source>Its lengths (%1) were converted to millimetres.</source>
+        <translation>Ihre Längen (%1) wurden in Millimeter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The marks of holes to keep open are not in this file (%1 marked).</source>
+        <translation>Die Markierungen offen zu lassender Löcher stehen nicht in dieser Datei (%1 markiert).</translation>
+    </message>
+    <message>
+        <source>The file contains one valid solid.</source>
+        <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
+    </message>
+    <message>
+        <source>Rounded to the numbers of this format, %1 more pairs of triangles intersect. 3MF, PLY, OBJ and OFF keep all digits.</source>
+        <translation>Auf die Zahlen dieses Formats gerundet, durchdringen sich %1 weitere Paare von Dreiecken. 3MF, PLY, OBJ und OFF behalten alle Stellen.</translation>
     </message>
 </context>
 <context>
@@ -2090,28 +2113,12 @@
         <translation>Es wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>It is the outer edge of an open sheet.</source>
-        <translation>Es ist der Außenrand einer offenen Fläche.</translation>
-    </message>
-    <message>
         <source>It is kept open.</source>
         <translation>Es wird offen gelassen.</translation>
     </message>
     <message>
         <source>It has more edges than allowed.</source>
         <translation>Es hat mehr Kanten als erlaubt.</translation>
-    </message>
-    <message>
-        <source>No surface fits its edge.</source>
-        <translation>Keine Fläche passt auf seinen Rand.</translation>
-    </message>
-    <message>
-        <source>Every patch would cross the part.</source>
-        <translation>Jede Füllfläche würde das Teil durchdringen.</translation>
-    </message>
-    <message>
-        <source>Every patch would bulge far out.</source>
-        <translation>Jede Füllfläche würde sich weit vorwölben.</translation>
     </message>
     <message>
         <source>It would take too long for a mesh of this size.</source>
@@ -2128,10 +2135,6 @@
     <message>
         <source>Refined</source>
         <translation>Verfeinert</translation>
-    </message>
-    <message>
-        <source>Ear cutting</source>
-        <translation>Ohren abschneiden</translation>
     </message>
     <message>
         <source>New triangles</source>
@@ -2210,20 +2213,8 @@
         <translation>Ansichtswürfel</translation>
     </message>
     <message>
-        <source>Cut the model open</source>
-        <translation>Modell aufschneiden</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>Quer zu</translation>
-    </message>
-    <message>
         <source>View direction</source>
         <translation>Blickrichtung</translation>
-    </message>
-    <message>
-        <source>Other side</source>
-        <translation>Andere Seite</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -2266,10 +2257,6 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Speed against accuracy</source>
-        <translation>Tempo gegen Genauigkeit</translation>
-    </message>
-    <message>
         <source>Preset</source>
         <translation>Voreinstellung</translation>
     </message>
@@ -2290,18 +2277,6 @@
         <translation>Genau</translation>
     </message>
     <message>
-        <source>Own values</source>
-        <translation>Eigene Werte</translation>
-    </message>
-    <message>
-        <source>Least area</source>
-        <translation>Kleinste Fläche</translation>
-    </message>
-    <message>
-        <source>Least bend</source>
-        <translation>Kleinster Knick</translation>
-    </message>
-    <message>
         <source>Ridges</source>
         <translation>Grate</translation>
     </message>
@@ -2314,48 +2289,12 @@
         <translation>Winkel aus drei Punkten</translation>
     </message>
     <message>
-        <source>Angle of two faces</source>
-        <translation>Winkel zweier Flächen</translation>
-    </message>
-    <message>
         <source>Wall thickness</source>
         <translation>Wandstärke</translation>
     </message>
     <message>
-        <source>Straight through</source>
-        <translation>Gerade hindurch</translation>
-    </message>
-    <message>
-        <source>Largest ball inside</source>
-        <translation>Größte Kugel darin</translation>
-    </message>
-    <message>
-        <source>Two of the points are one.</source>
-        <translation>Zwei der Punkte fallen zusammen.</translation>
-    </message>
-    <message>
-        <source>A triangle would have no area.</source>
-        <translation>Ein Dreieck hätte keinen Flächeninhalt.</translation>
-    </message>
-    <message>
         <source>An edge would have more than two triangles.</source>
         <translation>Eine Kante hätte mehr als zwei Dreiecke.</translation>
-    </message>
-    <message>
-        <source>The triangle beside it faces the other way.</source>
-        <translation>Das Dreieck daneben liegt verkehrt herum.</translation>
-    </message>
-    <message>
-        <source>It would touch the surface in a point only.</source>
-        <translation>Es würde die Fläche nur in einem Punkt berühren.</translation>
-    </message>
-    <message>
-        <source>It would cross or touch the part.</source>
-        <translation>Es würde das Teil durchdringen oder berühren.</translation>
-    </message>
-    <message>
-        <source>A triangle would turn over or lose its area.</source>
-        <translation>Ein Dreieck würde umgedreht oder verlöre seinen Flächeninhalt.</translation>
     </message>
     <message>
         <source>There is no open edge.</source>
@@ -2364,26 +2303,6 @@
     <message>
         <source>Smoothing</source>
         <translation>Glättung</translation>
-    </message>
-    <message>
-        <source>Waves up to (edges)</source>
-        <translation>Wellen bis (Kanten)</translation>
-    </message>
-    <message>
-        <source>Spread evenly</source>
-        <translation>Gleichmäßig verteilen</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>Points held back</source>
-        <translation>Zurückgehaltene Punkte</translation>
-    </message>
-    <message>
-        <source>Further on a triangle would turn over, or the surface tear.</source>
-        <translation>Weiter würde ein Dreieck umgedreht oder die Fläche reißen.</translation>
     </message>
     <message>
         <source>Marked triangles</source>
@@ -2398,36 +2317,8 @@
         <translation>In diesem Loch gibt es keine Halbinsel.</translation>
     </message>
     <message>
-        <source>Go down to</source>
-        <translation>Reduzieren bis</translation>
-    </message>
-    <message>
-        <source>A number</source>
-        <translation>Anzahl</translation>
-    </message>
-    <message>
-        <source>A distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
         <source>Largest distance</source>
         <translation>Größter Abstand</translation>
-    </message>
-    <message>
-        <source>Leave open edges as they are</source>
-        <translation>Offene Kanten unverändert lassen</translation>
-    </message>
-    <message>
-        <source>Keep sharp edges</source>
-        <translation>Scharfe Kanten erhalten</translation>
-    </message>
-    <message>
-        <source>Sharp from</source>
-        <translation>Scharf ab</translation>
-    </message>
-    <message>
-        <source>Let nothing cross</source>
-        <translation>Durchdringungen vermeiden</translation>
     </message>
     <message>
         <source>Corners</source>
@@ -2454,24 +2345,8 @@
         <translation>Stärke</translation>
     </message>
     <message>
-        <source>Move the edges of holes, too</source>
-        <translation>Ränder der Löcher mitbewegen</translation>
-    </message>
-    <message>
-        <source>Noise up to</source>
-        <translation>Rauschen bis</translation>
-    </message>
-    <message>
-        <source>It has no edge inside to split.</source>
-        <translation>Er hat innen keine Kante, die sich teilen ließe.</translation>
-    </message>
-    <message>
         <source>It would have too many triangles.</source>
         <translation>Er hätte zu viele Dreiecke.</translation>
-    </message>
-    <message>
-        <source>The numbers of the file show no finer triangles.</source>
-        <translation>Die Zahlen der Datei geben keine feineren Dreiecke wieder.</translation>
     </message>
     <message>
         <source>It is as fine as its surroundings.</source>
@@ -2479,19 +2354,11 @@
     </message>
     <message>
         <source>Triangles of the patch</source>
-        <translation>Dreiecke des Flickens</translation>
+        <translation>Dreiecke der Füllfläche</translation>
     </message>
     <message>
         <source>Level</source>
         <translation>Stufe</translation>
-    </message>
-    <message>
-        <source>Slimness at the edge</source>
-        <translation>Schlankheit am Rand</translation>
-    </message>
-    <message>
-        <source>Its outer triangles have become long and thin: go a level back.</source>
-        <translation>Die äußeren Dreiecke sind lang und schmal geworden: eine Stufe zurückgehen.</translation>
     </message>
     <message>
         <source>Move along X</source>
@@ -2506,24 +2373,8 @@
         <translation>Verschieben in Z</translation>
     </message>
     <message>
-        <source>Turn about X</source>
-        <translation>Drehen um X</translation>
-    </message>
-    <message>
-        <source>Turn about Y</source>
-        <translation>Drehen um Y</translation>
-    </message>
-    <message>
-        <source>Turn about Z</source>
-        <translation>Drehen um Z</translation>
-    </message>
-    <message>
         <source>Scale by</source>
         <translation>Skalieren mit</translation>
-    </message>
-    <message>
-        <source>The file is in</source>
-        <translation>Die Datei ist in</translation>
     </message>
     <message>
         <source>Length of the outline</source>
@@ -2532,26 +2383,6 @@
     <message>
         <source>the outline is open</source>
         <translation>der Umriss ist offen</translation>
-    </message>
-    <message>
-        <source>Short edges count</source>
-        <translation>Gewicht kurzer Kanten</translation>
-    </message>
-    <message>
-        <source>Even angles count</source>
-        <translation>Gewicht gleicher Winkel</translation>
-    </message>
-    <message>
-        <source>Small bends count</source>
-        <translation>Gewicht kleiner Knicke</translation>
-    </message>
-    <message>
-        <source>Area and bend</source>
-        <translation>Fläche und Knick</translation>
-    </message>
-    <message>
-        <source>Continues</source>
-        <translation>Setzt fort</translation>
     </message>
     <message>
         <source>Position</source>
@@ -2626,18 +2457,6 @@
         <translation>Totzone der Drehung</translation>
     </message>
     <message>
-        <source>Deflection is a speed</source>
-        <translation>Auslenkung ist eine Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>mm/s for each mm</source>
-        <translation>mm/s für jeden mm</translation>
-    </message>
-    <message>
-        <source>°/s for each degree</source>
-        <translation>°/s für jedes Grad</translation>
-    </message>
-    <message>
         <source>No button</source>
         <translation>Keine Taste</translation>
     </message>
@@ -2666,24 +2485,8 @@
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>Dropped onto a point</source>
-        <translation>Auf einen Punkt gelegt</translation>
-    </message>
-    <message>
         <source>Join</source>
         <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Lay a bridge</source>
-        <translation>Brücke legen</translation>
-    </message>
-    <message>
-        <source>New crossings</source>
-        <translation>Neue Durchdringungen</translation>
-    </message>
-    <message>
-        <source>The surface crosses itself here now: undo, or smooth it apart.</source>
-        <translation>Die Oberfläche durchdringt sich hier jetzt: rückgängig machen oder auseinander glätten.</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -2716,10 +2519,6 @@
     <message>
         <source>Profile</source>
         <translation>Profil</translation>
-    </message>
-    <message>
-        <source>Rims as curves</source>
-        <translation>Ränder als Kurven</translation>
     </message>
     <message>
         <source>One (proxy)</source>
@@ -2821,6 +2620,230 @@
         <source>Effort not known</source>
         <translation>Kraft unbekannt</translation>
     </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation>Ear-Clipping</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Eben</translation>
+    </message>
+    <message>
+        <source>Rotate about X</source>
+        <translation>Drehen um X</translation>
+    </message>
+    <message>
+        <source>Rotate about Y</source>
+        <translation>Drehen um Y</translation>
+    </message>
+    <message>
+        <source>Rotate about Z</source>
+        <translation>Drehen um Z</translation>
+    </message>
+    <message>
+        <source>Angle between two faces</source>
+        <translation>Winkel zweier Flächen</translation>
+    </message>
+    <message>
+        <source>Along a ray</source>
+        <translation>Entlang eines Strahls</translation>
+    </message>
+    <message>
+        <source>Largest inscribed sphere</source>
+        <translation>Größte einbeschriebene Kugel</translation>
+    </message>
+    <message>
+        <source>Two of the vertices are the same.</source>
+        <translation>Zwei der Eckpunkte sind dieselben.</translation>
+    </message>
+    <message>
+        <source>A triangle would be degenerate.</source>
+        <translation>Ein Dreieck wäre entartet.</translation>
+    </message>
+    <message>
+        <source>The adjacent triangle has the opposite orientation.</source>
+        <translation>Das benachbarte Dreieck ist entgegengesetzt orientiert.</translation>
+    </message>
+    <message>
+        <source>It would touch the surface at a single vertex only.</source>
+        <translation>Es würde die Oberfläche nur an einem Eckpunkt berühren.</translation>
+    </message>
+    <message>
+        <source>It would intersect or touch the part.</source>
+        <translation>Es würde das Teil durchdringen oder berühren.</translation>
+    </message>
+    <message>
+        <source>A triangle would flip or become degenerate.</source>
+        <translation>Ein Dreieck würde umklappen oder entarten.</translation>
+    </message>
+    <message>
+        <source>Wavelength (edges)</source>
+        <translation>Wellenlänge (Kanten)</translation>
+    </message>
+    <message>
+        <source>Even spacing</source>
+        <translation>Gleichmäßiger Abstand</translation>
+    </message>
+    <message>
+        <source>Dropped onto a vertex</source>
+        <translation>Auf einem Eckpunkt abgelegt</translation>
+    </message>
+    <message>
+        <source>Add a bridge</source>
+        <translation>Brücke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Constrained vertices</source>
+        <translation>Eingeschränkte Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Moving further would flip a triangle or tear the surface.</source>
+        <translation>Eine weitere Bewegung würde ein Dreieck umklappen oder die Oberfläche aufreißen.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Number of triangles</source>
+        <translation>Anzahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Preserve sharp edges</source>
+        <translation>Scharfe Kanten erhalten</translation>
+    </message>
+    <message>
+        <source>It is the outer boundary of an open sheet.</source>
+        <translation>Es ist der Außenrand einer offenen Fläche.</translation>
+    </message>
+    <message>
+        <source>No valid patch fits its boundary.</source>
+        <translation>Keine gültige Füllfläche passt auf seinen Rand.</translation>
+    </message>
+    <message>
+        <source>Every patch would intersect the part.</source>
+        <translation>Jede Füllfläche würde das Teil durchdringen.</translation>
+    </message>
+    <message>
+        <source>Every patch would bulge out too far.</source>
+        <translation>Jede Füllfläche würde sich weit vorwölben.</translation>
+    </message>
+    <message>
+        <source>Sharp edge angle</source>
+        <translation>Winkel scharfer Kanten</translation>
+    </message>
+    <message>
+        <source>Preserve open edges</source>
+        <translation>Offene Kanten erhalten</translation>
+    </message>
+    <message>
+        <source>Prevent self-intersections</source>
+        <translation>Selbstdurchdringungen vermeiden</translation>
+    </message>
+    <message>
+        <source>Area and bending</source>
+        <translation>Fläche und Knick</translation>
+    </message>
+    <message>
+        <source>Minimum area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>Minimum bending</source>
+        <translation>Kleinster Knick</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>Stetigkeit</translation>
+    </message>
+    <message>
+        <source>Weight of short edges</source>
+        <translation>Gewicht kurzer Kanten</translation>
+    </message>
+    <message>
+        <source>Weight of even angles</source>
+        <translation>Gewicht gleichmäßiger Winkel</translation>
+    </message>
+    <message>
+        <source>Weight of small bends</source>
+        <translation>Gewicht kleiner Knicke</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Noise angle</source>
+        <translation>Rauschwinkel</translation>
+    </message>
+    <message>
+        <source>Move boundary vertices, too</source>
+        <translation>Auch Randeckpunkte verschieben</translation>
+    </message>
+    <message>
+        <source>It has no inner edge to split.</source>
+        <translation>Er hat innen keine Kante, die sich teilen ließe.</translation>
+    </message>
+    <message>
+        <source>The precision of the file does not allow finer triangles.</source>
+        <translation>Die Genauigkeit der Datei erlaubt keine feineren Dreiecke.</translation>
+    </message>
+    <message>
+        <source>New self-intersections</source>
+        <translation>Neue Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>The surface now intersects itself here: undo, or smooth it.</source>
+        <translation>Die Oberfläche durchdringt sich hier jetzt: Machen Sie es rückgängig, oder glätten Sie sie.</translation>
+    </message>
+    <message>
+        <source>Aspect ratio at the boundary</source>
+        <translation>Seitenverhältnis am Rand</translation>
+    </message>
+    <message>
+        <source>Its outer triangles have become long and thin: go back one level.</source>
+        <translation>Die äußeren Dreiecke sind lang und schmal geworden: eine Stufe zurückgehen.</translation>
+    </message>
+    <message>
+        <source>Rate control</source>
+        <translation>Geschwindigkeitssteuerung</translation>
+    </message>
+    <message>
+        <source>mm/s per mm</source>
+        <translation>mm/s für jeden mm</translation>
+    </message>
+    <message>
+        <source>°/s per degree</source>
+        <translation>°/s für jedes Grad</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>Geschwindigkeit und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Benutzerdefiniert</translation>
+    </message>
+    <message>
+        <source>Hole boundaries as curves</source>
+        <translation>Lochränder als Kurven</translation>
+    </message>
+    <message>
+        <source>Clip the model</source>
+        <translation>Modell schneiden</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Flip side</source>
+        <translation>Seite wechseln</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2833,10 +2856,6 @@
         <translation>Verfeinert</translation>
     </message>
     <message>
-        <source>Ear cutting</source>
-        <translation>Ohren abschneiden</translation>
-    </message>
-    <message>
         <source>Stitched</source>
         <translation>Vernäht</translation>
     </message>
@@ -2845,56 +2864,12 @@
         <translation>Entfernt</translation>
     </message>
     <message>
-        <source>Triangles as fine as the surroundings, bent to continue them. For scans.</source>
-        <translation>Dreiecke so fein wie die Umgebung und so gewölbt, dass sie sie fortsetzen. Für Scans.</translation>
-    </message>
-    <message>
-        <source>Triangles as fine as the surroundings, not bent. For flat places.</source>
-        <translation>Dreiecke so fein wie die Umgebung, nicht gewölbt. Für ebene Stellen.</translation>
-    </message>
-    <message>
-        <source>Cuts one corner after the other; adds no vertices.</source>
-        <translation>Schneidet eine Ecke nach der anderen ab; fügt keine Eckpunkte hinzu.</translation>
-    </message>
-    <message>
-        <source>The smallest possible area; adds no vertices.</source>
-        <translation>Die kleinstmögliche Fläche; fügt keine Eckpunkte hinzu.</translation>
-    </message>
-    <message>
-        <source>The borders were brought together.</source>
-        <translation>Die Ränder wurden zusammengeführt.</translation>
-    </message>
-    <message>
-        <source>The faces around it were removed.</source>
-        <translation>Die Flächen darum herum wurden entfernt.</translation>
-    </message>
-    <message>
         <source>cancelled</source>
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>it is the outer edge of an open sheet</source>
-        <translation>es ist der Außenrand einer offenen Fläche</translation>
-    </message>
-    <message>
-        <source>you asked for it</source>
-        <translation>so gewünscht</translation>
-    </message>
-    <message>
         <source>it has more edges than allowed</source>
         <translation>es hat mehr Kanten als erlaubt</translation>
-    </message>
-    <message>
-        <source>no surface fits its edge</source>
-        <translation>keine Fläche passt auf seinen Rand</translation>
-    </message>
-    <message>
-        <source>every patch would cross the part</source>
-        <translation>jede Füllfläche würde das Teil durchdringen</translation>
-    </message>
-    <message>
-        <source>every patch would bulge far out</source>
-        <translation>jede Füllfläche würde sich weit vorwölben</translation>
     </message>
     <message>
         <source>it would take too long for a mesh of this size</source>
@@ -2925,30 +2900,12 @@
         <translation>Linien</translation>
     </message>
     <message>
-        <source>single points</source>
-        <translation>einzelne Punkte</translation>
-    </message>
-    <message>
         <source>curves</source>
         <translation>Kurven</translation>
     </message>
     <message>
         <source>further attributes</source>
         <translation>weitere Attribute</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangle(s) turned over</source>
-        <translation>
-            <numerusform>%n Dreieck umgedreht</numerusform>
-            <numerusform>%n Dreiecke umgedreht</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangle(s) without area removed</source>
-        <translation>
-            <numerusform>%n entartetes Dreieck entfernt</numerusform>
-            <numerusform>%n entartete Dreiecke entfernt</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>%n duplicate triangle(s) removed</source>
@@ -2958,40 +2915,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n loosely hanging triangle(s) removed</source>
-        <translation>
-            <numerusform>%n lose hängendes Dreieck entfernt</numerusform>
-            <numerusform>%n lose hängende Dreiecke entfernt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n triangle(s) of debris removed</source>
         <translation>
             <numerusform>%n Dreieck von Bruchstücken entfernt</numerusform>
             <numerusform>%n Dreiecke von Bruchstücken entfernt</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n near point(s) merged</source>
-        <translation>
-            <numerusform>%n naher Punkt verschmolzen</numerusform>
-            <numerusform>%n nahe Punkte verschmolzen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n touching point(s) parted</source>
-        <translation>
-            <numerusform>%n Berührpunkt getrennt</numerusform>
-            <numerusform>%n Berührpunkte getrennt</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Least area</source>
-        <translation>Kleinste Fläche</translation>
-    </message>
-    <message>
-        <source>Least bend</source>
-        <translation>Kleinster Knick</translation>
     </message>
     <message>
         <source>Ridges</source>
@@ -3000,69 +2928,6 @@
     <message>
         <source>Cone</source>
         <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>Given a back</source>
-        <translation>Mit Rückseite</translation>
-    </message>
-    <message>
-        <source>The least area of all triangulations; adds no vertices.</source>
-        <translation>Die kleinste Fläche aller Triangulierungen; ohne neue Punkte.</translation>
-    </message>
-    <message>
-        <source>The least bend between neighbours, then the least area; adds no vertices.</source>
-        <translation>Der kleinste Knick zwischen Nachbarn, dann die kleinste Fläche; ohne neue Punkte.</translation>
-    </message>
-    <message>
-        <source>As fair, with the sharp edges that end at the hole carried through it. For designed parts.</source>
-        <translation>Wie glatt, aber scharfe Kanten, die am Loch enden, laufen hindurch. Für konstruierte Teile.</translation>
-    </message>
-    <message>
-        <source>Triangles to one point behind or before the hole.</source>
-        <translation>Dreiecke zu einem Punkt hinter oder vor dem Loch.</translation>
-    </message>
-    <message>
-        <source>The sheet became a thin body.</source>
-        <translation>Das Blatt wurde ein dünner Körper.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangle(s) cut where patches cross</source>
-        <translation>
-            <numerusform>%n Dreieck geschnitten, wo Flicken kreuzen</numerusform>
-            <numerusform>%n Dreiecke geschnitten, wo Flicken kreuzen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Area and bend</source>
-        <translation>Fläche und Knick</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n cut(s) where the surface had one side only</source>
-        <translation>
-            <numerusform>%n Schnitt, wo die Oberfläche nur eine Seite hatte</numerusform>
-            <numerusform>%n Schnitte, wo die Oberfläche nur eine Seite hatte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n tangled triangle(s) replaced around holes</source>
-        <translation>
-            <numerusform>%n verschlungenes Dreieck um Löcher ersetzt</numerusform>
-            <numerusform>%n verschlungene Dreiecke um Löcher ersetzt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>crossings cut apart at %n place(s)</source>
-        <translation>
-            <numerusform>Durchdringungen an %n Stelle aufgeschnitten</numerusform>
-            <numerusform>Durchdringungen an %n Stellen aufgeschnitten</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hole(s) to be kept open gone with triangles that were removed</source>
-        <translation>
-            <numerusform>%n Loch, das offen bleiben sollte, mit entfernten Dreiecken verschwunden</numerusform>
-            <numerusform>%n Löcher, die offen bleiben sollten, mit entfernten Dreiecken verschwunden</numerusform>
-        </translation>
     </message>
     <message>
         <source>exact surfaces</source>
@@ -3113,6 +2978,180 @@
             <numerusform>%n Stück</numerusform>
             <numerusform>%n Stücke</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation>Ear-Clipping</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Eben</translation>
+    </message>
+    <message>
+        <source>Thickened sheet</source>
+        <translation>Aufgedickte Fläche</translation>
+    </message>
+    <message>
+        <source>Area and bending</source>
+        <translation>Fläche und Knick</translation>
+    </message>
+    <message>
+        <source>Minimum area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>Minimum bending</source>
+        <translation>Kleinster Knick</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, curved to continue them. For scans.</source>
+        <translation>Dreiecke so fein wie die Umgebung, gekrümmt, um sie fortzusetzen. Für Scans.</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, not curved. For flat regions.</source>
+        <translation>Dreiecke so fein wie die Umgebung, nicht gekrümmt. Für ebene Bereiche.</translation>
+    </message>
+    <message>
+        <source>Cuts off one corner after the other, the best first; adds no vertices. For holes with many edges.</source>
+        <translation>Schneidet eine Ecke nach der anderen ab, die beste zuerst; fügt keine Eckpunkte hinzu. Für Löcher mit vielen Kanten.</translation>
+    </message>
+    <message>
+        <source>Small angles between adjacent triangles, then a small area, using edges of the Delaunay tetrahedralisation; adds no vertices.</source>
+        <translation>Kleine Winkel zwischen benachbarten Dreiecken, dann kleiner Flächeninhalt, mit Kanten der Delaunay-Tetraeder; fügt keine Eckpunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>Minimises the area; adds no vertices. A hole of more than 300 edges is divided first.</source>
+        <translation>Kleinster Flächeninhalt; fügt keine Eckpunkte hinzu. Ein Loch mit mehr als 300 Kanten wird zuerst unterteilt.</translation>
+    </message>
+    <message>
+        <source>Minimises the angles between adjacent triangles, then the area; adds no vertices. A hole of more than 300 edges is divided first.</source>
+        <translation>Kleinste Winkel zwischen benachbarten Dreiecken, dann kleinster Flächeninhalt; fügt keine Eckpunkte hinzu. Ein Loch mit mehr als 300 Kanten wird zuerst unterteilt.</translation>
+    </message>
+    <message>
+        <source>As fair, with the sharp edges that end at the hole continued across it. For designed parts.</source>
+        <translation>Wie „Glatt“, wobei die scharfen Kanten, die am Loch enden, hindurch fortgesetzt werden. Für konstruierte Teile.</translation>
+    </message>
+    <message>
+        <source>A planar patch in the best-fitting plane of the boundary; adds no vertices. For openings that were cut.</source>
+        <translation>Ebene Füllfläche in der Ausgleichsebene des Randes; fügt keine Eckpunkte hinzu. Für geschnittene Öffnungen.</translation>
+    </message>
+    <message>
+        <source>Triangles to one apex behind or in front of the hole.</source>
+        <translation>Dreiecke zu einer Spitze hinter oder vor dem Loch.</translation>
+    </message>
+    <message>
+        <source>The sheet was thickened to a thin body.</source>
+        <translation>Die Fläche wurde zu einem dünnen Körper aufgedickt.</translation>
+    </message>
+    <message>
+        <source>The boundaries were joined.</source>
+        <translation>Die Ränder wurden verbunden.</translation>
+    </message>
+    <message>
+        <source>The triangles around it were removed.</source>
+        <translation>Die Dreiecke darum herum wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>it is the outer boundary of an open sheet</source>
+        <translation>es ist der Außenrand einer offenen Fläche</translation>
+    </message>
+    <message>
+        <source>it is marked to be kept open</source>
+        <translation>es ist als offen zu lassen markiert</translation>
+    </message>
+    <message>
+        <source>no valid patch fits its boundary</source>
+        <translation>keine gültige Füllfläche passt auf seinen Rand</translation>
+    </message>
+    <message>
+        <source>every patch would intersect the part</source>
+        <translation>jede Füllfläche würde das Teil durchdringen</translation>
+    </message>
+    <message>
+        <source>every patch would bulge out too far</source>
+        <translation>jede Füllfläche würde sich weit vorwölben</translation>
+    </message>
+    <message>
+        <source>isolated points</source>
+        <translation>einzelne Punkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) reversed</source>
+        <translation>
+            <numerusform>%n Dreieck umgekehrt</numerusform>
+            <numerusform>%n Dreiecke umgekehrt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n degenerate triangle(s) removed</source>
+        <translation>
+            <numerusform>%n entartetes Dreieck entfernt</numerusform>
+            <numerusform>%n entartete Dreiecke entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dangling triangle(s) removed</source>
+        <translation>
+            <numerusform>%n lose hängendes Dreieck entfernt</numerusform>
+            <numerusform>%n lose hängende Dreiecke entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n near vertex(ices) merged</source>
+        <translation>
+            <numerusform>%n naher Eckpunkt verschmolzen</numerusform>
+            <numerusform>%n nahe Eckpunkte verschmolzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) cut where patches intersect</source>
+        <translation>
+            <numerusform>%n Dreieck geschnitten, wo Füllflächen das Teil durchdringen</numerusform>
+            <numerusform>%n Dreiecke geschnitten, wo Füllflächen das Teil durchdringen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>self-intersections resolved at %n place(s)</source>
+        <translation>
+            <numerusform>Selbstdurchdringungen an %n Stelle aufgelöst</numerusform>
+            <numerusform>Selbstdurchdringungen an %n Stellen aufgelöst</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) to be kept open lost with removed triangles</source>
+        <translation>
+            <numerusform>%n Loch, das offen bleiben sollte, mit entfernten Dreiecken verschwunden</numerusform>
+            <numerusform>%n Löcher, die offen bleiben sollten, mit entfernten Dreiecken verschwunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n folded triangle(s) replaced around holes</source>
+        <translation>
+            <numerusform>%n gefaltetes Dreieck um Löcher ersetzt</numerusform>
+            <numerusform>%n gefaltete Dreiecke um Löcher ersetzt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s) where the surface was one-sided</source>
+        <translation>
+            <numerusform>%n Schnitt, wo die Oberfläche nur eine Seite hatte</numerusform>
+            <numerusform>%n Schnitte, wo die Oberfläche nur eine Seite hatte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n touching vertex(ices) separated</source>
+        <translation>
+            <numerusform>%n Eckpunkt, an dem sich Teile berührten, getrennt</numerusform>
+            <numerusform>%n Eckpunkte, an denen sich Teile berührten, getrennt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the patch bends by %1°, its surroundings by at most %2°</source>
+        <translation>die Füllfläche knickt um %1°, ihre Umgebung um höchstens %2°</translation>
+    </message>
+    <message>
+        <source>the patch bulges by %1 % of the size of the hole beyond its surroundings</source>
+        <translation>die Füllfläche wölbt sich um %1 % der Lochgröße über ihre Umgebung hinaus</translation>
     </message>
 </context>
 <context>
@@ -3169,10 +3208,6 @@
         <translation>offen lassen</translation>
     </message>
     <message>
-        <source>choose none</source>
-        <translation>keines wählen</translation>
-    </message>
-    <message>
         <source>Selecting by lasso</source>
         <translation>Auswahl mit dem Lasso läuft</translation>
     </message>
@@ -3189,32 +3224,12 @@
         <translation>Linie um Flächen ziehen</translation>
     </message>
     <message>
-        <source>select all that hangs together</source>
-        <translation>alles Zusammenhängende auswählen</translation>
-    </message>
-    <message>
-        <source>select up to the next edge</source>
-        <translation>bis zur nächsten Kante auswählen</translation>
-    </message>
-    <message>
-        <source>Selecting up to the next edge</source>
-        <translation>Auswahl bis zur nächsten Kante läuft</translation>
-    </message>
-    <message>
-        <source>Selecting what hangs together</source>
-        <translation>Auswahl des Zusammenhängenden läuft</translation>
-    </message>
-    <message>
         <source>Delete faces</source>
         <translation>Flächen löschen</translation>
     </message>
     <message>
         <source>add to the selection</source>
         <translation>zur Auswahl hinzufügen</translation>
-    </message>
-    <message>
-        <source>take out of the selection</source>
-        <translation>aus der Auswahl nehmen</translation>
     </message>
     <message>
         <source>smaller brush</source>
@@ -3227,10 +3242,6 @@
     <message>
         <source>select all</source>
         <translation>alles auswählen</translation>
-    </message>
-    <message>
-        <source>select the rest</source>
-        <translation>den Rest auswählen</translation>
     </message>
     <message>
         <source>grow by one ring</source>
@@ -3253,20 +3264,12 @@
         <translation>Flächen löschen</translation>
     </message>
     <message>
-        <source>select nothing</source>
-        <translation>nichts auswählen</translation>
-    </message>
-    <message>
         <source>move the joint</source>
         <translation>Gelenk bewegen</translation>
     </message>
     <message>
         <source>pull the whole arm</source>
         <translation>ganzen Arm ziehen</translation>
-    </message>
-    <message>
-        <source>put it back</source>
-        <translation>zurückstellen</translation>
     </message>
     <message>
         <source>Remove debris</source>
@@ -3277,10 +3280,6 @@
         <translation>dritter Punkt</translation>
     </message>
     <message>
-        <source>keep this place</source>
-        <translation>diese Stelle behalten</translation>
-    </message>
-    <message>
         <source>first face</source>
         <translation>erste Fläche</translation>
     </message>
@@ -3289,104 +3288,8 @@
         <translation>zweite Fläche</translation>
     </message>
     <message>
-        <source>the edge has changed meanwhile</source>
-        <translation>der Rand hat sich inzwischen geändert</translation>
-    </message>
-    <message>
-        <source>nothing: two of the points are one</source>
-        <translation>nichts: zwei der Punkte fallen zusammen</translation>
-    </message>
-    <message>
-        <source>nothing: a triangle would turn over or have no area</source>
-        <translation>nichts: ein Dreieck würde umgedreht oder hätte keinen Flächeninhalt</translation>
-    </message>
-    <message>
-        <source>nothing: an edge would have more than two triangles</source>
-        <translation>nichts: eine Kante hätte mehr als zwei Dreiecke</translation>
-    </message>
-    <message>
-        <source>nothing: the triangle beside it faces the other way</source>
-        <translation>nichts: das Dreieck daneben liegt verkehrt herum</translation>
-    </message>
-    <message>
-        <source>nothing: it would touch the surface in a point only</source>
-        <translation>nichts: es würde die Fläche nur in einem Punkt berühren</translation>
-    </message>
-    <message>
-        <source>nothing: it would cross or touch the part</source>
-        <translation>nichts: es würde das Teil durchdringen oder berühren</translation>
-    </message>
-    <message>
-        <source>nothing: there is no open edge</source>
-        <translation>nichts: es gibt keine offene Kante</translation>
-    </message>
-    <message>
-        <source>Pull a point of the edge</source>
-        <translation>Randpunkt ziehen</translation>
-    </message>
-    <message>
-        <source>Join points of the edge</source>
-        <translation>Randpunkte verbinden</translation>
-    </message>
-    <message>
-        <source>Lay a bridge</source>
-        <translation>Brücke legen</translation>
-    </message>
-    <message>
-        <source>move the point</source>
-        <translation>Punkt verschieben</translation>
-    </message>
-    <message>
-        <source>move the point as far as it may go</source>
-        <translation>Punkt verschieben, so weit es geht</translation>
-    </message>
-    <message>
-        <source>join the points</source>
-        <translation>Punkte verbinden</translation>
-    </message>
-    <message>
-        <source>nothing: no other point is near</source>
-        <translation>nichts: kein anderer Punkt ist nah</translation>
-    </message>
-    <message>
-        <source>lay the bridge</source>
-        <translation>Brücke legen</translation>
-    </message>
-    <message>
         <source>bridge instead of joining</source>
         <translation>Brücke statt Verbindung</translation>
-    </message>
-    <message>
-        <source>no point attracts</source>
-        <translation>kein Punkt zieht an</translation>
-    </message>
-    <message>
-        <source>take the smooth edge</source>
-        <translation>glatten Rand übernehmen</translation>
-    </message>
-    <message>
-        <source>remove the marked faces</source>
-        <translation>markierte Flächen entfernen</translation>
-    </message>
-    <message>
-        <source>leave it as it is</source>
-        <translation>unverändert lassen</translation>
-    </message>
-    <message>
-        <source>choose an edge</source>
-        <translation>Rand wählen</translation>
-    </message>
-    <message>
-        <source>pull a point; onto another: join them</source>
-        <translation>Punkt ziehen; auf einen anderen: verbinden</translation>
-    </message>
-    <message>
-        <source>lay a bridge to another point</source>
-        <translation>Brücke zu einem anderen Punkt legen</translation>
-    </message>
-    <message>
-        <source>smooth the edge</source>
-        <translation>Rand glätten</translation>
     </message>
     <message>
         <source>find islands</source>
@@ -3397,36 +3300,12 @@
         <translation>Halbinseln finden</translation>
     </message>
     <message>
-        <source>Looking at the edge</source>
-        <translation>Rand wird untersucht</translation>
-    </message>
-    <message>
-        <source>Smooth the edge</source>
-        <translation>Rand glätten</translation>
-    </message>
-    <message>
         <source>Remove islands</source>
         <translation>Inseln entfernen</translation>
     </message>
     <message>
         <source>Remove peninsulas</source>
         <translation>Halbinseln entfernen</translation>
-    </message>
-    <message>
-        <source>Remove triangles</source>
-        <translation>Dreiecke entfernen</translation>
-    </message>
-    <message>
-        <source>no triangle can go within what is to be kept</source>
-        <translation>kein Dreieck kann wegfallen, wenn alles bleibt, was erhalten werden soll</translation>
-    </message>
-    <message>
-        <source>remove triangles</source>
-        <translation>Dreiecke entfernen</translation>
-    </message>
-    <message>
-        <source>Remove triangles without area</source>
-        <translation>Entartete Dreiecke entfernen</translation>
     </message>
     <message>
         <source>Remove duplicate triangles</source>
@@ -3441,44 +3320,12 @@
         <translation>verschmolzen würden sie keine Lücke schließen oder Kanten mit mehr als zwei Dreiecken hinterlassen</translation>
     </message>
     <message>
-        <source>Part what only touches</source>
-        <translation>Trennen, was sich nur berührt</translation>
-    </message>
-    <message>
         <source>it would take too long for a mesh of this size</source>
         <translation>das würde für ein Netz dieser Größe zu lange dauern</translation>
     </message>
     <message>
-        <source>every step apart would make the surface cross itself</source>
-        <translation>jeder Schritt auseinander würde die Fläche sich selbst durchdringen lassen</translation>
-    </message>
-    <message>
-        <source>Cut crossings apart</source>
-        <translation>Durchdringungen auftrennen</translation>
-    </message>
-    <message>
-        <source>the triangles lie in one plane, lie on others, or are tangled too much to be cut apart</source>
-        <translation>die Dreiecke liegen in einer Ebene, liegen auf anderen oder sind zu sehr verschlungen, um aufgetrennt zu werden</translation>
-    </message>
-    <message>
-        <source>Give a back</source>
-        <translation>Rückseite geben</translation>
-    </message>
-    <message>
-        <source>a back would cross the part, or close a hole that is kept open</source>
-        <translation>eine Rückseite würde das Teil durchdringen oder ein Loch schließen, das offen bleibt</translation>
-    </message>
-    <message>
         <source>Cut and close</source>
         <translation>Schneiden und schließen</translation>
-    </message>
-    <message>
-        <source>what would be cut is folded too much</source>
-        <translation>was zu schneiden wäre, ist zu sehr verschlungen</translation>
-    </message>
-    <message>
-        <source>bridge the hole from point to point</source>
-        <translation>Loch von Punkt zu Punkt überbrücken</translation>
     </message>
     <message>
         <source>choose the bridges again</source>
@@ -3495,14 +3342,6 @@
     <message>
         <source>second corner, counter-clockwise</source>
         <translation>zweite Ecke, gegen den Uhrzeigersinn</translation>
-    </message>
-    <message>
-        <source>third corner: makes the face</source>
-        <translation>dritte Ecke: erzeugt die Fläche</translation>
-    </message>
-    <message>
-        <source>take the last corner back</source>
-        <translation>letzte Ecke zurücknehmen</translation>
     </message>
     <message>
         <source>Smooth surface</source>
@@ -3522,7 +3361,7 @@
     </message>
     <message>
         <source>Subdivide patch</source>
-        <translation>Flicken unterteilen</translation>
+        <translation>Füllfläche unterteilen</translation>
     </message>
     <message>
         <source>Refine to the surroundings</source>
@@ -3530,7 +3369,7 @@
     </message>
     <message>
         <source>Subdividing</source>
-        <translation>Flicken wird unterteilt</translation>
+        <translation>Füllfläche wird unterteilt</translation>
     </message>
     <message>
         <source>Smoothing noise</source>
@@ -3553,12 +3392,8 @@
         <translation>glätten</translation>
     </message>
     <message>
-        <source>the other way</source>
-        <translation>umgekehrt</translation>
-    </message>
-    <message>
         <source>subdivide the patch</source>
-        <translation>Flicken unterteilen</translation>
+        <translation>Füllfläche unterteilen</translation>
     </message>
     <message>
         <source>one level back</source>
@@ -3578,7 +3413,7 @@
     </message>
     <message>
         <source>smooth the noise of the patch</source>
-        <translation>Rauschen des Flickens glätten</translation>
+        <translation>Rauschen der Füllfläche glätten</translation>
     </message>
     <message>
         <source>smooth the noise along the holes</source>
@@ -3589,28 +3424,8 @@
         <translation>ganze Oberfläche modellieren</translation>
     </message>
     <message>
-        <source>it is there already, has no area, or is too large to tell</source>
-        <translation>das Teil liegt schon dort, hat keinen Flächeninhalt oder ist zu groß, um es zu sagen</translation>
-    </message>
-    <message>
-        <source>put onto the largest flat face</source>
-        <translation>auf die größte ebene Fläche stellen</translation>
-    </message>
-    <message>
-        <source>Put onto the largest flat face</source>
-        <translation>Auf die größte ebene Fläche stellen</translation>
-    </message>
-    <message>
         <source>there is no flat face that the part can stand on, or it stands on it already</source>
         <translation>es gibt keine ebene Fläche, auf der das Teil stehen kann, oder es steht schon darauf</translation>
-    </message>
-    <message>
-        <source>align the main axes</source>
-        <translation>Hauptachsen ausrichten</translation>
-    </message>
-    <message>
-        <source>Align the main axes</source>
-        <translation>Hauptachsen ausrichten</translation>
     </message>
     <message>
         <source>centre on the origin</source>
@@ -3621,24 +3436,12 @@
         <translation>Im Ursprung zentrieren</translation>
     </message>
     <message>
-        <source>put the low corner into the origin</source>
-        <translation>untere Ecke in den Ursprung legen</translation>
-    </message>
-    <message>
-        <source>Put the low corner into the origin</source>
-        <translation>Untere Ecke in den Ursprung legen</translation>
-    </message>
-    <message>
         <source>Place</source>
         <translation>Platzieren</translation>
     </message>
     <message>
         <source>coordinates would become too large</source>
         <translation>die Koordinaten würden zu groß</translation>
-    </message>
-    <message>
-        <source>place so</source>
-        <translation>so platzieren</translation>
     </message>
     <message>
         <source>reset</source>
@@ -3651,18 +3454,6 @@
     <message>
         <source>join instead of bridging</source>
         <translation>verbinden statt überbrücken</translation>
-    </message>
-    <message>
-        <source>Cut and give two sides</source>
-        <translation>Aufschneiden und zwei Seiten geben</translation>
-    </message>
-    <message>
-        <source>the cut could not be closed without crossing the part</source>
-        <translation>der Schnitt ließe sich nicht schließen, ohne das Teil zu durchdringen</translation>
-    </message>
-    <message>
-        <source>undo: the surface crosses itself now</source>
-        <translation>rückgängig: die Oberfläche durchdringt sich jetzt</translation>
     </message>
     <message>
         <source>Fill hole</source>
@@ -3679,10 +3470,6 @@
     <message>
         <source>Sculpt</source>
         <translation>Modellieren</translation>
-    </message>
-    <message>
-        <source>drop the pass</source>
-        <translation>Schnitt verwerfen</translation>
     </message>
     <message>
         <source>cut a pass</source>
@@ -3725,10 +3512,6 @@
         <translation>ein Auftrag, der dieses Netz ändert, läuft</translation>
     </message>
     <message>
-        <source>they are the two sides of a plate without thickness, closed as it is</source>
-        <translation>sie sind die zwei Seiten einer Platte ohne Dicke, geschlossen wie sie ist</translation>
-    </message>
-    <message>
         <source>no piece is far smaller than the largest</source>
         <translation>kein Stück ist viel kleiner als das größte</translation>
     </message>
@@ -3745,8 +3528,276 @@
         <translation>Drehschnitt %1: −%2 mm³</translation>
     </message>
     <message>
-        <source>nothing more: the pass is full, release it</source>
-        <translation>nichts mehr: der Schnitt ist voll, loslassen</translation>
+        <source>no closed surface is inside out</source>
+        <translation>bei keiner geschlossenen Fläche zeigt die Innenseite nach außen</translation>
+    </message>
+    <message>
+        <source>Thicken sheets</source>
+        <translation>Flächen aufdicken</translation>
+    </message>
+    <message>
+        <source>Separate touching parts</source>
+        <translation>Berührende Teile trennen</translation>
+    </message>
+    <message>
+        <source>Make two-sided</source>
+        <translation>Zweiseitig machen</translation>
+    </message>
+    <message>
+        <source>Reverse faces</source>
+        <translation>Flächen umkehren</translation>
+    </message>
+    <message>
+        <source>Resolve self-intersections</source>
+        <translation>Selbstdurchdringungen auflösen</translation>
+    </message>
+    <message>
+        <source>cancel the move</source>
+        <translation>Verschiebung abbrechen</translation>
+    </message>
+    <message>
+        <source>keep this measurement</source>
+        <translation>diese Messung behalten</translation>
+    </message>
+    <message>
+        <source>the boundary has changed meanwhile</source>
+        <translation>der Rand hat sich inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>not possible: two of the vertices are the same</source>
+        <translation>nicht möglich: zwei der Eckpunkte sind dieselben</translation>
+    </message>
+    <message>
+        <source>not possible: a triangle would flip or become degenerate</source>
+        <translation>nicht möglich: ein Dreieck würde umklappen oder entarten</translation>
+    </message>
+    <message>
+        <source>not possible: an edge would have more than two triangles</source>
+        <translation>nicht möglich: eine Kante hätte mehr als zwei Dreiecke</translation>
+    </message>
+    <message>
+        <source>not possible: the adjacent triangle has the opposite orientation</source>
+        <translation>nicht möglich: das benachbarte Dreieck ist entgegengesetzt orientiert</translation>
+    </message>
+    <message>
+        <source>not possible: it would touch the surface at a single vertex only</source>
+        <translation>nicht möglich: es würde die Oberfläche nur an einem Eckpunkt berühren</translation>
+    </message>
+    <message>
+        <source>not possible: it would intersect or touch the part</source>
+        <translation>nicht möglich: es würde das Teil durchdringen oder berühren</translation>
+    </message>
+    <message>
+        <source>not possible: there is no open edge</source>
+        <translation>nicht möglich: es gibt keine offene Kante</translation>
+    </message>
+    <message>
+        <source>smooth the boundary</source>
+        <translation>Rand glätten</translation>
+    </message>
+    <message>
+        <source>deselect the hole</source>
+        <translation>Lochauswahl aufheben</translation>
+    </message>
+    <message>
+        <source>move the vertex</source>
+        <translation>Eckpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>move the vertex as far as possible</source>
+        <translation>Eckpunkt so weit wie möglich verschieben</translation>
+    </message>
+    <message>
+        <source>join the vertices</source>
+        <translation>Eckpunkte verbinden</translation>
+    </message>
+    <message>
+        <source>not possible: no other vertex is near</source>
+        <translation>nicht möglich: kein anderer Eckpunkt ist in der Nähe</translation>
+    </message>
+    <message>
+        <source>add the bridge</source>
+        <translation>Brücke hinzufügen</translation>
+    </message>
+    <message>
+        <source>drag a vertex; onto another one: join them</source>
+        <translation>Eckpunkt ziehen; auf einen anderen: verbinden</translation>
+    </message>
+    <message>
+        <source>add a bridge to another vertex</source>
+        <translation>Brücke zu einem anderen Eckpunkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>do not snap</source>
+        <translation>nicht fangen</translation>
+    </message>
+    <message>
+        <source>apply the smoothed boundary</source>
+        <translation>geglätteten Rand übernehmen</translation>
+    </message>
+    <message>
+        <source>remove the marked triangles</source>
+        <translation>markierte Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>leave it unchanged</source>
+        <translation>unverändert lassen</translation>
+    </message>
+    <message>
+        <source>choose a boundary</source>
+        <translation>Rand wählen</translation>
+    </message>
+    <message>
+        <source>Analysing the boundary</source>
+        <translation>Rand wird untersucht</translation>
+    </message>
+    <message>
+        <source>reduce triangles</source>
+        <translation>Dreiecke reduzieren</translation>
+    </message>
+    <message>
+        <source>they are the two sides of a plate of zero thickness, which is closed</source>
+        <translation>sie sind die zwei Seiten einer Platte ohne Dicke, die geschlossen ist</translation>
+    </message>
+    <message>
+        <source>every separation would make the surface intersect itself</source>
+        <translation>jede Trennung würde eine Selbstdurchdringung der Oberfläche verursachen</translation>
+    </message>
+    <message>
+        <source>the cut could not be closed without intersecting the part</source>
+        <translation>der Schnitt ließe sich nicht schließen, ohne das Teil zu durchdringen</translation>
+    </message>
+    <message>
+        <source>the triangles are coplanar, overlap others, or intersect too much to be separated</source>
+        <translation>die Dreiecke liegen in einer Ebene, überlappen andere oder durchdringen sich zu sehr, um getrennt zu werden</translation>
+    </message>
+    <message>
+        <source>thickening would intersect the part, or close a hole that is kept open</source>
+        <translation>Aufdicken würde das Teil durchdringen oder ein offen gelassenes Loch schließen</translation>
+    </message>
+    <message>
+        <source>the region to be cut is folded too much</source>
+        <translation>der zu schneidende Bereich ist zu stark gefaltet</translation>
+    </message>
+    <message>
+        <source>bridge the hole from vertex to vertex</source>
+        <translation>Loch von Eckpunkt zu Eckpunkt überbrücken</translation>
+    </message>
+    <message>
+        <source>undo the last corner</source>
+        <translation>letzte Ecke zurücknehmen</translation>
+    </message>
+    <message>
+        <source>no triangle can be removed within the given limits</source>
+        <translation>innerhalb der gegebenen Grenzen kann kein Dreieck entfernt werden</translation>
+    </message>
+    <message>
+        <source>Reduce triangles</source>
+        <translation>Dreiecke reduzieren</translation>
+    </message>
+    <message>
+        <source>Add a bridge</source>
+        <translation>Brücke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Join boundary vertices</source>
+        <translation>Randeckpunkte verbinden</translation>
+    </message>
+    <message>
+        <source>Move a boundary vertex</source>
+        <translation>Randeckpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Smooth the boundary</source>
+        <translation>Rand glätten</translation>
+    </message>
+    <message>
+        <source>Remove degenerate triangles</source>
+        <translation>Entartete Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>it is already in place, has no area, or is too large</source>
+        <translation>es liegt schon richtig, hat keinen Flächeninhalt oder ist zu groß</translation>
+    </message>
+    <message>
+        <source>place on the largest flat face</source>
+        <translation>auf die größte ebene Fläche stellen</translation>
+    </message>
+    <message>
+        <source>Place on the largest flat face</source>
+        <translation>Auf die größte ebene Fläche stellen</translation>
+    </message>
+    <message>
+        <source>align the principal axes</source>
+        <translation>Hauptachsen ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the principal axes</source>
+        <translation>Hauptachsen ausrichten</translation>
+    </message>
+    <message>
+        <source>move the minimum corner to the origin</source>
+        <translation>kleinste Ecke in den Ursprung verschieben</translation>
+    </message>
+    <message>
+        <source>Move the minimum corner to the origin</source>
+        <translation>Kleinste Ecke in den Ursprung verschieben</translation>
+    </message>
+    <message>
+        <source>opposite direction</source>
+        <translation>Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>undo: the surface now intersects itself</source>
+        <translation>rückgängig: die Oberfläche durchdringt sich jetzt</translation>
+    </message>
+    <message>
+        <source>invert the selection</source>
+        <translation>Auswahl umkehren</translation>
+    </message>
+    <message>
+        <source>reverse the shells of the selected faces</source>
+        <translation>Schalen der ausgewählten Flächen umkehren</translation>
+    </message>
+    <message>
+        <source>clear the selection</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>select connected faces</source>
+        <translation>zusammenhängende Flächen auswählen</translation>
+    </message>
+    <message>
+        <source>select up to the next sharp edge</source>
+        <translation>bis zur nächsten scharfen Kante auswählen</translation>
+    </message>
+    <message>
+        <source>Selecting up to the next sharp edge</source>
+        <translation>Auswahl bis zur nächsten scharfen Kante läuft</translation>
+    </message>
+    <message>
+        <source>Selecting connected faces</source>
+        <translation>Zusammenhängende Flächen werden ausgewählt</translation>
+    </message>
+    <message>
+        <source>remove from the selection</source>
+        <translation>aus der Auswahl entfernen</translation>
+    </message>
+    <message>
+        <source>apply the placement</source>
+        <translation>Platzierung anwenden</translation>
+    </message>
+    <message>
+        <source>discard the pass</source>
+        <translation>Schnitt verwerfen</translation>
+    </message>
+    <message>
+        <source>the pass is full: release it</source>
+        <translation>der Schnitt ist voll: loslassen</translation>
+    </message>
+    <message>
+        <source>third corner: creates the face</source>
+        <translation>dritte Ecke: erzeugt die Fläche</translation>
     </message>
 </context>
 <context>
@@ -3860,14 +3911,6 @@
         <translation>%1 konnte nicht automatisch gesichert werden</translation>
     </message>
     <message>
-        <source>Save it yourself: if the program ended now, your last changes would be lost.</source>
-        <translation>Speichern Sie selbst: Würde das Programm jetzt enden, gingen Ihre letzten Änderungen verloren.</translation>
-    </message>
-    <message>
-        <source>They can be recovered as they were last autosaved, or discarded for good; otherwise they are offered again at the next start.</source>
-        <translation>Sie lassen sich im zuletzt gesicherten Stand wiederherstellen oder endgültig verwerfen; sonst werden sie beim nächsten Start wieder angeboten.</translation>
-    </message>
-    <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
@@ -3882,10 +3925,6 @@
         <source>The Log names the files.</source>
         <translation>Das Protokoll nennt die Dateien.</translation>
     </message>
-    <message>
-        <source>What is in them is lost; until they are discarded they stay.</source>
-        <translation>Was darin steht, ist verloren; sie bleiben, bis sie verworfen werden.</translation>
-    </message>
     <message numerus="yes">
         <source>Discarded %Ln autosave(s)</source>
         <translation>
@@ -3897,20 +3936,32 @@
         <source>Discard…</source>
         <translation>Verwerfen…</translation>
     </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Save it now: if the program ended unexpectedly, your last changes would be lost.</source>
+        <translation>Speichern Sie es jetzt: Bei einem unerwarteten Programmende gingen Ihre letzten Änderungen verloren.</translation>
+    </message>
+    <message>
+        <source>They can be recovered as they were last autosaved, or discarded permanently; otherwise they are offered again at the next start.</source>
+        <translation>Sie lassen sich im zuletzt gesicherten Stand wiederherstellen oder endgültig verwerfen; sonst werden sie beim nächsten Start wieder angeboten.</translation>
+    </message>
     <message numerus="yes">
-        <source>Discard %Ln document(s) for good?</source>
+        <source>Discard %Ln document(s) permanently?</source>
         <translation>
             <numerusform>%Ln Dokument endgültig verwerfen?</numerusform>
             <numerusform>%Ln Dokumente endgültig verwerfen?</numerusform>
         </translation>
     </message>
     <message>
-        <source>Their changes since they were last saved cannot be brought back.</source>
+        <source>Their changes since they were last saved cannot be recovered.</source>
         <translation>Ihre Änderungen seit dem letzten Speichern sind dann nicht wiederzubringen.</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
+        <source>Their contents are lost. They are kept until you discard them.</source>
+        <translation>Ihr Inhalt ist verloren. Sie bleiben, bis Sie sie verwerfen.</translation>
     </message>
 </context>
 <context>
@@ -3923,24 +3974,28 @@
         <source>Grip</source>
         <translation>Griff</translation>
     </message>
+    <message>
+        <source>Drag a knob to move the simulated hand; with keys: arrows, Page Up and Down, Home</source>
+        <translation>Einen Knopf ziehen, um die simulierte Hand zu bewegen; mit Tasten: Pfeile, Bild auf und ab, Pos1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::BenchmarkRunner</name>
-    <message>
-        <source>What was measured on this machine cannot be used: %1</source>
-        <translation>Was auf diesem Rechner gemessen wurde, ist nicht zu gebrauchen: %1</translation>
-    </message>
     <message>
         <source>the file is damaged.</source>
         <translation>Die Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>What was measured before is of another machine (%1).</source>
-        <translation>Was früher gemessen wurde, ist von einem anderen Rechner (%1).</translation>
+        <source>The measurements of this machine cannot be used: %1</source>
+        <translation>Die Messwerte dieses Rechners sind nicht verwendbar: %1</translation>
     </message>
     <message>
-        <source>It could not be kept for the next time: %1</source>
-        <translation>Es konnte nicht für das nächste Mal aufgehoben werden: %1</translation>
+        <source>The stored measurements are from another machine (%1).</source>
+        <translation>Die gespeicherten Messwerte stammen von einem anderen Rechner (%1).</translation>
+    </message>
+    <message>
+        <source>The measurements could not be saved: %1</source>
+        <translation>Die Messwerte konnten nicht gespeichert werden: %1</translation>
     </message>
 </context>
 <context>
@@ -3999,6 +4054,10 @@
         <source>Held: %1</source>
         <translation>Gehalten: %1</translation>
     </message>
+    <message>
+        <source>Click to hold a button of the simulated hand, and again to release it; or press its number</source>
+        <translation>Klicken, um eine Taste der simulierten Hand zu halten, und noch einmal, um sie loszulassen; oder ihre Nummer drücken</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CalibrationRow</name>
@@ -4023,15 +4082,15 @@
         <translation>Dauert etwa eine halbe Minute. Sie können weiterarbeiten.</translation>
     </message>
     <message>
-        <source>The curves came with the program: %1, %2.</source>
+        <source>The curves were supplied with the program: %1, %2.</source>
         <translation>Die Kurven kamen mit dem Programm: %1, %2.</translation>
     </message>
     <message>
-        <source>The curves are of this machine, %1.</source>
+        <source>The curves were measured on this machine, %1.</source>
         <translation>Die Kurven sind von diesem Rechner, %1.</translation>
     </message>
     <message>
-        <source>%1 of %2 curves are of this machine.</source>
+        <source>%1 of %2 curves were measured on this machine.</source>
         <translation>%1 von %2 Kurven sind von diesem Rechner.</translation>
     </message>
 </context>
@@ -4070,32 +4129,8 @@
         <translation>Verknüpfte Datei &amp;neu einlesen</translation>
     </message>
     <message>
-        <source>&amp;Forget the linked file</source>
-        <translation>Verknüpfte &amp;Datei vergessen</translation>
-    </message>
-    <message>
-        <source>Put the shape of another file beside the robot</source>
-        <translation>Die Form einer anderen Datei neben den Roboter stellen</translation>
-    </message>
-    <message>
-        <source>The same, and remember the file, to read it again when it has changed</source>
-        <translation>Dasselbe, und die Datei merken, um sie nach Änderungen neu einzulesen</translation>
-    </message>
-    <message>
         <source>Show all bodies that are hidden</source>
         <translation>Alle ausgeblendeten Körper zeigen</translation>
-    </message>
-    <message>
-        <source>Read the file that the selected body is linked to once more</source>
-        <translation>Die Datei, mit der der ausgewählte Körper verknüpft ist, noch einmal einlesen</translation>
-    </message>
-    <message>
-        <source>Keep the selected body as it is, whatever becomes of its file</source>
-        <translation>Den ausgewählten Körper behalten, wie er ist, was auch mit seiner Datei geschieht</translation>
-    </message>
-    <message>
-        <source>Put such a body beside the robot</source>
-        <translation>Einen solchen Körper neben den Roboter stellen</translation>
     </message>
     <message>
         <source>Add a linked body</source>
@@ -4116,14 +4151,6 @@
     <message>
         <source>Remove the selected bodies from the cell</source>
         <translation>Die ausgewählten Körper aus der Zelle entfernen</translation>
-    </message>
-    <message>
-        <source>Neither show nor feel the selected bodies</source>
-        <translation>Die ausgewählten Körper weder zeigen noch fühlen</translation>
-    </message>
-    <message>
-        <source>Take the shape of another file; name, place and colour stay</source>
-        <translation>Die Form einer anderen Datei übernehmen; Name, Ort und Farbe bleiben</translation>
     </message>
     <message>
         <source>Open a robot cell first.</source>
@@ -4162,10 +4189,6 @@
         <translation>Die Datei von %1 neu einlesen</translation>
     </message>
     <message>
-        <source>Forget the file of %1</source>
-        <translation>Die Datei von %1 vergessen</translation>
-    </message>
-    <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
     </message>
@@ -4184,6 +4207,42 @@
     <message>
         <source>Reading %1</source>
         <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Unlink the &amp;file</source>
+        <translation>Verknüpfung mit der &amp;Datei lösen</translation>
+    </message>
+    <message>
+        <source>Add the shape of another file beside the robot</source>
+        <translation>Die Form einer anderen Datei neben dem Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the shape of another file and link to the file, to read it again when it has changed</source>
+        <translation>Die Form einer anderen Datei hinzufügen und mit der Datei verknüpfen, um sie nach Änderungen neu einzulesen</translation>
+    </message>
+    <message>
+        <source>Hide the selected bodies from view and touch</source>
+        <translation>Die ausgewählten Körper weder anzeigen noch fühlbar machen</translation>
+    </message>
+    <message>
+        <source>Read the file that the selected body is linked to again</source>
+        <translation>Die Datei, mit der der ausgewählte Körper verknüpft ist, noch einmal einlesen</translation>
+    </message>
+    <message>
+        <source>Use the shape of another file; name, position and colour are kept</source>
+        <translation>Die Form einer anderen Datei verwenden; Name, Position und Farbe bleiben</translation>
+    </message>
+    <message>
+        <source>Keep the selected body as it is, without a link to its file</source>
+        <translation>Den ausgewählten Körper ohne Verknüpfung mit seiner Datei behalten</translation>
+    </message>
+    <message>
+        <source>Add a body of this shape beside the robot</source>
+        <translation>Einen Körper dieser Form neben dem Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Unlink the file of %1</source>
+        <translation>Verknüpfung von %1 mit der Datei lösen</translation>
     </message>
 </context>
 <context>
@@ -4227,34 +4286,34 @@
         <translation>Gefundene Befehle</translation>
     </message>
     <message>
-        <source>No command is called that.</source>
-        <translation>Kein Befehl heißt so.</translation>
+        <source>No matching command.</source>
+        <translation>Kein passender Befehl.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::DefectActions</name>
     <message>
-        <source>Mend</source>
-        <translation>Beheben</translation>
-    </message>
-    <message>
-        <source>Give a &amp;back</source>
-        <translation>Rückseite &amp;geben</translation>
-    </message>
-    <message>
         <source>&amp;Cut and close</source>
         <translation>Schneiden &amp;und schließen</translation>
     </message>
     <message>
-        <source>Mend what is chosen in the list of defects</source>
-        <translation>Beheben, was in der Liste der Fehler gewählt ist</translation>
+        <source>Fix</source>
+        <translation>Beheben</translation>
     </message>
     <message>
-        <source>Make a thin body of an open sheet: of the selected one, or of all</source>
-        <translation>Aus einer offenen Fläche einen dünnen Körper machen: aus der ausgewählten oder aus allen</translation>
+        <source>&amp;Thicken sheets</source>
+        <translation>&amp;Flächen aufdicken</translation>
     </message>
     <message>
-        <source>Close the hole across the part, and cut the part where the patch crosses it</source>
+        <source>Fix the defects selected in the list</source>
+        <translation>Die in der Liste ausgewählten Fehler beheben</translation>
+    </message>
+    <message>
+        <source>Turn open sheets into thin closed bodies: the selected one, or all</source>
+        <translation>Aus offenen Flächen dünne geschlossene Körper machen: aus der ausgewählten oder aus allen</translation>
+    </message>
+    <message>
+        <source>Close the hole across the part, and cut the part where the patch intersects it</source>
         <translation>Das Loch quer durch das Teil schließen und das Teil schneiden, wo die Füllfläche es durchdringt</translation>
     </message>
 </context>
@@ -4324,10 +4383,6 @@
         <translation>Fast gleiche Eckpunkte</translation>
     </message>
     <message>
-        <source>Triangles turned over</source>
-        <translation>Umgedrehte Dreiecke</translation>
-    </message>
-    <message>
         <source>Degenerate triangles</source>
         <translation>Entartete Dreiecke</translation>
     </message>
@@ -4352,18 +4407,6 @@
         <translation>Kanten, an denen sich mehr als zwei Dreiecke treffen.</translation>
     </message>
     <message>
-        <source>Points at which parts of the surface touch only with a tip.</source>
-        <translation>Punkte, an denen sich Teile der Oberfläche nur mit einer Spitze berühren.</translation>
-    </message>
-    <message>
-        <source>Vertices on open borders that the file has rounded apart. A repair merges them.</source>
-        <translation>Eckpunkte an offenen Rändern, die durch Rundung in der Datei auseinanderliegen. Eine Reparatur führt sie zusammen.</translation>
-    </message>
-    <message>
-        <source>Triangles that faced the wrong way in the file. They were turned over on opening.</source>
-        <translation>Dreiecke, die in der Datei verkehrt herum lagen. Sie wurden beim Öffnen umgedreht.</translation>
-    </message>
-    <message>
         <source>Triangles without area.</source>
         <translation>Dreiecke ohne Flächeninhalt.</translation>
     </message>
@@ -4376,24 +4419,52 @@
         <translation>Kleine Stücke, die nicht mit dem Modell verbunden sind.</translation>
     </message>
     <message>
-        <source>Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.</source>
-        <translation>Öffnungen, die gewollt sind, und Außenränder offener Flächen. „Alles reparieren“ lässt sie offen.</translation>
+        <source>Pair %1</source>
+        <translation>Paar %1</translation>
     </message>
     <message>
-        <source>Pairs of triangles that pass through each other. “Repair all” leaves them as they are.</source>
-        <translation>Paare von Dreiecken, die einander durchdringen. „Alles reparieren“ lässt sie, wie sie sind.</translation>
+        <source>Body %1</source>
+        <translation>Körper %1</translation>
     </message>
     <message>
-        <source>Edges with one side</source>
+        <source>Inside out</source>
+        <translation>Innenseite außen</translation>
+    </message>
+    <message>
+        <source>Reversed on opening</source>
+        <translation>Beim Öffnen umgekehrt</translation>
+    </message>
+    <message>
+        <source>One-sided edges</source>
         <translation>Kanten mit nur einer Seite</translation>
     </message>
     <message>
-        <source>Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.</source>
+        <source>Openings that are intended, and outer boundaries of open sheets. “Repair all” does not close them.</source>
+        <translation>Beabsichtigte Öffnungen und Außenränder offener Flächen. „Alles reparieren“ schließt sie nicht.</translation>
+    </message>
+    <message>
+        <source>Vertices at which parts of the surface touch without sharing an edge.</source>
+        <translation>Eckpunkte, an denen sich Teile der Oberfläche ohne gemeinsame Kante berühren.</translation>
+    </message>
+    <message>
+        <source>Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.</source>
         <translation>Kanten, an denen innen zu außen wird: Wie ein Möbiusband hat die Oberfläche nur eine Seite.</translation>
     </message>
     <message>
-        <source>Pair %1</source>
-        <translation>Paar %1</translation>
+        <source>Vertices on open edges that differ only by rounding in the file. A repair merges them.</source>
+        <translation>Eckpunkte an offenen Kanten, die sich nur durch Rundung in der Datei unterscheiden. Eine Reparatur verschmilzt sie.</translation>
+    </message>
+    <message>
+        <source>Closed surfaces whose triangles face inwards, so that inside and outside are swapped.</source>
+        <translation>Geschlossene Flächen, deren Dreiecke nach innen zeigen, sodass innen und außen vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
+        <translation>Kein Fehler mehr: Dreiecke, die in der Datei entgegengesetzt zu ihren Nachbarn orientiert waren, wurden beim Öffnen umgekehrt. Waren die Nachbarn falsch, kehrt „Flächen umkehren“ die ganze Schale um.</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that intersect. “Repair all” leaves them unchanged.</source>
+        <translation>Paare von Dreiecken, die sich durchdringen. „Alles reparieren“ lässt sie unverändert.</translation>
     </message>
 </context>
 <context>
@@ -4410,16 +4481,8 @@
 <context>
     <name>handwheel::DeviationPanel</name>
     <message>
-        <source>Fly to the place</source>
-        <translation>Zur Stelle fliegen</translation>
-    </message>
-    <message>
         <source>Back to the defects</source>
         <translation>Zurück zu den Fehlern</translation>
-    </message>
-    <message>
-        <source>Take the colours away</source>
-        <translation>Farben wegnehmen</translation>
     </message>
     <message>
         <source>Compare with another file…</source>
@@ -4489,16 +4552,20 @@
         <source>Histogram of the deviation</source>
         <translation>Histogramm der Abweichung</translation>
     </message>
+    <message>
+        <source>Zoom to this place</source>
+        <translation>Auf diese Stelle zoomen</translation>
+    </message>
+    <message>
+        <source>Remove the colours</source>
+        <translation>Farben wegnehmen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DeviationView</name>
     <message>
         <source>De&amp;viation…</source>
         <translation>Abwei&amp;chung…</translation>
-    </message>
-    <message>
-        <source>Show in colours how far the mesh is from what was opened</source>
-        <translation>In Farben zeigen, wie weit das Netz vom geöffneten Stand entfernt ist</translation>
     </message>
     <message>
         <source>Comparing…</source>
@@ -4548,6 +4615,10 @@
         <source>%1 could not be saved</source>
         <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
+    <message>
+        <source>Show the deviation of the mesh from the opened file in colours</source>
+        <translation>Die Abweichung des Netzes von der geöffneten Datei in Farben zeigen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DeviceCard</name>
@@ -4584,12 +4655,20 @@
         <translation>Nicht in Echtzeit: was zu tun ist</translation>
     </message>
     <message>
-        <source>Ticks come late when the machine is busy, and walls are made softer for it</source>
-        <translation>Ist der Rechner beschäftigt, kommen Takte zu spät, und Wände werden dafür weicher gemacht</translation>
-    </message>
-    <message>
         <source>%1 (unplugged)</source>
         <translation>%1 (abgezogen)</translation>
+    </message>
+    <message>
+        <source>Simulates at the mouse pointer what a device would feel. The mouse also points and rotates the view without this.</source>
+        <translation>Simuliert am Mauszeiger, was ein Gerät fühlen würde. Die Maus zeigt und dreht die Ansicht auch ohne dies.</translation>
+    </message>
+    <message>
+        <source>%1 moves the view. Choose it above only if it is to move the tip.</source>
+        <translation>%1 bewegt die Ansicht. Wählen Sie es oben nur, wenn es die Spitze bewegen soll.</translation>
+    </message>
+    <message>
+        <source>Ticks are late when the computer is busy, and the stiffness is reduced to allow for that</source>
+        <translation>Wenn der Rechner ausgelastet ist, kommen Takte zu spät; die Steifigkeit ist daher verringert</translation>
     </message>
 </context>
 <context>
@@ -4626,35 +4705,35 @@
         <translation>Daten</translation>
     </message>
     <message>
-        <source>Safety: nothing is held back.</source>
-        <translation>Sicherheit: Nichts wird zurückgehalten.</translation>
+        <source>Safety: the force is not limited.</source>
+        <translation>Sicherheit: Die Kraft ist nicht begrenzt.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::DockTitle</name>
     <message>
-        <source>Fold this panel away</source>
-        <translation>Dieses Feld einklappen</translation>
+        <source>Dock this panel</source>
+        <translation>Dieses Feld andocken</translation>
     </message>
     <message>
-        <source>Fold the panel “%1” away</source>
-        <translation>Das Feld „%1“ einklappen</translation>
+        <source>Undock this panel</source>
+        <translation>Dieses Feld abdocken</translation>
     </message>
     <message>
-        <source>Put this panel back into the window</source>
-        <translation>Dieses Feld zurück ins Fenster setzen</translation>
+        <source>Dock the panel “%1”</source>
+        <translation>Feld „%1“ andocken</translation>
     </message>
     <message>
-        <source>Take this panel out of the window</source>
-        <translation>Dieses Feld aus dem Fenster lösen</translation>
+        <source>Undock the panel “%1”</source>
+        <translation>Feld „%1“ abdocken</translation>
     </message>
     <message>
-        <source>Put the panel “%1” back into the window</source>
-        <translation>Das Feld „%1“ zurück ins Fenster setzen</translation>
+        <source>Hide this panel</source>
+        <translation>Dieses Feld ausblenden</translation>
     </message>
     <message>
-        <source>Take the panel “%1” out of the window</source>
-        <translation>Das Feld „%1“ aus dem Fenster lösen</translation>
+        <source>Hide the panel “%1”</source>
+        <translation>Feld „%1“ ausblenden</translation>
     </message>
 </context>
 <context>
@@ -4831,10 +4910,6 @@
         <translation>Lesbares öffnen</translation>
     </message>
     <message>
-        <source>It was written by a newer version of Handwheel; what only that one knows is not shown.</source>
-        <translation>Sie stammt von einer neueren Version von Handwheel; was nur diese kennt, wird nicht gezeigt.</translation>
-    </message>
-    <message>
         <source>…and %1 more, listed in the Log.</source>
         <translation>… und %1 weitere, siehe Protokoll.</translation>
     </message>
@@ -4849,10 +4924,6 @@
     <message>
         <source>%1 is opened for reading only</source>
         <translation>%1 ist nur zum Lesen geöffnet</translation>
-    </message>
-    <message>
-        <source>%1 holds more than its surface</source>
-        <translation>%1 enthält mehr als die Oberfläche</translation>
     </message>
     <message>
         <source>“Save” will ask for a new name, so the original stays as it is.</source>
@@ -4870,10 +4941,6 @@
         <source>%1 is opened as a mesh</source>
         <translation>%1 wird als Netz geöffnet</translation>
     </message>
-    <message>
-        <source>To be noted about %1</source>
-        <translation>Zu beachten bei %1</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln more place(s) are damaged</source>
         <translation>
@@ -4884,6 +4951,18 @@
     <message>
         <source>%1 is incomplete</source>
         <translation>%1 ist unvollständig</translation>
+    </message>
+    <message>
+        <source>Notes on %1</source>
+        <translation>Hinweise zu %1</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Handwheel; contents that this version does not know are not shown.</source>
+        <translation>Sie wurde von einer neueren Version von Handwheel geschrieben; was diese Version nicht kennt, wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 contains more than a surface</source>
+        <translation>%1 enthält mehr als die Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -4897,10 +4976,6 @@
         <translation>%1 gespeichert: %2 Bytes, zurückgelesen und verglichen</translation>
     </message>
     <message>
-        <source>%1 holds the state before your last change</source>
-        <translation>%1 enthält den Stand vor Ihrer letzten Änderung</translation>
-    </message>
-    <message>
         <source>%1 could not be saved</source>
         <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
@@ -4909,36 +4984,12 @@
         <translation>%1 wurde geschrieben</translation>
     </message>
     <message>
-        <source>It holds the shape, but not all of the document, which is not saved yet.</source>
-        <translation>Die Datei enthält die Form, aber nicht das ganze Dokument; das ist noch nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>Save the document as *%1 to go on with it another day.</source>
-        <translation>Speichern Sie das Dokument als *%1, um später daran weiterzuarbeiten.</translation>
-    </message>
-    <message>
         <source>The display unit is not in this file.</source>
         <translation>Die Anzeigeeinheit steht nicht in dieser Datei.</translation>
     </message>
     <message>
-        <source>%1 does not hold all of the document</source>
-        <translation>%1 enthält nicht das ganze Dokument</translation>
-    </message>
-    <message>
-        <source>It stays open: save it as *%1, too, or do without.</source>
-        <translation>Es bleibt offen: Speichern Sie es auch als *%1, oder verzichten Sie darauf.</translation>
-    </message>
-    <message>
         <source>Saving %1 was cancelled</source>
         <translation>Speichern von %1 abgebrochen</translation>
-    </message>
-    <message>
-        <source>Nothing was written: the file is as it was before.</source>
-        <translation>Es wurde nichts geschrieben: Die Datei ist, wie sie war.</translation>
-    </message>
-    <message>
-        <source>The document is open, with all its changes.</source>
-        <translation>Das Dokument ist offen, mit all seinen Änderungen.</translation>
     </message>
     <message>
         <source>Save again</source>
@@ -4947,6 +4998,34 @@
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 contains the state before your last change</source>
+        <translation>%1 enthält den Stand vor Ihrer letzten Änderung</translation>
+    </message>
+    <message>
+        <source>%1 does not contain the whole document</source>
+        <translation>%1 enthält nicht das ganze Dokument</translation>
+    </message>
+    <message>
+        <source>The document stays open. Save it as *%1, too, to keep all of it.</source>
+        <translation>Das Dokument bleibt geöffnet. Speichern Sie es auch als *%1, um alles zu behalten.</translation>
+    </message>
+    <message>
+        <source>It contains the shape, but not the whole document, which is not saved yet.</source>
+        <translation>Die Datei enthält die Form, aber nicht das ganze Dokument; das ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save the document as *%1 to continue with it later.</source>
+        <translation>Speichern Sie das Dokument als *%1, um später daran weiterzuarbeiten.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the file is unchanged.</source>
+        <translation>Es wurde nichts geschrieben: Die Datei ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The document is still open, with all its changes.</source>
+        <translation>Das Dokument ist offen, mit all seinen Änderungen.</translation>
     </message>
 </context>
 <context>
@@ -4979,7 +5058,7 @@
         <translation>Bildzeit benutzt: %1 von %2 ms (%3 %)</translation>
     </message>
     <message>
-        <source>Predicted besides, after an edit: %1 ms (%2 %)</source>
+        <source>Predicted in addition, after an edit: %1 ms (%2 %)</source>
         <translation>Vorhergesagt dazu, nach einer Bearbeitung: %1 ms (%2 %)</translation>
     </message>
 </context>
@@ -5035,20 +5114,20 @@
         <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Show what each method makes of this hole</source>
-        <translation>Zeigen, was jede Methode aus diesem Loch macht</translation>
+        <source>%1, by “%2”: the chosen method finds no valid patch</source>
+        <translation>%1, mit „%2“: die gewählte Methode findet keine gültige Füllfläche</translation>
     </message>
     <message>
-        <source>%1, by “%2”: the chosen method finds no valid patch</source>
-        <translation>%1, mit „%2“: die gewählte Methode findet keinen gültigen Flicken</translation>
+        <source>Show the result of each method for this hole</source>
+        <translation>Das Ergebnis jeder Methode für dieses Loch zeigen</translation>
+    </message>
+    <message>
+        <source>Look at it: %1.</source>
+        <translation>Bitte ansehen: %1.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::Inspection</name>
-    <message>
-        <source>Outer edge %1</source>
-        <translation>Außenrand %1</translation>
-    </message>
     <message>
         <source>Hole %1</source>
         <translation>Loch %1</translation>
@@ -5063,6 +5142,25 @@
     <message>
         <source>%1 — %2</source>
         <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Area %1.</source>
+        <translation>Flächeninhalt %1.</translation>
+    </message>
+    <message>
+        <source>Outer boundary %1</source>
+        <translation>Außenrand %1</translation>
+    </message>
+    <message>
+        <source>%1 from the best-fitting plane (RMS).</source>
+        <translation>%1 Abweichung von der Ausgleichsebene (RMS).</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
+        <translation>
+            <numerusform>%Ln Insel darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
+            <numerusform>%Ln Inseln darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5129,12 +5227,12 @@
         <translation>Dieses Gerät hat keine Motoren: Die Kraft wird nur angezeigt.</translation>
     </message>
     <message>
-        <source>Let the device push; without this it only points</source>
-        <translation>Das Gerät darf drücken; ohne dies zeigt es nur</translation>
-    </message>
-    <message>
         <source>The device pushes gently along each axis. Hold the grip.</source>
         <translation>Das Gerät drückt sanft entlang jeder Achse. Halten Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Let the device apply forces; without this it only points</source>
+        <translation>Das Gerät darf Kräfte ausüben; ohne dies zeigt es nur</translation>
     </message>
 </context>
 <context>
@@ -5148,8 +5246,8 @@
         <translation>Ereignis</translation>
     </message>
     <message>
-        <source>The same without a window</source>
-        <translation>Dasselbe ohne Fenster</translation>
+        <source>Command line</source>
+        <translation>Befehlszeile</translation>
     </message>
 </context>
 <context>
@@ -5290,10 +5388,6 @@
         <translation>&amp;Einstellungen…</translation>
     </message>
     <message>
-        <source>The tool failed and was put away</source>
-        <translation>Das Werkzeug ist ausgefallen und wurde weggelegt</translation>
-    </message>
-    <message>
         <source>The document is as it was before.</source>
         <translation>Das Dokument ist wie zuvor.</translation>
     </message>
@@ -5334,12 +5428,16 @@
         <translation>Diesen Rechner &amp;messen</translation>
     </message>
     <message>
-        <source>How fast each setting of the panel “Fidelity” is here: about half a minute</source>
-        <translation>Wie schnell jede Einstellung des Bereichs „Genauigkeit“ hier ist: etwa eine halbe Minute</translation>
-    </message>
-    <message>
         <source>Touch</source>
         <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>The tool failed and was closed</source>
+        <translation>Das Werkzeug ist gescheitert und wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>Measure how fast each setting of the panel “Fidelity” is on this machine: about half a minute</source>
+        <translation>Messen, wie schnell jede Einstellung des Felds „Genauigkeit“ auf diesem Rechner ist: etwa eine halbe Minute</translation>
     </message>
 </context>
 <context>
@@ -5391,7 +5489,7 @@
     </message>
     <message>
         <source>Choose a hole, look at its patch, fill it</source>
-        <translation>Ein Loch wählen, den Flicken ansehen, füllen</translation>
+        <translation>Ein Loch wählen, die Füllfläche ansehen, füllen</translation>
     </message>
     <message>
         <source>Select faces by click, brush, lasso, connection or angle</source>
@@ -5402,44 +5500,20 @@
         <translation>%1: nichts wurde geändert</translation>
     </message>
     <message>
-        <source>Hole &amp;edges</source>
-        <translation>Loc&amp;hränder</translation>
-    </message>
-    <message>
-        <source>Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas</source>
-        <translation>Randpunkte ziehen, verbinden und überbrücken; Rand glätten; Inseln und Halbinseln entfernen</translation>
-    </message>
-    <message>
         <source>&amp;Make a face</source>
         <translation>Fläche er&amp;zeugen</translation>
-    </message>
-    <message>
-        <source>Make a face from three points of open edges</source>
-        <translation>Eine Fläche aus drei Punkten offener Kanten erzeugen</translation>
     </message>
     <message>
         <source>&amp;Reduce triangles</source>
         <translation>&amp;Dreiecke reduzieren</translation>
     </message>
     <message>
-        <source>Make a mesh of fewer triangles that stays near the surface</source>
-        <translation>Ein Netz mit weniger Dreiecken erzeugen, das nah an der Oberfläche bleibt</translation>
-    </message>
-    <message>
         <source>&amp;Place</source>
         <translation>&amp;Platzieren</translation>
     </message>
     <message>
-        <source>Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin</source>
-        <translation>Mit Zahlen verschieben, drehen und skalieren oder auf eine ebene Fläche, entlang der Achsen, in den Ursprung legen</translation>
-    </message>
-    <message>
         <source>Sc&amp;ulpt</source>
         <translation>Modell&amp;ieren</translation>
-    </message>
-    <message>
-        <source>Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
-        <translation>Eine Oberfläche ziehen, glätten, aufblähen und ebnen; einen Flicken unterteilen und auf jeder seiner Stufen modellieren</translation>
     </message>
     <message>
         <source>Deviation</source>
@@ -5452,14 +5526,6 @@
     <message>
         <source>Open the sample scan</source>
         <translation>Beispiel-Scan öffnen</translation>
-    </message>
-    <message>
-        <source>Repair a scan</source>
-        <translation>Scan reparieren</translation>
-    </message>
-    <message>
-        <source>A scanned part with holes. Close the first one with Enter.</source>
-        <translation>Ein gescanntes Teil mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5486,16 +5552,48 @@
             <numerusform>%n Löcher</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n turned over</source>
-        <translation>
-            <numerusform>%n gewendet</numerusform>
-            <numerusform>%n gewendet</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Opened %1: %2</source>
         <translation>%1 geöffnet: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reversed</source>
+        <translation>
+            <numerusform>%n umgekehrt</numerusform>
+            <numerusform>%n umgekehrt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repair a sample scan</source>
+        <translation>Beispielscan reparieren</translation>
+    </message>
+    <message>
+        <source>Opens a sample scan with holes. Press Enter to close the first one.</source>
+        <translation>Öffnet einen Beispielscan mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Hole &amp;boundaries</source>
+        <translation>Loc&amp;hränder</translation>
+    </message>
+    <message>
+        <source>Move, join and bridge boundary vertices; smooth a boundary; remove islands and peninsulas</source>
+        <translation>Randeckpunkte verschieben, verbinden und überbrücken; einen Rand glätten; Inseln und Halbinseln entfernen</translation>
+    </message>
+    <message>
+        <source>Make a face from three vertices of open edges</source>
+        <translation>Eine Fläche aus drei Eckpunkten offener Kanten erzeugen</translation>
+    </message>
+    <message>
+        <source>Reduce the number of triangles while staying close to the surface</source>
+        <translation>Die Zahl der Dreiecke verringern und nah an der Oberfläche bleiben</translation>
+    </message>
+    <message>
+        <source>Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin</source>
+        <translation>Mit Zahlen verschieben, drehen und skalieren oder auf eine ebene Fläche, entlang der Achsen oder in den Ursprung setzen</translation>
+    </message>
+    <message>
+        <source>Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
+        <translation>Eine Oberfläche ziehen, glätten, aufblähen und ebnen; eine Füllfläche unterteilen und auf jeder ihrer Stufen modellieren</translation>
     </message>
 </context>
 <context>
@@ -5527,10 +5625,6 @@
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>Flächen</translation>
-    </message>
-    <message>
         <source>mm²</source>
         <translation>mm²</translation>
     </message>
@@ -5551,7 +5645,11 @@
         <translation>Quadratisches Mittel über alle Kanten: %1</translation>
     </message>
     <message>
-        <source>Bend</source>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Bending</source>
         <translation>Knick</translation>
     </message>
 </context>
@@ -5663,10 +5761,6 @@
         <translation>Wie das System</translation>
     </message>
     <message>
-        <source>Shown from the next start.</source>
-        <translation>Gilt ab dem nächsten Start.</translation>
-    </message>
-    <message>
         <source>Save a recovery copy while working</source>
         <translation>Während der Arbeit eine Sicherungskopie anlegen</translation>
     </message>
@@ -5686,6 +5780,30 @@
         <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
         <translation>Die Kopie liegt neben Ihren Dateien und ersetzt sie nie; nach einem Absturz wird sie Ihnen angeboten.</translation>
     </message>
+    <message>
+        <source>A space mouse moves the view</source>
+        <translation>Eine Space-Mouse bewegt die Ansicht</translation>
+    </message>
+    <message>
+        <source>Speed of the space mouse</source>
+        <translation>Geschwindigkeit der Space-Mouse</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Its speed</source>
+        <translation>Ihre Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Its axes are set in the panel “Device” while it is the chosen device.</source>
+        <translation>Seine Achsen werden im Feld „Gerät“ eingestellt, während es das gewählte Gerät ist.</translation>
+    </message>
+    <message>
+        <source>Takes effect at the next start.</source>
+        <translation>Wird beim nächsten Start wirksam.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ReadOnlyRow</name>
@@ -5696,6 +5814,17 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RecordingSign</name>
+    <message>
+        <source>The device is being recorded. Click to show the recordings</source>
+        <translation>Das Gerät wird aufgezeichnet. Klicken, um die Aufzeichnungen zu zeigen</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
     </message>
 </context>
 <context>
@@ -5723,10 +5852,6 @@
     <message>
         <source>&amp;Delete the recording</source>
         <translation>Aufzeichnung &amp;löschen</translation>
-    </message>
-    <message>
-        <source>Record where the device is and what it feels, until pressed again</source>
-        <translation>Aufzeichnen, wo das Gerät ist und was es fühlt, bis zum nächsten Druck</translation>
     </message>
     <message>
         <source>Let the cursor follow the recording, or pause it</source>
@@ -5799,6 +5924,10 @@
         <source>&amp;Pause the recording</source>
         <translation>Aufzeichnung &amp;anhalten</translation>
     </message>
+    <message>
+        <source>Record the position and the force of the device until pressed again</source>
+        <translation>Position und Kraft des Geräts bis zum nächsten Druck aufzeichnen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RecordingsPage</name>
@@ -5868,10 +5997,6 @@
         <translation>&amp;Auswahl aufheben</translation>
     </message>
     <message>
-        <source>Fill all holes except those kept open, and mend the other defects, as one step</source>
-        <translation>Alle Löcher außer den offen gelassenen füllen und die anderen Fehler beheben, in einem Schritt</translation>
-    </message>
-    <message>
         <source>Remove the small pieces that are not connected with the model</source>
         <translation>Kleine Stücke entfernen, die nicht mit dem Modell verbunden sind</translation>
     </message>
@@ -5882,10 +6007,6 @@
     <message>
         <source>Fill the selected hole</source>
         <translation>Ausgewähltes Loch füllen</translation>
-    </message>
-    <message>
-        <source>This opening is meant to be there: “Repair all” leaves it</source>
-        <translation>Diese Öffnung ist gewollt: „Alles reparieren“ lässt sie offen</translation>
     </message>
     <message>
         <source>Show the patch of the selected hole before it is filled</source>
@@ -5903,6 +6024,14 @@
         <source>Clear the selection and the preview</source>
         <translation>Auswahl und Vorschau aufheben</translation>
     </message>
+    <message>
+        <source>Fill all holes except those kept open, and repair the other defects, as one step</source>
+        <translation>Alle Löcher außer den offen gelassenen füllen und die anderen Fehler beheben, in einem Schritt</translation>
+    </message>
+    <message>
+        <source>Mark this opening as intended: “Repair all” does not close it</source>
+        <translation>Diese Öffnung als beabsichtigt markieren: „Alles reparieren“ schließt sie nicht</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RepairDemo</name>
@@ -5915,60 +6044,60 @@
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
-        <translation>Die simulierte Hand repariert ein Loch des Beispiels, mit den Werkzeugen, die auch Sie haben</translation>
-    </message>
-    <message>
         <source>The hand opens the sample</source>
         <translation>Die Hand öffnet das Beispiel</translation>
-    </message>
-    <message>
-        <source>What it does now you can do with a device, or with the mouse.</source>
-        <translation>Was sie jetzt tut, können Sie mit einem Gerät tun oder mit der Maus.</translation>
     </message>
     <message>
         <source>1 of 5: choose the hole</source>
         <translation>1 von 5: das Loch wählen</translation>
     </message>
     <message>
-        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
-        <translation>Punkte des Randes ziehen die Spitze an. Die erste Taste wählt das Loch.</translation>
-    </message>
-    <message>
-        <source>2 of 5: smooth its edge</source>
-        <translation>2 von 5: den Rand glätten</translation>
-    </message>
-    <message>
-        <source>Shift+S shows what would become of it. The second button takes it.</source>
-        <translation>Umschalt+S zeigt, was daraus würde. Die zweite Taste übernimmt es.</translation>
-    </message>
-    <message>
         <source>3 of 5: stitch</source>
         <translation>3 von 5: nähen</translation>
-    </message>
-    <message>
-        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
-        <translation>Ein Punkt wird zum gegenüberliegenden gezogen wie ein Faden: je länger, desto schwerer. Das Loch zerfällt in zwei.</translation>
     </message>
     <message>
         <source>4 of 5: fill both parts</source>
         <translation>4 von 5: beide Teile füllen</translation>
     </message>
     <message>
-        <source>The first button shows the patch of a hole, the second puts it in.</source>
-        <translation>Die erste Taste zeigt den Flicken eines Lochs, die zweite setzt ihn ein.</translation>
-    </message>
-    <message>
         <source>5 of 5: sculpt the patch</source>
-        <translation>5 von 5: den Flicken formen</translation>
-    </message>
-    <message>
-        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
-        <translation>Er wird unterteilt und auf der groben Stufe gezogen: Die feine folgt, wie an einer Feder.</translation>
+        <translation>5 von 5: die Füllfläche modellieren</translation>
     </message>
     <message>
         <source>The seam of both patches is smoothed as a part of the whole surface.</source>
-        <translation>Die Naht zwischen beiden Flicken wird als Teil der ganzen Oberfläche geglättet.</translation>
+        <translation>Die Naht zwischen beiden Füllflächen wird als Teil der ganzen Oberfläche geglättet.</translation>
+    </message>
+    <message>
+        <source>The simulated hand repairs a hole of the sample with the same tools that you have</source>
+        <translation>Die simulierte Hand repariert ein Loch des Beispiels mit denselben Werkzeugen, die Sie haben</translation>
+    </message>
+    <message>
+        <source>You can do the same with a device or with the mouse.</source>
+        <translation>Sie können dasselbe mit einem Gerät oder mit der Maus tun.</translation>
+    </message>
+    <message>
+        <source>Boundary vertices attract the tip. The first button chooses the hole.</source>
+        <translation>Randeckpunkte ziehen die Spitze an. Die erste Taste wählt das Loch.</translation>
+    </message>
+    <message>
+        <source>2 of 5: smooth its boundary</source>
+        <translation>2 von 5: den Rand glätten</translation>
+    </message>
+    <message>
+        <source>Shift+S shows a preview. The second button applies it.</source>
+        <translation>Umschalt+S zeigt eine Vorschau. Die zweite Taste übernimmt sie.</translation>
+    </message>
+    <message>
+        <source>A vertex is pulled to the opposite one: the longer the pull, the stronger the force. The hole is divided into two.</source>
+        <translation>Ein Eckpunkt wird zum gegenüberliegenden gezogen: Je weiter, desto stärker die Kraft. Das Loch wird in zwei geteilt.</translation>
+    </message>
+    <message>
+        <source>The first button shows the patch of a hole, the second fills the hole with it.</source>
+        <translation>Die erste Taste zeigt die Füllfläche eines Lochs, die zweite füllt das Loch damit.</translation>
+    </message>
+    <message>
+        <source>It is subdivided and dragged at its coarse level; the fine level follows as if on a spring.</source>
+        <translation>Sie wird unterteilt und auf ihrer groben Stufe gezogen; die feine Stufe folgt wie an einer Feder.</translation>
     </message>
 </context>
 <context>
@@ -6010,14 +6139,6 @@
         <translation>%1 repariert: %2</translation>
     </message>
     <message>
-        <source>A hole that the repair laid open</source>
-        <translation>Ein Loch, das die Reparatur freigelegt hat</translation>
-    </message>
-    <message>
-        <source>%1 was changed meanwhile; the job runs once more</source>
-        <translation>%1 wurde inzwischen geändert; der Vorgang läuft noch einmal</translation>
-    </message>
-    <message>
         <source>%1 was changed again; the result was discarded</source>
         <translation>%1 wurde erneut geändert; das Ergebnis wurde verworfen</translation>
     </message>
@@ -6028,13 +6149,6 @@
     <message>
         <source>Why: %1.</source>
         <translation>Grund: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n more pair(s) of triangles cross; undo takes that back</source>
-        <translation>
-            <numerusform>%1: %n Paar Dreiecke mehr durchdringt sich; Rückgängig nimmt das zurück</numerusform>
-            <numerusform>%1: %n Paare von Dreiecken mehr durchdringen sich; Rückgängig nimmt das zurück</numerusform>
-        </translation>
     </message>
     <message>
         <source>Save your work, and try it on a smaller part or in another way.</source>
@@ -6048,9 +6162,28 @@
         <source>The document is as it was before. %1</source>
         <translation>Das Dokument ist, wie es vorher war. %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n more pair(s) of triangles intersect; undo reverts this</source>
+        <translation>
+            <numerusform>%1: %n Paar Dreiecke mehr durchdringt sich; Rückgängig nimmt das zurück</numerusform>
+            <numerusform>%1: %n Paare von Dreiecken mehr durchdringen sich; Rückgängig nimmt das zurück</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>What is left could not be mended without harm; the list of defects names it, and the log says why holes stay open.</source>
-        <translation>Was bleibt, war nicht ohne Schaden zu beheben; die Liste der Mängel nennt es, und das Protokoll sagt, warum Löcher offen bleiben.</translation>
+        <source>The remaining defects could not be repaired without damage. The list of defects shows them, and the log says why holes stay open.</source>
+        <translation>Die übrigen Fehler ließen sich nicht ohne Schaden reparieren. Die Liste der Fehler zeigt sie, und das Protokoll sagt, warum Löcher offen bleiben.</translation>
+    </message>
+    <message>
+        <source>A hole opened by the repair</source>
+        <translation>Ein durch die Reparatur entstandenes Loch</translation>
+    </message>
+    <message>
+        <source>%1 was changed meanwhile; the job runs again</source>
+        <translation>%1 wurde inzwischen geändert; der Vorgang läuft noch einmal</translation>
+    </message>
+    <message>
+        <source>Look at the patch of %1: %2</source>
+        <translation>Bitte die Füllfläche von %1 ansehen: %2</translation>
     </message>
 </context>
 <context>
@@ -6073,10 +6206,6 @@
     <message>
         <source>Robot cell</source>
         <translation>Roboterzelle</translation>
-    </message>
-    <message>
-        <source>An arm with six joints. Move it by hand within its limits.</source>
-        <translation>Ein Arm mit sechs Gelenken. Von Hand bewegen, in seinen Grenzen.</translation>
     </message>
     <message>
         <source>Move &amp;joints by hand</source>
@@ -6128,24 +6257,28 @@
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>%1 is inside something else</source>
-        <translation>%1 liegt in etwas anderem</translation>
-    </message>
-    <message>
-        <source>It stands where its file says; all else is see-through while it is selected.</source>
-        <translation>Er steht, wo seine Datei es angibt; alles andere ist durchsichtig, solange er ausgewählt ist.</translation>
-    </message>
-    <message>
         <source>Type another position in the panel.</source>
         <translation>Geben Sie im Bereich eine andere Position ein.</translation>
     </message>
     <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The panel adds bodies beside the robot.</source>
-        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel. Der Bereich fügt Körper neben dem Roboter hinzu.</translation>
-    </message>
-    <message>
         <source>Cell</source>
         <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>It is at the position given in its file; everything else is transparent while it is selected.</source>
+        <translation>Er hat die Position aus seiner Datei; alles andere ist durchsichtig, solange er ausgewählt ist.</translation>
+    </message>
+    <message>
+        <source>Opens a sample arm with six joints. Drag its links within their limits.</source>
+        <translation>Öffnet einen Beispielarm mit sechs Gelenken. Ziehen Sie seine Glieder innerhalb ihrer Grenzen.</translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies beside the robot in the panel.</source>
+        <translation>Ziehen Sie ein Glied mit der Maus oder mit Umschalt den ganzen Arm. Geben Sie Winkel in der Liste der Gelenke ein. Fügen Sie im Feld Körper neben dem Roboter hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 is inside another object</source>
+        <translation>%1 liegt in einem anderen Objekt</translation>
     </message>
 </context>
 <context>
@@ -6181,10 +6314,6 @@
         <translation>läuft</translation>
     </message>
     <message>
-        <source>asleep</source>
-        <translation>ruht</translation>
-    </message>
-    <message>
         <source>Service</source>
         <translation>Dienst</translation>
     </message>
@@ -6215,28 +6344,9 @@
             <numerusform>%n Eingaben verloren</numerusform>
         </translation>
     </message>
-</context>
-<context>
-    <name>handwheel::ServiceStatistics</name>
     <message>
-        <source>%1: %2 µs/s</source>
-        <translation>%1: %2 µs/s</translation>
-    </message>
-    <message>
-        <source>%1 µs/s</source>
-        <translation>%1 µs/s</translation>
-    </message>
-    <message>
-        <source>Services: %1</source>
-        <translation>Dienste: %1</translation>
-    </message>
-    <message>
-        <source>No service runs</source>
-        <translation>Es läuft kein Dienst</translation>
-    </message>
-    <message>
-        <source>CPU time that what runs beside the window takes in a second</source>
-        <translation>CPU-Zeit, die das in jeder Sekunde braucht, was neben dem Fenster läuft</translation>
+        <source>idle</source>
+        <translation>untätig</translation>
     </message>
 </context>
 <context>
@@ -6248,14 +6358,6 @@
     <message>
         <source>&amp;Add a mesh…</source>
         <translation>Netz &amp;hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Open each shell, what hangs together across edges, as a document of its own</source>
-        <translation>Jede Schale, also was über Kanten zusammenhängt, als eigenes Dokument öffnen</translation>
-    </message>
-    <message>
-        <source>Put the mesh of another file into this one, where it stands</source>
-        <translation>Das Netz einer anderen Datei in dieses setzen, an seine Stelle</translation>
     </message>
     <message numerus="yes">
         <source>Split into %Ln shell(s)</source>
@@ -6276,10 +6378,6 @@
         </translation>
     </message>
     <message>
-        <source>“handwheel split” writes so many into a folder. Debris can be removed before.</source>
-        <translation>„handwheel split“ schreibt so viele in einen Ordner. Vorher lassen sich Bruchstücke entfernen.</translation>
-    </message>
-    <message>
         <source>Add a mesh</source>
         <translation>Netz hinzufügen</translation>
     </message>
@@ -6295,6 +6393,18 @@
         <source>The shells could not be opened</source>
         <translation>Die Schalen konnten nicht geöffnet werden</translation>
     </message>
+    <message>
+        <source>Open each shell (triangles connected across edges) as a separate document</source>
+        <translation>Jede Schale (über Kanten zusammenhängende Dreiecke) als eigenes Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>Add the mesh of another file to this one, at its own position</source>
+        <translation>Das Netz einer anderen Datei an seiner eigenen Position zu diesem hinzufügen</translation>
+    </message>
+    <message>
+        <source>“handwheel split” writes that many into a folder. Debris can be removed first.</source>
+        <translation>„handwheel split“ schreibt so viele in einen Ordner. Vorher lassen sich Bruchstücke entfernen.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ShortcutEditor</name>
@@ -6309,14 +6419,6 @@
     <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Back to the key that the program gives it</source>
-        <translation>Zurück zur Taste, die das Programm vorgibt</translation>
-    </message>
-    <message>
-        <source>Take it from them</source>
-        <translation>Den anderen wegnehmen</translation>
     </message>
     <message>
         <source>The other commands lose this key</source>
@@ -6347,16 +6449,8 @@
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <source>All keys as the program gives them</source>
-        <translation>Alle Tasten wie vom Programm vorgegeben</translation>
-    </message>
-    <message>
         <source>Import…</source>
         <translation>Importieren…</translation>
-    </message>
-    <message>
-        <source>Take the keys from a file</source>
-        <translation>Tasten aus einer Datei übernehmen</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6371,10 +6465,6 @@
         <translation>Wählen Sie einen Befehl, um seine Taste zu ändern.</translation>
     </message>
     <message>
-        <source>The same key starts “%1”; so neither works.</source>
-        <translation>Dieselbe Taste startet „%1“; so wirkt keiner von beiden.</translation>
-    </message>
-    <message>
         <source>”, “</source>
         <translation>“, „</translation>
     </message>
@@ -6387,20 +6477,40 @@
         <translation>Tasten (*.json)</translation>
     </message>
     <message>
-        <source>The keys were taken from the file.</source>
-        <translation>Die Tasten wurden aus der Datei übernommen.</translation>
-    </message>
-    <message>
         <source>Export keys</source>
         <translation>Tasten exportieren</translation>
     </message>
     <message>
-        <source>The changed keys were written.</source>
-        <translation>Die geänderten Tasten wurden geschrieben.</translation>
+        <source>Restore the default key</source>
+        <translation>Standardtaste wiederherstellen</translation>
     </message>
     <message>
-        <source>The same key starts “%1”. In the view the tool in use takes it.</source>
-        <translation>Dieselbe Taste startet „%1“. In der Ansicht nimmt sie das benutzte Werkzeug.</translation>
+        <source>Reassign</source>
+        <translation>Neu zuweisen</translation>
+    </message>
+    <message>
+        <source>Restore all default keys</source>
+        <translation>Alle Standardtasten wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Read the keys from a file</source>
+        <translation>Tasten aus einer Datei lesen</translation>
+    </message>
+    <message>
+        <source>“%1” has the same key, so neither works.</source>
+        <translation>„%1“ hat dieselbe Taste, daher wirkt keine von beiden.</translation>
+    </message>
+    <message>
+        <source>“%1” has the same key. In the view, the key acts on the active tool.</source>
+        <translation>„%1“ hat dieselbe Taste. In der Ansicht wirkt sie auf das aktive Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The keys were imported.</source>
+        <translation>Die Tasten wurden importiert.</translation>
+    </message>
+    <message>
+        <source>The changed keys were exported.</source>
+        <translation>Die geänderten Tasten wurden exportiert.</translation>
     </message>
 </context>
 <context>
@@ -6414,20 +6524,27 @@
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>In every tool Return finishes and Esc gives up: these keys stay as they are.</source>
-        <translation>In jedem Werkzeug schließt die Eingabetaste ab und Esc bricht ab: Diese Tasten bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>Return, Enter and Esc end what a tool does. No other command can have them.</source>
         <translation>Eingabetaste, Enter und Esc beenden, was ein Werkzeug tut. Kein anderer Befehl kann sie haben.</translation>
     </message>
     <message>
-        <source>There is no such key.</source>
+        <source>In every tool Return finishes and Esc cancels: these keys cannot be changed.</source>
+        <translation>In jedem Werkzeug schließt die Eingabetaste ab und Esc bricht ab: Diese Tasten lassen sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>This key does not exist.</source>
         <translation>Eine solche Taste gibt es nicht.</translation>
     </message>
     <message>
-        <source>In a tool a single press has to do.</source>
-        <translation>In einem Werkzeug muss ein einziger Tastendruck genügen.</translation>
+        <source>In a tool, a shortcut must be a single key press.</source>
+        <translation>In einem Werkzeug muss ein Kürzel aus einem einzigen Tastendruck bestehen.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SpaceMouseNavigation</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
     </message>
 </context>
 <context>
@@ -6493,13 +6610,6 @@
             <numerusform>%Ln offen gelassen</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln turned over</source>
-        <translation>
-            <numerusform>%Ln umgedreht</numerusform>
-            <numerusform>%Ln umgedreht</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not oriented</source>
         <translation>Nicht orientiert</translation>
@@ -6507,6 +6617,17 @@
     <message>
         <source>Self-intersecting</source>
         <translation>Selbstdurchdringend</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>Innenseite außen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln reversed on opening</source>
+        <translation>
+            <numerusform>%Ln beim Öffnen umgekehrt</numerusform>
+            <numerusform>%Ln beim Öffnen umgekehrt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6539,20 +6660,20 @@
         <translation>%1 wurde nicht geschrieben</translation>
     </message>
     <message>
-        <source>There is no file from which the steps lead to the present state.</source>
-        <translation>Es gibt keine Datei, von der die Schritte zum jetzigen Stand führen.</translation>
-    </message>
-    <message>
-        <source>Save the document as *.handwheel, and go on from there.</source>
-        <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
-    </message>
-    <message>
         <source>%1 could not be saved</source>
         <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
     <message>
         <source>Saved the steps as %1</source>
         <translation>Schritte als %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>There is no file from which the steps reproduce the current state.</source>
+        <translation>Es gibt keine Datei, aus der die Schritte den jetzigen Stand erzeugen.</translation>
+    </message>
+    <message>
+        <source>Save the document as *.handwheel, and continue from there.</source>
+        <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
     </message>
 </context>
 <context>
@@ -6665,8 +6786,8 @@
         <translation>Gerät &amp;fangen lassen</translation>
     </message>
     <message>
-        <source>Let what the tool in use takes by a click draw the tip of the device</source>
-        <translation>Was das Werkzeug durch einen Klick nimmt, zieht die Spitze des Geräts an</translation>
+        <source>Attract the tip of the device to what a click of the active tool would choose</source>
+        <translation>Die Spitze des Geräts zu dem ziehen, was ein Klick des aktiven Werkzeugs wählen würde</translation>
     </message>
 </context>
 <context>
@@ -6766,14 +6887,6 @@
 <context>
     <name>handwheel::ViewSettings</name>
     <message>
-        <source>&amp;Cut the model open</source>
-        <translation>Modell auf&amp;schneiden</translation>
-    </message>
-    <message>
-        <source>Clipping plane: look inside; the panel “View” places it</source>
-        <translation>Schnittebene: ins Innere sehen; der Bereich „Ansicht“ legt sie fest</translation>
-    </message>
-    <message>
         <source>Perspective inste&amp;ad of parallel</source>
         <translation>Perspektive st&amp;att parallel</translation>
     </message>
@@ -6788,6 +6901,14 @@
     <message>
         <source>The cube in the corner that turns the view</source>
         <translation>Der Würfel in der Ecke, der die Ansicht dreht</translation>
+    </message>
+    <message>
+        <source>&amp;Clip the model</source>
+        <translation>Modell s&amp;chneiden</translation>
+    </message>
+    <message>
+        <source>Clip the model by a plane to look inside; the panel “View” positions the plane</source>
+        <translation>Das Modell an einer Ebene abschneiden, um hineinzusehen; das Feld „Ansicht“ legt die Ebene fest</translation>
     </message>
 </context>
 <context>
@@ -6852,14 +6973,6 @@
         <translation>Beispiel-Welle für die Drehmaschine öffnen</translation>
     </message>
     <message>
-        <source>Lathe exercise</source>
-        <translation>Drehübung</translation>
-    </message>
-    <message>
-        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
-        <translation>Eine Welle für die Drehbank. Maße eingeben, als STEP speichern.</translation>
-    </message>
-    <message>
         <source>&amp;Turn</source>
         <translation>&amp;Drehen</translation>
     </message>
@@ -6870,6 +6983,22 @@
     <message>
         <source>It was cut already, so its size is fixed. “Save as” writes STEP, too.</source>
         <translation>Sie wurde schon bearbeitet, ihre Größe steht fest. „Speichern unter“ schreibt auch STEP.</translation>
+    </message>
+    <message>
+        <source>Undo the passes to change the size.</source>
+        <translation>Machen Sie die Schnitte rückgängig, um die Größe zu ändern.</translation>
+    </message>
+    <message>
+        <source>It was cut already, so its size is fixed.</source>
+        <translation>Es wurde schon bearbeitet, daher steht seine Größe fest.</translation>
+    </message>
+    <message>
+        <source>Turn a sample bar</source>
+        <translation>Beispielstange drehen</translation>
+    </message>
+    <message>
+        <source>Opens a sample bar. Cut it to a shaft by hand, save it as STEP.</source>
+        <translation>Öffnet eine Beispielstange. Drehen Sie daraus von Hand eine Welle, speichern Sie sie als STEP.</translation>
     </message>
 </context>
 </TS>

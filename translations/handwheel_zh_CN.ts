@@ -23,8 +23,8 @@
         <translation>是否保存对 %1 的更改？</translation>
     </message>
     <message>
-        <source>Without saving they are lost.</source>
-        <translation>不保存将丢失这些更改。</translation>
+        <source>They will be lost if you do not save them.</source>
+        <translation>如果不保存，这些更改将丢失。</translation>
     </message>
 </context>
 <context>
@@ -46,72 +46,12 @@
         <translation>就绪</translation>
     </message>
     <message>
-        <source>Does not answer as it should</source>
-        <translation>应答异常</translation>
-    </message>
-    <message>
-        <source>Plug it in, then choose it again.</source>
-        <translation>请接上设备，然后重新选择。</translation>
-    </message>
-    <message>
-        <source>It is being connected and may be loading its firmware. This can take some seconds.</source>
-        <translation>正在连接，可能正在加载固件。这可能需要几秒钟。</translation>
-    </message>
-    <message>
-        <source>It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
-        <translation>设备还不知道自己的位置。请把手柄慢慢拉到最外，再推到最里，然后回到中间。在此之前没有力。</translation>
-    </message>
-    <message>
-        <source>Unplug it, wait for some seconds, plug it in and choose it again.</source>
-        <translation>请拔下设备，等几秒钟，再接上并重新选择。</translation>
-    </message>
-    <message>
         <source>No force: the device is not ready.</source>
         <translation>没有力：设备未就绪。</translation>
     </message>
     <message>
-        <source>No force: what the scene asked for is not a number.</source>
-        <translation>没有力：场景要求的不是数值。</translation>
-    </message>
-    <message>
-        <source>Damped: more energy came out than went in.</source>
-        <translation>已阻尼：输出的能量多于输入。</translation>
-    </message>
-    <message>
-        <source>Damped: it moves faster than a hand at work.</source>
-        <translation>已阻尼：移动得比工作中的手还快。</translation>
-    </message>
-    <message>
-        <source>No force: it moves as if nobody held it.</source>
-        <translation>没有力：设备像没人握住一样移动。</translation>
-    </message>
-    <message>
         <source>The force rises slowly after a change.</source>
         <translation>变化之后力缓慢上升。</translation>
-    </message>
-    <message>
-        <source>The force fades: nothing new was heard in time.</source>
-        <translation>力在减弱：没有及时收到新数据。</translation>
-    </message>
-    <message>
-        <source>The force changes no faster than is safe.</source>
-        <translation>力的变化不超过安全速度。</translation>
-    </message>
-    <message>
-        <source>The force is as large as the device may give.</source>
-        <translation>力已达到设备允许的最大值。</translation>
-    </message>
-    <message>
-        <source>The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls are made softer for it. To allow it, run this line in a terminal, then log out and in again:</source>
-        <translation>系统不允许伺服循环实时运行。机器繁忙时节拍会迟到，墙面会因此变软。要允许实时运行，请在终端中执行下面这一行，然后注销并重新登录：</translation>
-    </message>
-    <message>
-        <source>Axes measured</source>
-        <translation>测量的轴</translation>
-    </message>
-    <message>
-        <source>Axes driven</source>
-        <translation>驱动的轴</translation>
     </message>
     <message>
         <source>none</source>
@@ -146,10 +86,6 @@
         <translation>阻尼</translation>
     </message>
     <message>
-        <source>Damping of its own</source>
-        <translation>自身阻尼</translation>
-    </message>
-    <message>
         <source>Radius of the workspace</source>
         <translation>工作空间半径</translation>
     </message>
@@ -162,12 +98,92 @@
         <translation>延迟</translation>
     </message>
     <message>
-        <source>Way of working</source>
-        <translation>工作方式</translation>
+        <source>Softer than set: %1 of %2 N/mm; limit of the %3 at %4 kHz and %5 ms of delay</source>
+        <translation>低于设定刚度：%1 / %2 N/mm；这是 %3 在 %4 kHz、%5 ms 延迟下的上限</translation>
     </message>
     <message>
-        <source>springs back; its deflection is a speed</source>
-        <translation>会弹回；偏移量代表速度</translation>
+        <source>Its position is not calibrated yet. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
+        <translation>其位置尚未校准。请缓慢地将手柄完全拉出，再完全推入，然后放回中间。在此之前没有力。</translation>
+    </message>
+    <message>
+        <source>Its position is not calibrated yet. Put the pen into its inkwell and hold it there for a moment; bring a device without an inkwell to its reset position. There is no force until then.</source>
+        <translation>其位置尚未校准。请将笔插入笔座并保持片刻；没有笔座的设备请移到复位位置。在此之前没有力。</translation>
+    </message>
+    <message>
+        <source>Its position is not calibrated yet. Calibrate it as described in its manual. There is no force until then.</source>
+        <translation>其位置尚未校准。请按照其手册进行校准。在此之前没有力。</translation>
+    </message>
+    <message>
+        <source>Does not respond correctly</source>
+        <translation>未正确响应</translation>
+    </message>
+    <message>
+        <source>Plug it in: it is opened automatically.</source>
+        <translation>请插入设备：它会自动打开。</translation>
+    </message>
+    <message>
+        <source>Connecting; the firmware may be loading. This can take some seconds.</source>
+        <translation>正在连接，可能正在加载固件。这可能需要几秒钟。</translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, and plug it in: it is opened automatically.</source>
+        <translation>请拔下设备，等待几秒后再插入：它会自动打开。</translation>
+    </message>
+    <message>
+        <source>No force: the requested force is not a number.</source>
+        <translation>没有力：请求的力不是数值。</translation>
+    </message>
+    <message>
+        <source>Damped: the device returned more energy than was put in.</source>
+        <translation>已施加阻尼：设备输出的能量多于输入的能量。</translation>
+    </message>
+    <message>
+        <source>Damped: it moves faster than a hand normally does.</source>
+        <translation>已施加阻尼：其移动速度超过手的正常速度。</translation>
+    </message>
+    <message>
+        <source>No force: it moves as if nobody were holding it.</source>
+        <translation>没有力：设备像没人握住一样移动。</translation>
+    </message>
+    <message>
+        <source>The force fades: no update arrived in time.</source>
+        <translation>力在减弱：没有及时收到更新。</translation>
+    </message>
+    <message>
+        <source>The rate of change of the force is limited.</source>
+        <translation>力的变化率受到限制。</translation>
+    </message>
+    <message>
+        <source>The force is at the limit of the device.</source>
+        <translation>力已达到设备的上限。</translation>
+    </message>
+    <message>
+        <source>Softer than set: %1 of %2 N/mm; limit specified for the %3</source>
+        <translation>低于设定刚度：%1 / %2 N/mm；这是 %3 的标称上限</translation>
+    </message>
+    <message>
+        <source>The system does not allow the servo loop to run in real time. Ticks are late when the computer is busy, and the stiffness is reduced to allow for that. To permit real time, run this line in a terminal, then log out and in again:</source>
+        <translation>系统不允许伺服循环实时运行。计算机繁忙时节拍会延迟，因此降低了刚度。若要允许实时运行，请在终端中执行以下命令，然后注销并重新登录：</translation>
+    </message>
+    <message>
+        <source>Measured axes</source>
+        <translation>测量的轴</translation>
+    </message>
+    <message>
+        <source>Actuated axes</source>
+        <translation>驱动的轴</translation>
+    </message>
+    <message>
+        <source>Internal damping</source>
+        <translation>内部阻尼</translation>
+    </message>
+    <message>
+        <source>Operating mode</source>
+        <translation>工作模式</translation>
+    </message>
+    <message>
+        <source>rate control: it springs back, its deflection sets the speed</source>
+        <translation>速率控制：自动回弹，偏移量决定速度</translation>
     </message>
 </context>
 <context>
@@ -202,10 +218,6 @@
     <message>
         <source>the file is too large (%2 %1, at most %3 can be opened)</source>
         <translation>文件过大（%2 个%1，最多可打开 %3 个）</translation>
-    </message>
-    <message>
-        <source>&apos;%2&apos; makes no sense here</source>
-        <translation>“%2”在此处没有意义</translation>
     </message>
     <message>
         <source>%1 was expected, but nothing follows</source>
@@ -260,24 +272,12 @@
         <translation>某个面使用了无法读取的顶点 %1</translation>
     </message>
     <message>
-        <source>a face with %1 corners was cut into triangles as if it were convex</source>
-        <translation>一个有 %1 个角的面已按凸多边形剖分为三角形</translation>
-    </message>
-    <message>
         <source>a face has fewer than three corners (%1)</source>
         <translation>某个面的角少于三个（%1）</translation>
     </message>
     <message>
-        <source>the file contradicts itself (%1: %2 expected, %3 found)</source>
-        <translation>文件内容自相矛盾（%1：应为 %2，实为 %3）</translation>
-    </message>
-    <message>
         <source>the data type &apos;%1&apos; is not known</source>
         <translation>未知的数据类型“%1”</translation>
-    </message>
-    <message>
-        <source>the file holds no triangle</source>
-        <translation>文件中没有三角形</translation>
     </message>
     <message>
         <source>the file is damaged here, and none of its triangles can be read</source>
@@ -286,10 +286,6 @@
     <message>
         <source>the file could not be written (%1)</source>
         <translation>无法写入文件（%1）</translation>
-    </message>
-    <message>
-        <source>the written file does not read back as it should (%1), so it was not kept</source>
-        <translation>写出的文件回读结果不符（%1），因此未予保留</translation>
     </message>
     <message>
         <source>the archive cannot be read (%1)</source>
@@ -308,16 +304,8 @@
         <translation>文件格式版本为 %1；本程序最高支持版本 %2</translation>
     </message>
     <message>
-        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
-        <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
-    </message>
-    <message>
         <source>the element &apos;%1&apos; is malformed: %2</source>
         <translation>元素“%1”有误：%2</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
-        <translation>引用了%1“%2”，但找不到</translation>
     </message>
     <message>
         <source>%1 cannot be %2; it must lie between %3 and %4</source>
@@ -326,10 +314,6 @@
     <message>
         <source>%1 is not supported</source>
         <translation>不支持 %1</translation>
-    </message>
-    <message>
-        <source>the library %1 gave up (%2)</source>
-        <translation>程序库 %1 处理失败（%2）</translation>
     </message>
     <message>
         <source>byte %1</source>
@@ -342,14 +326,6 @@
     <message>
         <source>Close other documents or programs, or try a model with fewer triangles.</source>
         <translation>请关闭其他文档或程序，或使用三角形较少的模型。</translation>
-    </message>
-    <message>
-        <source>Check the name, or whether the file was moved.</source>
-        <translation>请检查文件名，或文件是否已被移动。</translation>
-    </message>
-    <message>
-        <source>Name a file that you may read, and check that its disk is connected.</source>
-        <translation>请选择有读取权限的文件，并确认其所在磁盘已连接。</translation>
     </message>
     <message>
         <source>Export or copy the file again.</source>
@@ -380,28 +356,12 @@
         <translation>请将模型导出为三角形曲面；仅有点和曲线无法修复。</translation>
     </message>
     <message>
-        <source>Check the free space and that you may write there, or choose another place.</source>
-        <translation>请检查剩余空间和写入权限，或选择其他位置。</translation>
-    </message>
-    <message>
-        <source>An earlier file of that name is untouched. Save in another format, for example PLY.</source>
-        <translation>原有的同名文件未被改动。请保存为其他格式，例如 PLY。</translation>
-    </message>
-    <message>
         <source>Copy the file again, or go back to an earlier copy of it.</source>
         <translation>请重新复制文件，或使用较早的副本。</translation>
     </message>
     <message>
         <source>Open it with a newer version of Handwheel.</source>
         <translation>请用更新版本的 Handwheel 打开。</translation>
-    </message>
-    <message>
-        <source>Mend the file at this place, or export it again.</source>
-        <translation>请修正文件的此处，或重新导出。</translation>
-    </message>
-    <message>
-        <source>Put the missing file where the other one expects it.</source>
-        <translation>请把缺少的文件放到引用它的位置。</translation>
     </message>
     <message>
         <source>Enter a value within these limits.</source>
@@ -436,16 +396,8 @@
         <translation>无法连接到设备（%1）</translation>
     </message>
     <message>
-        <source>the device does not answer as it should (%1)</source>
-        <translation>设备没有正确应答（%1）</translation>
-    </message>
-    <message>
         <source>Install a plugin that was made for this version, or remove the file.</source>
         <translation>请安装为此版本制作的插件，或删除该文件。</translation>
-    </message>
-    <message>
-        <source>Check that it is plugged in, that no other program uses it and that you may use it.</source>
-        <translation>请检查设备是否已插好、没有被其他程序占用，以及您是否有权使用它。</translation>
     </message>
     <message>
         <source>Switch it off and on again, or try another port.</source>
@@ -454,18 +406,6 @@
     <message>
         <source>%1 or %2</source>
         <translation>%1 或 %2</translation>
-    </message>
-    <message>
-        <source>this is no file that Handwheel knows</source>
-        <translation>这不是 Handwheel 认识的文件</translation>
-    </message>
-    <message>
-        <source>the name has no ending, which would say the format</source>
-        <translation>名称没有表明格式的扩展名</translation>
-    </message>
-    <message>
-        <source>the ending &apos;%1&apos; stands for no format that this can be written in</source>
-        <translation>扩展名“%1”不是可写入的格式</translation>
     </message>
     <message>
         <source>Choose another file.</source>
@@ -484,24 +424,8 @@
         <translation>无法执行该步骤：%1</translation>
     </message>
     <message>
-        <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as &apos;handwheel inspect&apos; does.</source>
-        <translation>“handwheel help edit”列出所有步骤；边界环的编号与“handwheel inspect”相同。</translation>
-    </message>
-    <message>
-        <source>something else has the name &apos;%1&apos;</source>
-        <translation>名称“%1”已被占用</translation>
-    </message>
-    <message>
         <source>Choose another name.</source>
         <translation>请选择另一个名称。</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be a name: it needs one line of 1 to %2 bytes</source>
-        <translation>“%1”不能用作名称：名称须为一行，长 1 到 %2 字节</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; was looked for in the folder &apos;%3&apos; and in those above it, in vain</source>
-        <translation>在文件夹“%3”及其上级文件夹中查找%1“%2”，未找到</translation>
     </message>
     <message>
         <source>Put the folder &apos;%2&apos; into &apos;%3&apos; or a folder above it, and open the file again.</source>
@@ -512,24 +436,8 @@
         <translation>文件打开后已被其他程序更改</translation>
     </message>
     <message>
-        <source>Save under another name to keep both, or replace what the other wrote.</source>
-        <translation>请以其他名称保存以保留两者，或替换其他程序写入的内容。</translation>
-    </message>
-    <message>
-        <source>a body of the document is linked to this very file, which would be lost</source>
-        <translation>文档中的一个物体链接到此文件，写入会使其丢失</translation>
-    </message>
-    <message>
-        <source>Write to another file, or forget the link of the body first.</source>
-        <translation>请写入其他文件，或先取消该物体的链接。</translation>
-    </message>
-    <message>
         <source>the document has no body &apos;%1&apos;</source>
         <translation>文档中没有物体“%1”</translation>
-    </message>
-    <message>
-        <source>Give the name or number of one that it has; &apos;inspect&apos; lists them.</source>
-        <translation>请给出现有物体的名称或编号；“inspect”会列出它们。</translation>
     </message>
     <message>
         <source>the body &apos;%1&apos; is not linked to a file</source>
@@ -548,16 +456,8 @@
         <translation>请将其放回原处，或从当前位置添加该文件。</translation>
     </message>
     <message>
-        <source>a document has room for at most %1 bodies</source>
-        <translation>一个文档最多容纳 %1 个物体</translation>
-    </message>
-    <message>
         <source>Remove bodies, or add several as one file.</source>
         <translation>请移除物体，或将多个物体作为一个文件添加。</translation>
-    </message>
-    <message>
-        <source>the bodies would have %1 triangles, and a document has room for %2</source>
-        <translation>这些物体将有 %1 个三角形，而文档只能容纳 %2 个</translation>
     </message>
     <message>
         <source>Reduce the mesh before adding it (&apos;handwheel decimate&apos;).</source>
@@ -572,20 +472,136 @@
         <translation>请撤销切削以更改尺寸，或新建工件。</translation>
     </message>
     <message>
-        <source>the part is in %1 pieces, and the file would hold one solid</source>
-        <translation>零件已分成 %1 块，而文件只能包含一个实体</translation>
-    </message>
-    <message>
-        <source>Undo the pass that parted it, or export triangles, for example STL.</source>
-        <translation>请撤销将其切断的走刀，或导出三角形，例如 STL。</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is the name of body %2, and the number of another</source>
         <translation>“%1”既是物体 %2 的名称，又是另一物体的编号</translation>
     </message>
     <message>
         <source>Give the name of the other body, or rename body %2.</source>
         <translation>请给出另一物体的名称，或重命名物体 %2。</translation>
+    </message>
+    <message>
+        <source>Choose a file that you have permission to read, and check that its disk is connected.</source>
+        <translation>请选择有读取权限的文件，并确认其所在磁盘已连接。</translation>
+    </message>
+    <message>
+        <source>Check the free space and your write permission, or choose another location.</source>
+        <translation>请检查可用空间和写入权限，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>the file is inconsistent (%1: %2 expected, %3 found)</source>
+        <translation>文件内容不一致（%1：应为 %2，实为 %3）</translation>
+    </message>
+    <message>
+        <source>Correct the file at this position, or export it again.</source>
+        <translation>请修正文件的此处，或重新导出。</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; was not found in the folder &apos;%3&apos; or in those above it</source>
+        <translation>在文件夹“%3”及其上级文件夹中未找到%1“%2”</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is referenced, but cannot be found</source>
+        <translation>引用了%1“%2”，但找不到</translation>
+    </message>
+    <message>
+        <source>Put the missing file where it is expected.</source>
+        <translation>请把缺少的文件放到应在的位置。</translation>
+    </message>
+    <message>
+        <source>the library %1 failed (%2)</source>
+        <translation>库 %1 运行失败（%2）</translation>
+    </message>
+    <message>
+        <source>this is not a file that Handwheel can read</source>
+        <translation>Handwheel 无法读取此文件</translation>
+    </message>
+    <message>
+        <source>the extension &apos;%1&apos; is not a format that this can be written in</source>
+        <translation>扩展名“%1”不是此内容可写入的格式</translation>
+    </message>
+    <message>
+        <source>the file name has no extension to specify the format</source>
+        <translation>文件名没有用来指定格式的扩展名</translation>
+    </message>
+    <message>
+        <source>Save under another name to keep both, or replace the version of the other program.</source>
+        <translation>请以其他名称保存以保留两者，或替换其他程序写入的版本。</translation>
+    </message>
+    <message>
+        <source>a body of the document is linked to this file, which would be overwritten</source>
+        <translation>文档中有物体链接到此文件，写入会将其覆盖</translation>
+    </message>
+    <message>
+        <source>Write to another file, or unlink the body first.</source>
+        <translation>请写入其他文件，或先取消该物体的链接。</translation>
+    </message>
+    <message>
+        <source>the written file did not pass verification (%1), so it was discarded</source>
+        <translation>写出的文件未通过校验（%1），因此已丢弃</translation>
+    </message>
+    <message>
+        <source>An existing file of that name was not changed. Save in another format, for example PLY.</source>
+        <translation>同名的现有文件未被更改。请以其他格式保存，例如 PLY。</translation>
+    </message>
+    <message>
+        <source>&apos;%2&apos; is not valid here</source>
+        <translation>“%2”在此处无效</translation>
+    </message>
+    <message>
+        <source>a face with %1 corners was triangulated as if it were convex</source>
+        <translation>一个有 %1 个角的面已按凸多边形剖分为三角形</translation>
+    </message>
+    <message>
+        <source>Give the name or number of an existing body; &apos;inspect&apos; lists them.</source>
+        <translation>请给出现有物体的名称或编号；“inspect”会列出它们。</translation>
+    </message>
+    <message>
+        <source>a document can contain at most %1 bodies</source>
+        <translation>一个文档最多容纳 %1 个物体</translation>
+    </message>
+    <message>
+        <source>the bodies would have %1 triangles, and a document can contain %2</source>
+        <translation>这些物体将有 %1 个三角形，而文档只能容纳 %2 个</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is already in use</source>
+        <translation>名称“%1”已被使用</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a valid name: a name is one line of 1 to %2 bytes</source>
+        <translation>“%1”不是有效的名称：名称应为一行，长度 1 到 %2 字节</translation>
+    </message>
+    <message>
+        <source>the part is in %1 pieces, and the file can contain only one solid</source>
+        <translation>零件已分成 %1 块，而文件只能包含一个实体</translation>
+    </message>
+    <message>
+        <source>Undo the pass that separated it, or export triangles, for example STL.</source>
+        <translation>请撤销将其切断的走刀，或导出三角形，例如 STL。</translation>
+    </message>
+    <message>
+        <source>Check that it is plugged in, that no other program uses it and that you have permission to use it.</source>
+        <translation>请检查设备是否已插入、没有其他程序正在使用它，以及您是否有权使用。</translation>
+    </message>
+    <message>
+        <source>the device does not respond correctly (%1)</source>
+        <translation>设备未正确响应（%1）</translation>
+    </message>
+    <message>
+        <source>the file contains no triangles</source>
+        <translation>文件中没有三角形</translation>
+    </message>
+    <message>
+        <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as in &apos;handwheel inspect&apos;.</source>
+        <translation>“handwheel help edit”列出所有步骤；边界环的编号与“handwheel inspect”相同。</translation>
+    </message>
+    <message>
+        <source>Check the name, and whether the file was moved.</source>
+        <translation>请检查文件名，或文件是否已被移动。</translation>
+    </message>
+    <message>
+        <source>the file contains a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
     </message>
 </context>
 <context>
@@ -695,10 +711,6 @@
         <translation>声明实体的 XML</translation>
     </message>
     <message>
-        <source>a geometry that is no mesh</source>
-        <translation>非网格的几何体</translation>
-    </message>
-    <message>
         <source>a skinned mesh</source>
         <translation>蒙皮网格</translation>
     </message>
@@ -711,28 +723,12 @@
         <translation>3MF 扩展“%1”</translation>
     </message>
     <message>
-        <source>the floating joint &apos;%1&apos;, which is held still,</source>
-        <translation>浮动关节“%1”（已固定）</translation>
-    </message>
-    <message>
-        <source>the planar joint &apos;%1&apos;, which is held still,</source>
-        <translation>平面关节“%1”（已固定）</translation>
-    </message>
-    <message>
-        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
-        <translation>网格名“%1”（不是本机文件）</translation>
-    </message>
-    <message>
         <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
         <translation>网格名“%1”（路径过远）</translation>
     </message>
     <message>
         <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
         <translation>网格名“%1”（超出所属软件包）</translation>
-    </message>
-    <message>
-        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
-        <translation>网格名“%1”（位于其他机器）</translation>
     </message>
     <message>
         <source>the mesh name &apos;%1&apos;, which names no package,</source>
@@ -757,10 +753,6 @@
     <message>
         <source>it cannot be opened</source>
         <translation>无法打开</translation>
-    </message>
-    <message>
-        <source>it holds no valid solid</source>
-        <translation>不含有效实体</translation>
     </message>
     <message>
         <source>its triangles differ</source>
@@ -793,10 +785,6 @@
     <message>
         <source>the file cannot be written</source>
         <translation>无法写入文件</translation>
-    </message>
-    <message>
-        <source>the file holds no shape</source>
-        <translation>文件不含形状</translation>
     </message>
     <message>
         <source>the solid cannot be translated</source>
@@ -843,32 +831,12 @@
         <translation>元素嵌套过深</translation>
     </message>
     <message>
-        <source>it belongs to a ring of joints</source>
-        <translation>它属于关节环</translation>
-    </message>
-    <message>
         <source>it contains itself</source>
         <translation>它包含自身</translation>
     </message>
     <message>
-        <source>it does not say the version of the format</source>
-        <translation>未注明格式版本</translation>
-    </message>
-    <message>
-        <source>it follows itself</source>
-        <translation>它跟随自身</translation>
-    </message>
-    <message>
-        <source>it goes too far when it follows</source>
-        <translation>跟随时超出范围</translation>
-    </message>
-    <message>
         <source>it has a document type</source>
         <translation>含有文档类型声明</translation>
-    </message>
-    <message>
-        <source>it has no limits, so it moves without</source>
-        <translation>没有限位，因此不受限运动</translation>
     </message>
     <message>
         <source>it has no links</source>
@@ -903,10 +871,6 @@
         <translation>嵌套过深</translation>
     </message>
     <message>
-        <source>it is no length; metres are assumed</source>
-        <translation>不是长度；按米处理</translation>
-    </message>
-    <message>
         <source>it is not JSON</source>
         <translation>不是 JSON</translation>
     </message>
@@ -921,10 +885,6 @@
     <message>
         <source>it is not twelve numbers</source>
         <translation>不是十二个数</translation>
-    </message>
-    <message>
-        <source>it is placed too often, or within itself</source>
-        <translation>放置次数过多，或放置于自身之内</translation>
     </message>
     <message>
         <source>it lies on the axis</source>
@@ -951,10 +911,6 @@
         <translation>次数须为 1、2 或 3</translation>
     </message>
     <message>
-        <source>its joints form a ring</source>
-        <translation>其关节构成环</translation>
-    </message>
-    <message>
         <source>its knots do not fit its poles</source>
         <translation>节点与控制点不匹配</translation>
     </message>
@@ -963,24 +919,8 @@
         <translation>下限高于上限</translation>
     </message>
     <message>
-        <source>its number %1 is taken</source>
-        <translation>编号 %1 已被占用</translation>
-    </message>
-    <message>
         <source>its object is of the type &apos;other&apos;</source>
         <translation>其对象类型为“other”</translation>
-    </message>
-    <message>
-        <source>its scale leaves no shape</source>
-        <translation>缩放后没有形状</translation>
-    </message>
-    <message>
-        <source>its size is no length</source>
-        <translation>尺寸不是长度</translation>
-    </message>
-    <message>
-        <source>its transformation is not understood</source>
-        <translation>无法理解其变换</translation>
     </message>
     <message>
         <source>its type &apos;%1&apos; is not known</source>
@@ -993,14 +933,6 @@
     <message>
         <source>its vertices have no positions</source>
         <translation>其顶点没有位置</translation>
-    </message>
-    <message>
-        <source>no joint links it with %1</source>
-        <translation>没有关节将其与 %1 相连</translation>
-    </message>
-    <message>
-        <source>one of its indices is no number</source>
-        <translation>某个索引不是数字</translation>
     </message>
     <message>
         <source>there are two of that name</source>
@@ -1033,10 +965,6 @@
     <message>
         <source>the handshake of a WebSocket</source>
         <translation>WebSocket 的握手</translation>
-    </message>
-    <message>
-        <source>where it is</source>
-        <translation>其位置</translation>
     </message>
     <message>
         <source>unplugged</source>
@@ -1103,18 +1031,6 @@
         <translation>应为对象</translation>
     </message>
     <message>
-        <source>its loops cannot be told any more</source>
-        <translation>已无法识别其边界环</translation>
-    </message>
-    <message>
-        <source>its triangles contradict each other</source>
-        <translation>其三角形互相矛盾</translation>
-    </message>
-    <message>
-        <source>link %1 hangs on another joint already</source>
-        <translation>连杆 %1 已连接在另一关节上</translation>
-    </message>
-    <message>
         <source>there is no such key</source>
         <translation>没有这样的按键</translation>
     </message>
@@ -1125,10 +1041,6 @@
     <message>
         <source>the number of samples is missing or impossible</source>
         <translation>采样点数缺失或不可能</translation>
-    </message>
-    <message>
-        <source>another size of a bar that was cut already; undo its passes first</source>
-        <translation>已切削棒料的其他尺寸；请先撤销走刀</translation>
     </message>
     <message>
         <source>passes</source>
@@ -1147,10 +1059,6 @@
         <translation>可读取的零件</translation>
     </message>
     <message>
-        <source>it contradicts itself</source>
-        <translation>其内容自相矛盾</translation>
-    </message>
-    <message>
         <source>it crashed on this file</source>
         <translation>它处理此文件时崩溃</translation>
     </message>
@@ -1167,28 +1075,8 @@
         <translation>其结果过大</translation>
     </message>
     <message>
-        <source>its answer makes no sense</source>
-        <translation>其结果没有意义</translation>
-    </message>
-    <message>
         <source>its process cannot be started</source>
         <translation>无法启动其进程</translation>
-    </message>
-    <message>
-        <source>its surfaces have no size</source>
-        <translation>其曲面没有大小</translation>
-    </message>
-    <message>
-        <source>none of its surfaces can be cut into triangles</source>
-        <translation>其曲面均无法三角化</translation>
-    </message>
-    <message>
-        <source>the file holds no surface</source>
-        <translation>文件中没有曲面</translation>
-    </message>
-    <message>
-        <source>the system ended it; memory may have run out</source>
-        <translation>系统将其终止；可能内存不足</translation>
     </message>
     <message>
         <source>bodies</source>
@@ -1231,10 +1119,6 @@
         <translation>应为文本</translation>
     </message>
     <message>
-        <source>it is no object</source>
-        <translation>不是对象</translation>
-    </message>
-    <message>
         <source>its pose cannot be used</source>
         <translation>位姿无法使用</translation>
     </message>
@@ -1245,18 +1129,6 @@
     <message>
         <source>the package</source>
         <translation>软件包</translation>
-    </message>
-    <message>
-        <source>its geometry has no kind</source>
-        <translation>其几何形状没有类型</translation>
-    </message>
-    <message>
-        <source>its key is no number</source>
-        <translation>其键不是数字</translation>
-    </message>
-    <message>
-        <source>its matrix is no rotation</source>
-        <translation>其矩阵不是旋转</translation>
     </message>
     <message>
         <source>it is longer than its size</source>
@@ -1271,8 +1143,144 @@
         <translation>物体的位置</translation>
     </message>
     <message>
-        <source>to cut them once more would take too long</source>
+        <source>its position</source>
+        <translation>其位置</translation>
+    </message>
+    <message>
+        <source>a geometry that is not a mesh</source>
+        <translation>非网格的几何体</translation>
+    </message>
+    <message>
+        <source>the floating joint &apos;%1&apos;, which is treated as fixed,</source>
+        <translation>浮动关节“%1”（已固定）</translation>
+    </message>
+    <message>
+        <source>the planar joint &apos;%1&apos;, which is treated as fixed,</source>
+        <translation>平面关节“%1”（已固定）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which is not a file on this computer,</source>
+        <translation>网格名“%1”（不是本机文件）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which is on another computer,</source>
+        <translation>网格名“%1”（位于其他机器）</translation>
+    </message>
+    <message>
+        <source>it is inconsistent</source>
+        <translation>内容不一致</translation>
+    </message>
+    <message>
+        <source>its answer is not valid</source>
+        <translation>其响应无效</translation>
+    </message>
+    <message>
+        <source>it belongs to a closed loop of joints</source>
+        <translation>它属于闭环关节链</translation>
+    </message>
+    <message>
+        <source>the version of the format is missing</source>
+        <translation>缺少格式版本</translation>
+    </message>
+    <message>
+        <source>it mimics itself</source>
+        <translation>它模仿自身（mimic）</translation>
+    </message>
+    <message>
+        <source>its mimic factor or offset is too large</source>
+        <translation>其模仿系数或偏移（mimic）过大</translation>
+    </message>
+    <message>
+        <source>it is not a length; metres are assumed</source>
+        <translation>不是长度；按米处理</translation>
+    </message>
+    <message>
+        <source>it is instanced too often, or within itself</source>
+        <translation>它被引用次数过多，或引用了自身</translation>
+    </message>
+    <message>
+        <source>its joints form a closed loop</source>
+        <translation>其关节构成闭环</translation>
+    </message>
+    <message>
+        <source>its loops cannot be identified any more</source>
+        <translation>已无法识别其边界环</translation>
+    </message>
+    <message>
+        <source>its number %1 is already in use</source>
+        <translation>其编号 %1 已被使用</translation>
+    </message>
+    <message>
+        <source>its key is not a number</source>
+        <translation>其键不是数字</translation>
+    </message>
+    <message>
+        <source>its matrix is not a rotation</source>
+        <translation>其矩阵不是旋转</translation>
+    </message>
+    <message>
+        <source>cutting them again would take too long</source>
         <translation>重新切削它们耗时过长</translation>
+    </message>
+    <message>
+        <source>its size is not a length</source>
+        <translation>尺寸不是长度</translation>
+    </message>
+    <message>
+        <source>its transformation is not valid</source>
+        <translation>无法理解其变换</translation>
+    </message>
+    <message>
+        <source>its triangles are inconsistent</source>
+        <translation>其三角形不一致</translation>
+    </message>
+    <message>
+        <source>link %1 already has a parent joint</source>
+        <translation>连杆 %1 已有父关节</translation>
+    </message>
+    <message>
+        <source>no joint connects it to %1</source>
+        <translation>没有关节将其与 %1 相连</translation>
+    </message>
+    <message>
+        <source>one of its indices is not a number</source>
+        <translation>某个索引不是数字</translation>
+    </message>
+    <message>
+        <source>it contains no valid solid</source>
+        <translation>不含有效实体</translation>
+    </message>
+    <message>
+        <source>its surfaces have zero size</source>
+        <translation>其曲面没有大小</translation>
+    </message>
+    <message>
+        <source>none of its surfaces can be triangulated</source>
+        <translation>其曲面均无法三角化</translation>
+    </message>
+    <message>
+        <source>the file contains no shape</source>
+        <translation>文件不含形状</translation>
+    </message>
+    <message>
+        <source>the file contains no surface</source>
+        <translation>文件中没有曲面</translation>
+    </message>
+    <message>
+        <source>the system ended it; it may have run out of memory</source>
+        <translation>系统将其终止；可能内存不足</translation>
+    </message>
+    <message>
+        <source>it has no limits, so it moves without limits</source>
+        <translation>没有限位，因此不受限运动</translation>
+    </message>
+    <message>
+        <source>its geometry has no type</source>
+        <translation>其几何体没有类型</translation>
+    </message>
+    <message>
+        <source>its scale is degenerate</source>
+        <translation>其缩放为零，形状退化</translation>
     </message>
 </context>
 <context>
@@ -1282,24 +1290,12 @@
         <translation>缺少数字</translation>
     </message>
     <message>
-        <source>This is too long</source>
-        <translation>内容过长</translation>
-    </message>
-    <message>
-        <source>Too many brackets within brackets</source>
-        <translation>括号嵌套过多</translation>
-    </message>
-    <message>
         <source>A number is missing at the end</source>
         <translation>末尾缺少数字</translation>
     </message>
     <message>
         <source>A number is missing before “%1”</source>
         <translation>“%1”前缺少数字</translation>
-    </message>
-    <message>
-        <source>A sign such as + or * is missing before “%1”</source>
-        <translation>“%1”前缺少 + 或 * 之类的运算符</translation>
     </message>
     <message>
         <source>A closing bracket is missing at the end</source>
@@ -1318,20 +1314,12 @@
         <translation>“%1”有两种读法；请用小数点，或去掉逗号</translation>
     </message>
     <message>
-        <source>There is no unit “%1”</source>
-        <translation>没有单位“%1”</translation>
-    </message>
-    <message>
         <source>Lengths, angles and plain numbers cannot be added to each other</source>
         <translation>长度、角度与纯数之间不能相加</translation>
     </message>
     <message>
         <source>The result has the wrong unit</source>
         <translation>结果的单位不对</translation>
-    </message>
-    <message>
-        <source>Nothing can be divided by zero</source>
-        <translation>不能除以零</translation>
     </message>
     <message>
         <source>The result is too large</source>
@@ -1341,24 +1329,32 @@
         <source>%1 (character %2).</source>
         <translation>%1（第 %2 个字符）。</translation>
     </message>
+    <message>
+        <source>The expression is too long</source>
+        <translation>表达式过长</translation>
+    </message>
+    <message>
+        <source>The brackets are nested too deeply</source>
+        <translation>括号嵌套过深</translation>
+    </message>
+    <message>
+        <source>An operator such as + or * is missing before “%1”</source>
+        <translation>“%1”前缺少运算符，例如 + 或 *</translation>
+    </message>
+    <message>
+        <source>“%1” is not a known unit</source>
+        <translation>“%1”不是已知单位</translation>
+    </message>
+    <message>
+        <source>Division by zero</source>
+        <translation>除数为零</translation>
+    </message>
 </context>
 <context>
     <name>Fidelity</name>
     <message>
-        <source>Distance below which torn border vertices are one</source>
-        <translation>小于此距离的断开边界顶点视为同一点</translation>
-    </message>
-    <message>
         <source>share of the diagonal</source>
         <translation>对角线的比例</translation>
-    </message>
-    <message>
-        <source>border vertices left torn or merged wrongly</source>
-        <translation>仍断开或误合并的边界顶点</translation>
-    </message>
-    <message>
-        <source>CPU time to stitch the borders</source>
-        <translation>缝合边界的 CPU 时间</translation>
     </message>
     <message>
         <source>Method that fills holes</source>
@@ -1393,14 +1389,6 @@
         <translation>一次填补的 CPU 时间</translation>
     </message>
     <message>
-        <source>Density of patches, in that of their surroundings</source>
-        <translation>补片密度,相对于周围</translation>
-    </message>
-    <message>
-        <source>Vertices or faces that an undo step keeps together</source>
-        <translation>撤销步骤中合并保存的顶点或面</translation>
-    </message>
-    <message>
         <source>memory of an undo step</source>
         <translation>一个撤销步骤的内存</translation>
     </message>
@@ -1409,24 +1397,12 @@
         <translation>执行、撤销和重做一步的 CPU 时间</translation>
     </message>
     <message>
-        <source>Faces that the display builds and draws together</source>
-        <translation>显示时一起构建和绘制的面数</translation>
-    </message>
-    <message>
         <source>draw calls of a frame</source>
         <translation>每帧绘制调用</translation>
     </message>
     <message>
         <source>calls</source>
         <translation>次</translation>
-    </message>
-    <message>
-        <source>CPU time to rebuild what an edit of one face touches</source>
-        <translation>编辑一个面后重建所涉部分的 CPU 时间</translation>
-    </message>
-    <message>
-        <source>How far triangles may leave a curved surface</source>
-        <translation>三角形偏离曲面的允许距离</translation>
     </message>
     <message>
         <source>largest distance of the triangles from the surface</source>
@@ -1481,18 +1457,6 @@
         <translation>一个形体的三角形数</translation>
     </message>
     <message>
-        <source>Largest distance that removing triangles may leave</source>
-        <translation>减少三角形时允许的最大距离</translation>
-    </message>
-    <message>
-        <source>triangles that are left</source>
-        <translation>剩余三角形</translation>
-    </message>
-    <message>
-        <source>What fair patches continue of their surroundings</source>
-        <translation>光顺补片延续周围的什么</translation>
-    </message>
-    <message>
         <source>position</source>
         <translation>位置</translation>
     </message>
@@ -1513,16 +1477,8 @@
         <translation>特征间距</translation>
     </message>
     <message>
-        <source>features that a trembling hand missed</source>
-        <translation>手抖时错过的特征</translation>
-    </message>
-    <message>
         <source>CPU time of a tick</source>
         <translation>每个节拍的 CPU 时间</translation>
-    </message>
-    <message>
-        <source>Features that pull at once</source>
-        <translation>同时吸引的特征数</translation>
     </message>
     <message>
         <source>RMS difference from the sum of all forces</source>
@@ -1537,16 +1493,8 @@
         <translation>模型对角线</translation>
     </message>
     <message>
-        <source>RMS distance from where it comes to rest</source>
-        <translation>与静止位置的均方根距离</translation>
-    </message>
-    <message>
         <source>Rate of the servo loop</source>
         <translation>伺服循环的频率</translation>
-    </message>
-    <message>
-        <source>how far 2 N push into a wall as stiff as the rate allows</source>
-        <translation>2 N 压入在该频率允许的最硬墙面的深度</translation>
     </message>
     <message>
         <source>CPU time of a second of touch</source>
@@ -1555,10 +1503,6 @@
     <message>
         <source>Stiffness of surfaces</source>
         <translation>表面刚度</translation>
-    </message>
-    <message>
-        <source>how far 2 N push into the surface</source>
-        <translation>2 N 压入表面的深度</translation>
     </message>
     <message>
         <source>rate of the servo loop that keeps it stable</source>
@@ -1573,24 +1517,8 @@
         <translation>速度的均方根误差</translation>
     </message>
     <message>
-        <source>how late the velocity is</source>
-        <translation>速度滞后多少</translation>
-    </message>
-    <message>
-        <source>Distance of the samples of a turned profile</source>
-        <translation>车削轮廓的采样间距</translation>
-    </message>
-    <message>
-        <source>largest distance of the profile from what the tool left</source>
-        <translation>轮廓与刀具实际留下形状的最大距离</translation>
-    </message>
-    <message>
         <source>CPU time of cutting and of the triangles that change</source>
         <translation>一次切削及其变化三角形的 CPU 时间</translation>
-    </message>
-    <message>
-        <source>How far triangles may leave the surfaces of a STEP file</source>
-        <translation>三角形可偏离 STEP 文件曲面的距离</translation>
     </message>
     <message>
         <source>largest distance from the surface, in diagonals</source>
@@ -1599,6 +1527,90 @@
     <message>
         <source>triangles of the mesh</source>
         <translation>网格的三角形数</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Largest deviation of triangles from the surfaces of a STEP file</source>
+        <translation>三角形相对 STEP 文件曲面的最大偏差</translation>
+    </message>
+    <message>
+        <source>penetration at 2 N into the stiffest wall that the rate allows</source>
+        <translation>在该速率允许的最大刚度下，2 N 力的压入深度</translation>
+    </message>
+    <message>
+        <source>penetration at 2 N into the surface</source>
+        <translation>2 N 力压入表面的深度</translation>
+    </message>
+    <message>
+        <source>delay of the velocity</source>
+        <translation>速度的延迟</translation>
+    </message>
+    <message>
+        <source>features missed by a trembling hand</source>
+        <translation>手抖时错过的特征</translation>
+    </message>
+    <message>
+        <source>Features that attract at the same time</source>
+        <translation>同时产生吸引的特征</translation>
+    </message>
+    <message>
+        <source>Sample spacing of a turned profile</source>
+        <translation>车削轮廓的采样间距</translation>
+    </message>
+    <message>
+        <source>largest distance of the profile from the exact shape</source>
+        <translation>轮廓与精确形状的最大距离</translation>
+    </message>
+    <message>
+        <source>Distance below which boundary vertices are merged</source>
+        <translation>小于此距离的边界顶点将被合并</translation>
+    </message>
+    <message>
+        <source>boundary vertices left unmerged or merged wrongly</source>
+        <translation>未合并或误合并的边界顶点</translation>
+    </message>
+    <message>
+        <source>CPU time to merge the boundary vertices</source>
+        <translation>合并边界顶点的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Continuity of fair patches with their surroundings</source>
+        <translation>光顺补片与周围的连续性</translation>
+    </message>
+    <message>
+        <source>Density of patches, relative to their surroundings</source>
+        <translation>补片密度，相对于周围</translation>
+    </message>
+    <message>
+        <source>Largest distance from the original when triangles are reduced</source>
+        <translation>减少三角形时与原始网格的最大距离</translation>
+    </message>
+    <message>
+        <source>remaining triangles</source>
+        <translation>剩余三角形</translation>
+    </message>
+    <message>
+        <source>Vertices or triangles in a block of an undo step</source>
+        <translation>撤销步骤每块的顶点或三角形数</translation>
+    </message>
+    <message>
+        <source>Triangles in a block of the display</source>
+        <translation>显示中每块的三角形数</translation>
+    </message>
+    <message>
+        <source>CPU time to rebuild the blocks that an edit of one triangle affects</source>
+        <translation>编辑一个三角形后重建受影响的块的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Largest deviation of triangles from a curved surface</source>
+        <translation>三角形相对曲面的最大偏差</translation>
+    </message>
+    <message>
+        <source>RMS distance from its final position</source>
+        <translation>与最终位置的均方根距离</translation>
     </message>
 </context>
 <context>
@@ -1628,20 +1640,16 @@
         <translation>一次填补占用一秒的 %1 %</translation>
     </message>
     <message>
-        <source>As accurate as leaves a third to spare. Takes %1.</source>
-        <translation>在留出三分之一余量的前提下尽可能精确。占用：%1。</translation>
+        <source>Most accurate value that leaves a third of the limit unused. Takes %1.</source>
+        <translation>在留出三分之一余量的前提下最精确的值。占用 %1。</translation>
     </message>
     <message>
-        <source>%1: no value is fast enough, the fastest is taken.</source>
+        <source>%1: no value is fast enough, the fastest is used.</source>
         <translation>%1：没有足够快的值，采用最快的值。</translation>
     </message>
 </context>
 <context>
     <name>FileFilters</name>
-    <message>
-        <source>All that Handwheel opens</source>
-        <translation>Handwheel 可打开的所有文件</translation>
-    </message>
     <message>
         <source>All files</source>
         <translation>所有文件</translation>
@@ -1654,6 +1662,10 @@
         <source>All formats</source>
         <translation>所有格式</translation>
     </message>
+    <message>
+        <source>All supported files</source>
+        <translation>所有支持的文件</translation>
+    </message>
 </context>
 <context>
     <name>HapticSession</name>
@@ -1662,40 +1674,40 @@
         <translation>模拟手</translation>
     </message>
     <message>
-        <source>Mouse</source>
-        <translation>鼠标</translation>
-    </message>
-    <message>
         <source>%1 could not be opened</source>
         <translation>无法打开 %1</translation>
-    </message>
-    <message>
-        <source>%1 is not there</source>
-        <translation>%1 不在</translation>
     </message>
     <message>
         <source>%1 has failed</source>
         <translation>%1 出现故障</translation>
     </message>
     <message>
-        <source>It was unplugged, or is without power.</source>
+        <source>Mouse as device</source>
+        <translation>鼠标作为设备</translation>
+    </message>
+    <message>
+        <source>%1 is not connected</source>
+        <translation>%1 未连接</translation>
+    </message>
+    <message>
+        <source>It was unplugged, or has no power.</source>
         <translation>设备被拔下，或者没有电源。</translation>
     </message>
     <message>
-        <source>It does not answer as it should.</source>
-        <translation>设备应答异常。</translation>
+        <source>It does not respond correctly.</source>
+        <translation>设备未正确响应。</translation>
     </message>
     <message>
-        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
-        <translation>请重新接上，并在“设备”面板中再次选择。</translation>
+        <source>Plug it in again: it is opened automatically.</source>
+        <translation>请重新插入设备：它会自动打开。</translation>
     </message>
     <message>
-        <source>A device plugin is not used</source>
-        <translation>有一个设备插件未被使用</translation>
+        <source>Unplug it and plug it in again: it is opened automatically.</source>
+        <translation>请拔下设备后重新插入：它会自动打开。</translation>
     </message>
     <message>
-        <source>Plug it in again: it is opened by itself.</source>
-        <translation>请重新插上，它会自动打开。</translation>
+        <source>A device plugin could not be loaded</source>
+        <translation>无法加载设备插件</translation>
     </message>
 </context>
 <context>
@@ -1709,16 +1721,16 @@
         <translation>关于 Handwheel</translation>
     </message>
     <message>
-        <source>Now</source>
-        <translation>当前</translation>
-    </message>
-    <message>
         <source>Repairs scanned meshes, prepares workpieces and robot cells.</source>
         <translation>修复扫描网格,准备工件和机器人单元。</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat.</source>
         <translation>自由软件,遵循 GNU 通用公共许可证第 3 版或更高版本。&lt;br&gt;使用 Qt、VTK、CGAL、Open CASCADE、Eigen、libzip 和 expat 构建。</translation>
+    </message>
+    <message>
+        <source>Currently available</source>
+        <translation>当前可用</translation>
     </message>
 </context>
 <context>
@@ -1815,33 +1827,15 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln non-manifold point(s)</source>
-        <translation>
-            <numerusform>%Ln 个非流形点</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln pair(s) of near vertices</source>
         <translation>
             <numerusform>%Ln 对邻近顶点</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln triangle(s) without area</source>
-        <translation>
-            <numerusform>%Ln 个零面积三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln duplicate triangle(s)</source>
         <translation>
             <numerusform>%Ln 个重复三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln loose piece(s)</source>
-        <translation>
-            <numerusform>%Ln 个孤立碎片</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1869,18 +1863,8 @@
         <translation>没有孔洞。这是一张开放曲面。</translation>
     </message>
     <message>
-        <source>No holes are left except those kept open.</source>
-        <translation>除保持开放的以外，已无孔洞。</translation>
-    </message>
-    <message>
         <source>Watertight.</source>
         <translation>水密。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) faced the wrong way and were turned over.</source>
-        <translation>
-            <numerusform>%Ln 个三角形朝向有误，已翻转。</numerusform>
-        </translation>
     </message>
     <message>
         <source>Saved as %1.</source>
@@ -1896,22 +1880,6 @@
             <numerusform>%Ln 个孔洞无法填补。</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Some defects are left.</source>
-        <translation>仍有一些缺陷。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
-        <translation>
-            <numerusform>有 %Ln 对三角形相交。可在缺陷列表中将其切开。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln edge(s) with one side</source>
-        <translation>
-            <numerusform>%Ln 条单侧面的边</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%Ln self-intersection(s)</source>
         <translation>
@@ -1922,40 +1890,70 @@
         <source>Closed, but self-intersecting.</source>
         <translation>封闭，但自相交。</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside out</source>
+        <translation>
+            <numerusform>%Ln 个内外翻转的物体</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold vertex(ices)</source>
+        <translation>
+            <numerusform>%Ln 个非流形顶点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln one-sided edge(s)</source>
+        <translation>
+            <numerusform>%Ln 条单侧面的边</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln degenerate triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个退化三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln piece(s) of debris</source>
+        <translation>
+            <numerusform>%Ln 个孤立碎片</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes remain except those kept open.</source>
+        <translation>除保持开放的以外，已无孔洞。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of triangles intersect. They can be fixed in the list of defects.</source>
+        <translation>
+            <numerusform>有 %Ln 对三角形相交。可在缺陷列表中修复。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) had the wrong orientation and were reversed.</source>
+        <translation>
+            <numerusform>%Ln 个三角形方向错误，已反转。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Some defects remain.</source>
+        <translation>仍有一些缺陷。</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
     <message>
-        <source>The file holds one valid solid.</source>
-        <translation>文件包含一个有效实体。</translation>
-    </message>
-    <message>
         <source>The recordings of the device are not in this file.</source>
         <translation>设备的录制不在此文件中。</translation>
-    </message>
-    <message>
-        <source>Which holes are to stay open is not in this file (%1 marked).</source>
-        <translation>哪些孔洞要保持开放未写入此文件（已标记 %1 个）。</translation>
     </message>
     <message>
         <source>The coarser levels of the sculpted patch are not in this file.</source>
         <translation>所雕刻补片的较粗层级未写入此文件。</translation>
     </message>
     <message>
-        <source>The file holds the robot and the bodies as they stand now; it has no joints.</source>
-        <translation>文件中保存机器人和物体的当前位置；没有关节。</translation>
-    </message>
-    <message>
-        <source>A STEP file holds exact surfaces and no mesh: its faces (%1) were cut into triangles, which are at most about %2 mm off them.</source>
-        <translation>STEP 文件包含精确曲面而非网格：其面（%1）已切成三角形，偏差最多约 %2 mm。</translation>
-    </message>
-    <message>
         <source>Solids: %1. Surfaces that belong to none: %2.</source>
         <translation>实体：%1。不属于实体的曲面：%2。</translation>
-    </message>
-    <message>
-        <source>Its lengths (%1) are millimetres here.</source>
-        <translation>其长度单位（%1）在此换算为毫米。</translation>
     </message>
     <message>
         <source>The body &apos;%1&apos; is linked to %2, which is missing; it is shown as it was when it was read.</source>
@@ -1974,16 +1972,8 @@
         <translation>已略去 %1 个隐藏的物体（%2）。</translation>
     </message>
     <message>
-        <source>The robot is added as it stands, as one mesh: it has no joints and no colours of its own.</source>
-        <translation>机器人按当前姿态作为一个网格添加：没有关节，也没有自己的颜色。</translation>
-    </message>
-    <message>
         <source>The file: %1.</source>
         <translation>文件：%1。</translation>
-    </message>
-    <message>
-        <source>It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces disagree and %4 points at which faces touch that share no edge.</source>
-        <translation>它有 %1 条开放边、%2 条超过两个面的边、%3 条面方向不一致的边，以及 %4 个面相触但无公共边的点。</translation>
     </message>
     <message>
         <source>Vertices moved by the smallest possible amount, so that the file does not weld them: %1.</source>
@@ -2000,6 +1990,38 @@
     <message>
         <source>The body &apos;%1&apos; has a shape that this program does not know (&apos;%2&apos;): it is kept, but cannot be shown. A newer version may know it.</source>
         <translation>物体“%1”的形状为本程序所不识（“%2”）：它被保留，但无法显示。较新的版本也许能识别。</translation>
+    </message>
+    <message>
+        <source>The file contains the robot and the bodies in their current position; it has no joints.</source>
+        <translation>文件包含处于当前位置的机器人和物体；没有关节。</translation>
+    </message>
+    <message>
+        <source>The robot is added in its current position, as one mesh: it has no joints and no colours of its own.</source>
+        <translation>机器人按当前姿态作为一个网格添加：没有关节，也没有自己的颜色。</translation>
+    </message>
+    <message>
+        <source>It has %1 open edges, %2 edges with more than two triangles, %3 edges with inconsistent orientation and %4 non-manifold vertices.</source>
+        <translation>它有 %1 条开放边、%2 条超过两个三角形的边、%3 条方向不一致的边和 %4 个非流形顶点。</translation>
+    </message>
+    <message>
+        <source>A STEP file contains exact surfaces and no mesh: its faces (%1) were triangulated; the triangles are at most about %2 mm from them.</source>
+        <translation>STEP 文件包含精确曲面而非网格：其各面（%1）已三角化，三角形与曲面的距离最多约 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Its lengths (%1) were converted to millimetres.</source>
+        <translation>其长度（%1）已换算为毫米。</translation>
+    </message>
+    <message>
+        <source>The marks of holes to keep open are not in this file (%1 marked).</source>
+        <translation>保持开放的孔洞标记未写入此文件（已标记 %1 个）。</translation>
+    </message>
+    <message>
+        <source>The file contains one valid solid.</source>
+        <translation>文件包含一个有效实体。</translation>
+    </message>
+    <message>
+        <source>Rounded to the numbers of this format, %1 more pairs of triangles intersect. 3MF, PLY, OBJ and OFF keep all digits.</source>
+        <translation>按此格式的数值舍入后，另有 %1 对三角形相交。3MF、PLY、OBJ 和 OFF 保留全部位数。</translation>
     </message>
 </context>
 <context>
@@ -2077,28 +2099,12 @@
         <translation>已取消。</translation>
     </message>
     <message>
-        <source>It is the outer edge of an open sheet.</source>
-        <translation>这是开放曲面的外边界。</translation>
-    </message>
-    <message>
         <source>It is kept open.</source>
         <translation>它被保持开放。</translation>
     </message>
     <message>
         <source>It has more edges than allowed.</source>
         <translation>边数超过允许值。</translation>
-    </message>
-    <message>
-        <source>No surface fits its edge.</source>
-        <translation>没有曲面能贴合其边界。</translation>
-    </message>
-    <message>
-        <source>Every patch would cross the part.</source>
-        <translation>任何补片都会穿过零件。</translation>
-    </message>
-    <message>
-        <source>Every patch would bulge far out.</source>
-        <translation>任何补片都会明显鼓出。</translation>
     </message>
     <message>
         <source>It would take too long for a mesh of this size.</source>
@@ -2115,10 +2121,6 @@
     <message>
         <source>Refined</source>
         <translation>细化</translation>
-    </message>
-    <message>
-        <source>Ear cutting</source>
-        <translation>切耳法</translation>
     </message>
     <message>
         <source>New triangles</source>
@@ -2197,20 +2199,8 @@
         <translation>视图立方体</translation>
     </message>
     <message>
-        <source>Cut the model open</source>
-        <translation>剖开模型</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>垂直于</translation>
-    </message>
-    <message>
         <source>View direction</source>
         <translation>视线方向</translation>
-    </message>
-    <message>
-        <source>Other side</source>
-        <translation>另一侧</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -2253,10 +2243,6 @@
         <translation>设置</translation>
     </message>
     <message>
-        <source>Speed against accuracy</source>
-        <translation>速度与精度</translation>
-    </message>
-    <message>
         <source>Preset</source>
         <translation>预设</translation>
     </message>
@@ -2277,18 +2263,6 @@
         <translation>精确</translation>
     </message>
     <message>
-        <source>Own values</source>
-        <translation>自定义</translation>
-    </message>
-    <message>
-        <source>Least area</source>
-        <translation>最小面积</translation>
-    </message>
-    <message>
-        <source>Least bend</source>
-        <translation>最小弯折</translation>
-    </message>
-    <message>
         <source>Ridges</source>
         <translation>棱线</translation>
     </message>
@@ -2301,48 +2275,12 @@
         <translation>三点角度</translation>
     </message>
     <message>
-        <source>Angle of two faces</source>
-        <translation>两面角度</translation>
-    </message>
-    <message>
         <source>Wall thickness</source>
         <translation>壁厚</translation>
     </message>
     <message>
-        <source>Straight through</source>
-        <translation>直穿厚度</translation>
-    </message>
-    <message>
-        <source>Largest ball inside</source>
-        <translation>内部最大球</translation>
-    </message>
-    <message>
-        <source>Two of the points are one.</source>
-        <translation>其中两点为同一点。</translation>
-    </message>
-    <message>
-        <source>A triangle would have no area.</source>
-        <translation>会有三角形面积为零。</translation>
-    </message>
-    <message>
         <source>An edge would have more than two triangles.</source>
         <translation>会有边超过两个三角形。</translation>
-    </message>
-    <message>
-        <source>The triangle beside it faces the other way.</source>
-        <translation>旁边的三角形朝向相反。</translation>
-    </message>
-    <message>
-        <source>It would touch the surface in a point only.</source>
-        <translation>它与曲面只会在一点相接。</translation>
-    </message>
-    <message>
-        <source>It would cross or touch the part.</source>
-        <translation>它会穿过或碰到零件。</translation>
-    </message>
-    <message>
-        <source>A triangle would turn over or lose its area.</source>
-        <translation>会有三角形翻转或失去面积。</translation>
     </message>
     <message>
         <source>There is no open edge.</source>
@@ -2351,26 +2289,6 @@
     <message>
         <source>Smoothing</source>
         <translation>平滑</translation>
-    </message>
-    <message>
-        <source>Waves up to (edges)</source>
-        <translation>波长上限 (边数)</translation>
-    </message>
-    <message>
-        <source>Spread evenly</source>
-        <translation>均匀分布</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>移动距离</translation>
-    </message>
-    <message>
-        <source>Points held back</source>
-        <translation>受限的点</translation>
-    </message>
-    <message>
-        <source>Further on a triangle would turn over, or the surface tear.</source>
-        <translation>再移动会使三角形翻转或曲面撕裂。</translation>
     </message>
     <message>
         <source>Marked triangles</source>
@@ -2385,36 +2303,8 @@
         <translation>此孔洞中没有半岛。</translation>
     </message>
     <message>
-        <source>Go down to</source>
-        <translation>减少到</translation>
-    </message>
-    <message>
-        <source>A number</source>
-        <translation>数量</translation>
-    </message>
-    <message>
-        <source>A distance</source>
-        <translation>距离</translation>
-    </message>
-    <message>
         <source>Largest distance</source>
         <translation>最大距离</translation>
-    </message>
-    <message>
-        <source>Leave open edges as they are</source>
-        <translation>开放边保持原样</translation>
-    </message>
-    <message>
-        <source>Keep sharp edges</source>
-        <translation>保留锐边</translation>
-    </message>
-    <message>
-        <source>Sharp from</source>
-        <translation>锐边起始角</translation>
-    </message>
-    <message>
-        <source>Let nothing cross</source>
-        <translation>避免相交</translation>
     </message>
     <message>
         <source>Corners</source>
@@ -2441,24 +2331,8 @@
         <translation>强度</translation>
     </message>
     <message>
-        <source>Move the edges of holes, too</source>
-        <translation>同时移动孔洞边界</translation>
-    </message>
-    <message>
-        <source>Noise up to</source>
-        <translation>噪声上限</translation>
-    </message>
-    <message>
-        <source>It has no edge inside to split.</source>
-        <translation>内部没有可分割的边。</translation>
-    </message>
-    <message>
         <source>It would have too many triangles.</source>
         <translation>三角形会过多。</translation>
-    </message>
-    <message>
-        <source>The numbers of the file show no finer triangles.</source>
-        <translation>文件的数值无法表示更细的三角形。</translation>
     </message>
     <message>
         <source>It is as fine as its surroundings.</source>
@@ -2473,14 +2347,6 @@
         <translation>层级</translation>
     </message>
     <message>
-        <source>Slimness at the edge</source>
-        <translation>边界处细长度</translation>
-    </message>
-    <message>
-        <source>Its outer triangles have become long and thin: go a level back.</source>
-        <translation>外侧三角形已变得细长：请退回一级。</translation>
-    </message>
-    <message>
         <source>Move along X</source>
         <translation>沿 X 移动</translation>
     </message>
@@ -2493,24 +2359,8 @@
         <translation>沿 Z 移动</translation>
     </message>
     <message>
-        <source>Turn about X</source>
-        <translation>绕 X 旋转</translation>
-    </message>
-    <message>
-        <source>Turn about Y</source>
-        <translation>绕 Y 旋转</translation>
-    </message>
-    <message>
-        <source>Turn about Z</source>
-        <translation>绕 Z 旋转</translation>
-    </message>
-    <message>
         <source>Scale by</source>
         <translation>缩放倍数</translation>
-    </message>
-    <message>
-        <source>The file is in</source>
-        <translation>文件单位</translation>
     </message>
     <message>
         <source>Length of the outline</source>
@@ -2519,26 +2369,6 @@
     <message>
         <source>the outline is open</source>
         <translation>轮廓未闭合</translation>
-    </message>
-    <message>
-        <source>Short edges count</source>
-        <translation>短边权重</translation>
-    </message>
-    <message>
-        <source>Even angles count</source>
-        <translation>均匀角权重</translation>
-    </message>
-    <message>
-        <source>Small bends count</source>
-        <translation>小弯折权重</translation>
-    </message>
-    <message>
-        <source>Area and bend</source>
-        <translation>面积与弯折</translation>
-    </message>
-    <message>
-        <source>Continues</source>
-        <translation>延续</translation>
     </message>
     <message>
         <source>Position</source>
@@ -2613,18 +2443,6 @@
         <translation>转动死区</translation>
     </message>
     <message>
-        <source>Deflection is a speed</source>
-        <translation>偏移量即速度</translation>
-    </message>
-    <message>
-        <source>mm/s for each mm</source>
-        <translation>每毫米对应的 mm/s</translation>
-    </message>
-    <message>
-        <source>°/s for each degree</source>
-        <translation>每度对应的 °/s</translation>
-    </message>
-    <message>
         <source>No button</source>
         <translation>无按钮</translation>
     </message>
@@ -2653,24 +2471,8 @@
         <translation>摩擦</translation>
     </message>
     <message>
-        <source>Dropped onto a point</source>
-        <translation>放到另一点上时</translation>
-    </message>
-    <message>
         <source>Join</source>
         <translation>合并</translation>
-    </message>
-    <message>
-        <source>Lay a bridge</source>
-        <translation>架桥</translation>
-    </message>
-    <message>
-        <source>New crossings</source>
-        <translation>新的相交</translation>
-    </message>
-    <message>
-        <source>The surface crosses itself here now: undo, or smooth it apart.</source>
-        <translation>表面在此处自相交：请撤销，或将其平滑分开。</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -2703,10 +2505,6 @@
     <message>
         <source>Profile</source>
         <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Rims as curves</source>
-        <translation>边界作为曲线</translation>
     </message>
     <message>
         <source>One (proxy)</source>
@@ -2808,6 +2606,230 @@
         <source>Effort not known</source>
         <translation>力矩未知</translation>
     </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation>耳切法</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Rotate about X</source>
+        <translation>绕 X 旋转</translation>
+    </message>
+    <message>
+        <source>Rotate about Y</source>
+        <translation>绕 Y 旋转</translation>
+    </message>
+    <message>
+        <source>Rotate about Z</source>
+        <translation>绕 Z 旋转</translation>
+    </message>
+    <message>
+        <source>Angle between two faces</source>
+        <translation>两面角度</translation>
+    </message>
+    <message>
+        <source>Along a ray</source>
+        <translation>沿射线</translation>
+    </message>
+    <message>
+        <source>Largest inscribed sphere</source>
+        <translation>最大内切球</translation>
+    </message>
+    <message>
+        <source>Two of the vertices are the same.</source>
+        <translation>其中两个顶点相同。</translation>
+    </message>
+    <message>
+        <source>A triangle would be degenerate.</source>
+        <translation>会有三角形退化。</translation>
+    </message>
+    <message>
+        <source>The adjacent triangle has the opposite orientation.</source>
+        <translation>相邻三角形的方向相反。</translation>
+    </message>
+    <message>
+        <source>It would touch the surface at a single vertex only.</source>
+        <translation>它与曲面只会在一个顶点处相接。</translation>
+    </message>
+    <message>
+        <source>It would intersect or touch the part.</source>
+        <translation>它会与零件相交或接触。</translation>
+    </message>
+    <message>
+        <source>A triangle would flip or become degenerate.</source>
+        <translation>会有三角形翻转或退化。</translation>
+    </message>
+    <message>
+        <source>Wavelength (edges)</source>
+        <translation>波长（边数）</translation>
+    </message>
+    <message>
+        <source>Even spacing</source>
+        <translation>均匀间距</translation>
+    </message>
+    <message>
+        <source>Dropped onto a vertex</source>
+        <translation>放到顶点上时</translation>
+    </message>
+    <message>
+        <source>Add a bridge</source>
+        <translation>添加桥接</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>位移</translation>
+    </message>
+    <message>
+        <source>Constrained vertices</source>
+        <translation>受限的顶点</translation>
+    </message>
+    <message>
+        <source>Moving further would flip a triangle or tear the surface.</source>
+        <translation>继续移动会使三角形翻转或曲面撕裂。</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Number of triangles</source>
+        <translation>三角形数量</translation>
+    </message>
+    <message>
+        <source>Preserve sharp edges</source>
+        <translation>保留锐边</translation>
+    </message>
+    <message>
+        <source>It is the outer boundary of an open sheet.</source>
+        <translation>这是开放曲面的外边界。</translation>
+    </message>
+    <message>
+        <source>No valid patch fits its boundary.</source>
+        <translation>没有有效的补片能贴合其边界。</translation>
+    </message>
+    <message>
+        <source>Every patch would intersect the part.</source>
+        <translation>任何补片都会与零件相交。</translation>
+    </message>
+    <message>
+        <source>Every patch would bulge out too far.</source>
+        <translation>任何补片都会明显鼓出。</translation>
+    </message>
+    <message>
+        <source>Sharp edge angle</source>
+        <translation>锐边角度</translation>
+    </message>
+    <message>
+        <source>Preserve open edges</source>
+        <translation>保留开放边</translation>
+    </message>
+    <message>
+        <source>Prevent self-intersections</source>
+        <translation>防止自相交</translation>
+    </message>
+    <message>
+        <source>Area and bending</source>
+        <translation>面积与弯折</translation>
+    </message>
+    <message>
+        <source>Minimum area</source>
+        <translation>最小面积</translation>
+    </message>
+    <message>
+        <source>Minimum bending</source>
+        <translation>最小弯折</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>连续性</translation>
+    </message>
+    <message>
+        <source>Weight of short edges</source>
+        <translation>短边权重</translation>
+    </message>
+    <message>
+        <source>Weight of even angles</source>
+        <translation>均匀角度权重</translation>
+    </message>
+    <message>
+        <source>Weight of small bends</source>
+        <translation>小弯折权重</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>文件的单位</translation>
+    </message>
+    <message>
+        <source>Noise angle</source>
+        <translation>噪声角度</translation>
+    </message>
+    <message>
+        <source>Move boundary vertices, too</source>
+        <translation>同时移动边界顶点</translation>
+    </message>
+    <message>
+        <source>It has no inner edge to split.</source>
+        <translation>内部没有可分割的边。</translation>
+    </message>
+    <message>
+        <source>The precision of the file does not allow finer triangles.</source>
+        <translation>文件的精度不允许更细的三角形。</translation>
+    </message>
+    <message>
+        <source>New self-intersections</source>
+        <translation>新增自相交</translation>
+    </message>
+    <message>
+        <source>The surface now intersects itself here: undo, or smooth it.</source>
+        <translation>曲面在此处出现自相交：请撤销，或对其进行平滑。</translation>
+    </message>
+    <message>
+        <source>Aspect ratio at the boundary</source>
+        <translation>边界处的纵横比</translation>
+    </message>
+    <message>
+        <source>Its outer triangles have become long and thin: go back one level.</source>
+        <translation>外侧三角形已变得细长：请退回一级。</translation>
+    </message>
+    <message>
+        <source>Rate control</source>
+        <translation>速率控制</translation>
+    </message>
+    <message>
+        <source>mm/s per mm</source>
+        <translation>每毫米对应的 mm/s</translation>
+    </message>
+    <message>
+        <source>°/s per degree</source>
+        <translation>每度对应的 °/s</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>速度与精度</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>Hole boundaries as curves</source>
+        <translation>孔洞边界作为曲线</translation>
+    </message>
+    <message>
+        <source>Clip the model</source>
+        <translation>剖切模型</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法向</translation>
+    </message>
+    <message>
+        <source>Flip side</source>
+        <translation>翻转侧</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2820,10 +2842,6 @@
         <translation>细化</translation>
     </message>
     <message>
-        <source>Ear cutting</source>
-        <translation>切耳法</translation>
-    </message>
-    <message>
         <source>Stitched</source>
         <translation>缝合</translation>
     </message>
@@ -2832,56 +2850,12 @@
         <translation>移除</translation>
     </message>
     <message>
-        <source>Triangles as fine as the surroundings, bent to continue them. For scans.</source>
-        <translation>三角形与周围一样细密，并顺着周围弯曲。适合扫描数据。</translation>
-    </message>
-    <message>
-        <source>Triangles as fine as the surroundings, not bent. For flat places.</source>
-        <translation>三角形与周围一样细密，不弯曲。适合平坦处。</translation>
-    </message>
-    <message>
-        <source>Cuts one corner after the other; adds no vertices.</source>
-        <translation>逐个切去角点；不增加顶点。</translation>
-    </message>
-    <message>
-        <source>The smallest possible area; adds no vertices.</source>
-        <translation>面积最小；不增加顶点。</translation>
-    </message>
-    <message>
-        <source>The borders were brought together.</source>
-        <translation>两侧边界已合拢。</translation>
-    </message>
-    <message>
-        <source>The faces around it were removed.</source>
-        <translation>周围的面已移除。</translation>
-    </message>
-    <message>
         <source>cancelled</source>
         <translation>已取消</translation>
     </message>
     <message>
-        <source>it is the outer edge of an open sheet</source>
-        <translation>这是开放曲面的外边界</translation>
-    </message>
-    <message>
-        <source>you asked for it</source>
-        <translation>您要求如此</translation>
-    </message>
-    <message>
         <source>it has more edges than allowed</source>
         <translation>边数超过允许值</translation>
-    </message>
-    <message>
-        <source>no surface fits its edge</source>
-        <translation>没有曲面能贴合其边界</translation>
-    </message>
-    <message>
-        <source>every patch would cross the part</source>
-        <translation>任何补片都会穿过零件</translation>
-    </message>
-    <message>
-        <source>every patch would bulge far out</source>
-        <translation>任何补片都会明显鼓出</translation>
     </message>
     <message>
         <source>it would take too long for a mesh of this size</source>
@@ -2912,10 +2886,6 @@
         <translation>线段</translation>
     </message>
     <message>
-        <source>single points</source>
-        <translation>孤立点</translation>
-    </message>
-    <message>
         <source>curves</source>
         <translation>曲线</translation>
     </message>
@@ -2924,27 +2894,9 @@
         <translation>其他属性</translation>
     </message>
     <message numerus="yes">
-        <source>%n triangle(s) turned over</source>
-        <translation>
-            <numerusform>翻转 %n 个三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangle(s) without area removed</source>
-        <translation>
-            <numerusform>移除 %n 个零面积三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n duplicate triangle(s) removed</source>
         <translation>
             <numerusform>移除 %n 个重复三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n loosely hanging triangle(s) removed</source>
-        <translation>
-            <numerusform>移除 %n 个悬挂三角形</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2953,26 +2905,6 @@
             <numerusform>移除碎片中的 %n 个三角形</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n near point(s) merged</source>
-        <translation>
-            <numerusform>合并 %n 个邻近点</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n touching point(s) parted</source>
-        <translation>
-            <numerusform>分开 %n 个接触点</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Least area</source>
-        <translation>最小面积</translation>
-    </message>
-    <message>
-        <source>Least bend</source>
-        <translation>最小弯折</translation>
-    </message>
     <message>
         <source>Ridges</source>
         <translation>棱线</translation>
@@ -2980,64 +2912,6 @@
     <message>
         <source>Cone</source>
         <translation>锥</translation>
-    </message>
-    <message>
-        <source>Given a back</source>
-        <translation>加背面</translation>
-    </message>
-    <message>
-        <source>The least area of all triangulations; adds no vertices.</source>
-        <translation>所有三角化中面积最小者;不增加顶点。</translation>
-    </message>
-    <message>
-        <source>The least bend between neighbours, then the least area; adds no vertices.</source>
-        <translation>相邻面弯折最小,其次面积最小;不增加顶点。</translation>
-    </message>
-    <message>
-        <source>As fair, with the sharp edges that end at the hole carried through it. For designed parts.</source>
-        <translation>与光顺相同,但终止于孔边的锐边会贯穿补片。适用于设计零件。</translation>
-    </message>
-    <message>
-        <source>Triangles to one point behind or before the hole.</source>
-        <translation>连向孔后或孔前一点的三角形。</translation>
-    </message>
-    <message>
-        <source>The sheet became a thin body.</source>
-        <translation>片体变成了薄实体。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangle(s) cut where patches cross</source>
-        <translation>
-            <numerusform>在补片相交处切开了 %n 个三角形</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Area and bend</source>
-        <translation>面积与弯折</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n cut(s) where the surface had one side only</source>
-        <translation>
-            <numerusform>在仅有一侧的表面上切开 %n 处</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n tangled triangle(s) replaced around holes</source>
-        <translation>
-            <numerusform>替换了孔洞周围 %n 个缠结的三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>crossings cut apart at %n place(s)</source>
-        <translation>
-            <numerusform>在 %n 处切开了相交</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hole(s) to be kept open gone with triangles that were removed</source>
-        <translation>
-            <numerusform>%n 个应保持开放的孔洞随被删除的三角形消失</numerusform>
-        </translation>
     </message>
     <message>
         <source>exact surfaces</source>
@@ -3086,6 +2960,170 @@
         <translation>
             <numerusform>%n 块</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation>耳切法</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Thickened sheet</source>
+        <translation>加厚曲面</translation>
+    </message>
+    <message>
+        <source>Area and bending</source>
+        <translation>面积与弯折</translation>
+    </message>
+    <message>
+        <source>Minimum area</source>
+        <translation>最小面积</translation>
+    </message>
+    <message>
+        <source>Minimum bending</source>
+        <translation>最小弯折</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, curved to continue them. For scans.</source>
+        <translation>三角形与周围一样细密，并顺着周围弯曲。适合扫描数据。</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, not curved. For flat regions.</source>
+        <translation>三角形与周围一样细密，不弯曲。适合平坦处。</translation>
+    </message>
+    <message>
+        <source>Cuts off one corner after the other, the best first; adds no vertices. For holes with many edges.</source>
+        <translation>逐个切去角，最优者先切；不添加顶点。适用于边数很多的孔洞。</translation>
+    </message>
+    <message>
+        <source>Small angles between adjacent triangles, then a small area, using edges of the Delaunay tetrahedralisation; adds no vertices.</source>
+        <translation>使用 Delaunay 四面体剖分的边，先使相邻三角形夹角小，再使面积小；不添加顶点。</translation>
+    </message>
+    <message>
+        <source>Minimises the area; adds no vertices. A hole of more than 300 edges is divided first.</source>
+        <translation>面积最小；不添加顶点。超过 300 条边的孔洞会先被分割。</translation>
+    </message>
+    <message>
+        <source>Minimises the angles between adjacent triangles, then the area; adds no vertices. A hole of more than 300 edges is divided first.</source>
+        <translation>先使相邻三角形的夹角最小，再使面积最小；不添加顶点。超过 300 条边的孔洞会先被分割。</translation>
+    </message>
+    <message>
+        <source>As fair, with the sharp edges that end at the hole continued across it. For designed parts.</source>
+        <translation>与光顺相同,但终止于孔边的锐边会贯穿补片。适用于设计零件。</translation>
+    </message>
+    <message>
+        <source>A planar patch in the best-fitting plane of the boundary; adds no vertices. For openings that were cut.</source>
+        <translation>位于边界最佳拟合平面内的平面补片；不添加顶点。适用于切割出的开口。</translation>
+    </message>
+    <message>
+        <source>Triangles to one apex behind or in front of the hole.</source>
+        <translation>连向孔后或孔前一点的三角形。</translation>
+    </message>
+    <message>
+        <source>The sheet was thickened to a thin body.</source>
+        <translation>曲面已加厚为薄体。</translation>
+    </message>
+    <message>
+        <source>The boundaries were joined.</source>
+        <translation>边界已接合。</translation>
+    </message>
+    <message>
+        <source>The triangles around it were removed.</source>
+        <translation>其周围的三角形已移除。</translation>
+    </message>
+    <message>
+        <source>it is the outer boundary of an open sheet</source>
+        <translation>这是开放曲面的外边界</translation>
+    </message>
+    <message>
+        <source>it is marked to be kept open</source>
+        <translation>已标记为保持开放</translation>
+    </message>
+    <message>
+        <source>no valid patch fits its boundary</source>
+        <translation>没有有效的补片能贴合其边界</translation>
+    </message>
+    <message>
+        <source>every patch would intersect the part</source>
+        <translation>任何补片都会与零件相交</translation>
+    </message>
+    <message>
+        <source>every patch would bulge out too far</source>
+        <translation>任何补片都会明显鼓出</translation>
+    </message>
+    <message>
+        <source>isolated points</source>
+        <translation>孤立点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) reversed</source>
+        <translation>
+            <numerusform>反转了 %n 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n degenerate triangle(s) removed</source>
+        <translation>
+            <numerusform>移除了 %n 个退化三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dangling triangle(s) removed</source>
+        <translation>
+            <numerusform>移除 %n 个悬挂三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n near vertex(ices) merged</source>
+        <translation>
+            <numerusform>合并了 %n 个邻近顶点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) cut where patches intersect</source>
+        <translation>
+            <numerusform>在补片相交处切开了 %n 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>self-intersections resolved at %n place(s)</source>
+        <translation>
+            <numerusform>在 %n 处消除了自相交</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) to be kept open lost with removed triangles</source>
+        <translation>
+            <numerusform>%n 个应保持开放的孔洞随被删除的三角形消失</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n folded triangle(s) replaced around holes</source>
+        <translation>
+            <numerusform>替换了孔洞周围 %n 个折叠的三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s) where the surface was one-sided</source>
+        <translation>
+            <numerusform>在仅有一侧的表面上切开 %n 处</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n touching vertex(ices) separated</source>
+        <translation>
+            <numerusform>分开了 %n 个相接的顶点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the patch bends by %1°, its surroundings by at most %2°</source>
+        <translation>补片弯折 %1°，周围最多 %2°</translation>
+    </message>
+    <message>
+        <source>the patch bulges by %1 % of the size of the hole beyond its surroundings</source>
+        <translation>补片超出周围隆起，达孔洞尺寸的 %1 %</translation>
     </message>
 </context>
 <context>
@@ -3142,10 +3180,6 @@
         <translation>保持开放</translation>
     </message>
     <message>
-        <source>choose none</source>
-        <translation>取消选择</translation>
-    </message>
-    <message>
         <source>Selecting by lasso</source>
         <translation>正在用套索选择</translation>
     </message>
@@ -3162,32 +3196,12 @@
         <translation>围绕面画线</translation>
     </message>
     <message>
-        <source>select all that hangs together</source>
-        <translation>选择所有相连部分</translation>
-    </message>
-    <message>
-        <source>select up to the next edge</source>
-        <translation>选择到下一条棱边</translation>
-    </message>
-    <message>
-        <source>Selecting up to the next edge</source>
-        <translation>正在选择到下一条棱边</translation>
-    </message>
-    <message>
-        <source>Selecting what hangs together</source>
-        <translation>正在选择相连部分</translation>
-    </message>
-    <message>
         <source>Delete faces</source>
         <translation>删除面</translation>
     </message>
     <message>
         <source>add to the selection</source>
         <translation>添加到选择</translation>
-    </message>
-    <message>
-        <source>take out of the selection</source>
-        <translation>从选择中移除</translation>
     </message>
     <message>
         <source>smaller brush</source>
@@ -3200,10 +3214,6 @@
     <message>
         <source>select all</source>
         <translation>全选</translation>
-    </message>
-    <message>
-        <source>select the rest</source>
-        <translation>反选</translation>
     </message>
     <message>
         <source>grow by one ring</source>
@@ -3226,20 +3236,12 @@
         <translation>删除面</translation>
     </message>
     <message>
-        <source>select nothing</source>
-        <translation>清除选择</translation>
-    </message>
-    <message>
         <source>move the joint</source>
         <translation>移动关节</translation>
     </message>
     <message>
         <source>pull the whole arm</source>
         <translation>拖动整个机械臂</translation>
-    </message>
-    <message>
-        <source>put it back</source>
-        <translation>恢复原位</translation>
     </message>
     <message>
         <source>Remove debris</source>
@@ -3250,10 +3252,6 @@
         <translation>第三点</translation>
     </message>
     <message>
-        <source>keep this place</source>
-        <translation>保留此位置</translation>
-    </message>
-    <message>
         <source>first face</source>
         <translation>第一个面</translation>
     </message>
@@ -3262,104 +3260,8 @@
         <translation>第二个面</translation>
     </message>
     <message>
-        <source>the edge has changed meanwhile</source>
-        <translation>边界在此期间已更改</translation>
-    </message>
-    <message>
-        <source>nothing: two of the points are one</source>
-        <translation>无操作：其中两点为同一点</translation>
-    </message>
-    <message>
-        <source>nothing: a triangle would turn over or have no area</source>
-        <translation>无操作：会有三角形翻转或面积为零</translation>
-    </message>
-    <message>
-        <source>nothing: an edge would have more than two triangles</source>
-        <translation>无操作：会有边超过两个三角形</translation>
-    </message>
-    <message>
-        <source>nothing: the triangle beside it faces the other way</source>
-        <translation>无操作：旁边的三角形朝向相反</translation>
-    </message>
-    <message>
-        <source>nothing: it would touch the surface in a point only</source>
-        <translation>无操作：它与曲面只会在一点相接</translation>
-    </message>
-    <message>
-        <source>nothing: it would cross or touch the part</source>
-        <translation>无操作：它会穿过或碰到零件</translation>
-    </message>
-    <message>
-        <source>nothing: there is no open edge</source>
-        <translation>无操作：没有开放边</translation>
-    </message>
-    <message>
-        <source>Pull a point of the edge</source>
-        <translation>拖动边界点</translation>
-    </message>
-    <message>
-        <source>Join points of the edge</source>
-        <translation>连接边界点</translation>
-    </message>
-    <message>
-        <source>Lay a bridge</source>
-        <translation>搭桥</translation>
-    </message>
-    <message>
-        <source>move the point</source>
-        <translation>移动点</translation>
-    </message>
-    <message>
-        <source>move the point as far as it may go</source>
-        <translation>将点移动到允许的最远处</translation>
-    </message>
-    <message>
-        <source>join the points</source>
-        <translation>连接两点</translation>
-    </message>
-    <message>
-        <source>nothing: no other point is near</source>
-        <translation>无操作：附近没有其他点</translation>
-    </message>
-    <message>
-        <source>lay the bridge</source>
-        <translation>搭桥</translation>
-    </message>
-    <message>
         <source>bridge instead of joining</source>
         <translation>搭桥而不连接</translation>
-    </message>
-    <message>
-        <source>no point attracts</source>
-        <translation>不吸附到点</translation>
-    </message>
-    <message>
-        <source>take the smooth edge</source>
-        <translation>采用平滑边界</translation>
-    </message>
-    <message>
-        <source>remove the marked faces</source>
-        <translation>移除已标记的面</translation>
-    </message>
-    <message>
-        <source>leave it as it is</source>
-        <translation>保持原样</translation>
-    </message>
-    <message>
-        <source>choose an edge</source>
-        <translation>选择边界</translation>
-    </message>
-    <message>
-        <source>pull a point; onto another: join them</source>
-        <translation>拖动点；拖到另一点上则连接</translation>
-    </message>
-    <message>
-        <source>lay a bridge to another point</source>
-        <translation>搭桥到另一点</translation>
-    </message>
-    <message>
-        <source>smooth the edge</source>
-        <translation>平滑边界</translation>
     </message>
     <message>
         <source>find islands</source>
@@ -3370,36 +3272,12 @@
         <translation>查找半岛</translation>
     </message>
     <message>
-        <source>Looking at the edge</source>
-        <translation>正在检查边界</translation>
-    </message>
-    <message>
-        <source>Smooth the edge</source>
-        <translation>平滑边界</translation>
-    </message>
-    <message>
         <source>Remove islands</source>
         <translation>移除孤岛</translation>
     </message>
     <message>
         <source>Remove peninsulas</source>
         <translation>移除半岛</translation>
-    </message>
-    <message>
-        <source>Remove triangles</source>
-        <translation>移除三角形</translation>
-    </message>
-    <message>
-        <source>no triangle can go within what is to be kept</source>
-        <translation>在须保留的条件下，没有三角形可移除</translation>
-    </message>
-    <message>
-        <source>remove triangles</source>
-        <translation>移除三角形</translation>
-    </message>
-    <message>
-        <source>Remove triangles without area</source>
-        <translation>移除零面积三角形</translation>
     </message>
     <message>
         <source>Remove duplicate triangles</source>
@@ -3414,44 +3292,12 @@
         <translation>合并它们不能封闭任何缝隙，或会留下超过两个三角形的边</translation>
     </message>
     <message>
-        <source>Part what only touches</source>
-        <translation>分开仅相接触之处</translation>
-    </message>
-    <message>
         <source>it would take too long for a mesh of this size</source>
         <translation>对于这样大小的网格，这会花费太长时间</translation>
     </message>
     <message>
-        <source>every step apart would make the surface cross itself</source>
-        <translation>任何分开的移动都会使曲面自相交</translation>
-    </message>
-    <message>
-        <source>Cut crossings apart</source>
-        <translation>切开相交处</translation>
-    </message>
-    <message>
-        <source>the triangles lie in one plane, lie on others, or are tangled too much to be cut apart</source>
-        <translation>这些三角形共面、与其他三角形重合，或缠结过于严重而无法切开</translation>
-    </message>
-    <message>
-        <source>Give a back</source>
-        <translation>加背面</translation>
-    </message>
-    <message>
-        <source>a back would cross the part, or close a hole that is kept open</source>
-        <translation>背面会穿过零件，或会封闭要保持开放的孔洞</translation>
-    </message>
-    <message>
         <source>Cut and close</source>
         <translation>切开并封闭</translation>
-    </message>
-    <message>
-        <source>what would be cut is folded too much</source>
-        <translation>需切开的部分缠结过于严重</translation>
-    </message>
-    <message>
-        <source>bridge the hole from point to point</source>
-        <translation>在两点之间桥接孔洞</translation>
     </message>
     <message>
         <source>choose the bridges again</source>
@@ -3468,14 +3314,6 @@
     <message>
         <source>second corner, counter-clockwise</source>
         <translation>第二个角点，逆时针方向</translation>
-    </message>
-    <message>
-        <source>third corner: makes the face</source>
-        <translation>第三个角点：创建面</translation>
-    </message>
-    <message>
-        <source>take the last corner back</source>
-        <translation>撤回上一个角点</translation>
     </message>
     <message>
         <source>Smooth surface</source>
@@ -3526,10 +3364,6 @@
         <translation>平滑</translation>
     </message>
     <message>
-        <source>the other way</source>
-        <translation>反向</translation>
-    </message>
-    <message>
         <source>subdivide the patch</source>
         <translation>细分补片</translation>
     </message>
@@ -3562,28 +3396,8 @@
         <translation>雕刻整个表面</translation>
     </message>
     <message>
-        <source>it is there already, has no area, or is too large to tell</source>
-        <translation>零件已在该处、没有面积，或过大而无法判断</translation>
-    </message>
-    <message>
-        <source>put onto the largest flat face</source>
-        <translation>放到最大的平面上</translation>
-    </message>
-    <message>
-        <source>Put onto the largest flat face</source>
-        <translation>放到最大的平面上</translation>
-    </message>
-    <message>
         <source>there is no flat face that the part can stand on, or it stands on it already</source>
         <translation>没有零件可立于其上的平面，或零件已立于其上</translation>
-    </message>
-    <message>
-        <source>align the main axes</source>
-        <translation>对齐主轴</translation>
-    </message>
-    <message>
-        <source>Align the main axes</source>
-        <translation>对齐主轴</translation>
     </message>
     <message>
         <source>centre on the origin</source>
@@ -3594,24 +3408,12 @@
         <translation>居中到原点</translation>
     </message>
     <message>
-        <source>put the low corner into the origin</source>
-        <translation>将最低角点放到原点</translation>
-    </message>
-    <message>
-        <source>Put the low corner into the origin</source>
-        <translation>将最低角点放到原点</translation>
-    </message>
-    <message>
         <source>Place</source>
         <translation>放置</translation>
     </message>
     <message>
         <source>coordinates would become too large</source>
         <translation>坐标会过大</translation>
-    </message>
-    <message>
-        <source>place so</source>
-        <translation>按此放置</translation>
     </message>
     <message>
         <source>reset</source>
@@ -3624,18 +3426,6 @@
     <message>
         <source>join instead of bridging</source>
         <translation>合并而不架桥</translation>
-    </message>
-    <message>
-        <source>Cut and give two sides</source>
-        <translation>切开并赋予两侧</translation>
-    </message>
-    <message>
-        <source>the cut could not be closed without crossing the part</source>
-        <translation>无法在不穿过零件的情况下封闭切口</translation>
-    </message>
-    <message>
-        <source>undo: the surface crosses itself now</source>
-        <translation>撤销：表面现已自相交</translation>
     </message>
     <message>
         <source>Fill hole</source>
@@ -3652,10 +3442,6 @@
     <message>
         <source>Sculpt</source>
         <translation>雕刻</translation>
-    </message>
-    <message>
-        <source>drop the pass</source>
-        <translation>放弃本次走刀</translation>
     </message>
     <message>
         <source>cut a pass</source>
@@ -3698,10 +3484,6 @@
         <translation>正在运行更改此网格的任务</translation>
     </message>
     <message>
-        <source>they are the two sides of a plate without thickness, closed as it is</source>
-        <translation>它们是一块无厚度薄板的两面，本身已封闭</translation>
-    </message>
-    <message>
         <source>no piece is far smaller than the largest</source>
         <translation>没有比最大块小很多的碎块</translation>
     </message>
@@ -3718,8 +3500,276 @@
         <translation>车削走刀 %1：−%2 mm³</translation>
     </message>
     <message>
-        <source>nothing more: the pass is full, release it</source>
-        <translation>到此为止：走刀已满，请松开</translation>
+        <source>no closed surface is inside out</source>
+        <translation>没有内外翻转的封闭曲面</translation>
+    </message>
+    <message>
+        <source>Thicken sheets</source>
+        <translation>加厚曲面</translation>
+    </message>
+    <message>
+        <source>Separate touching parts</source>
+        <translation>分开相接的部分</translation>
+    </message>
+    <message>
+        <source>Make two-sided</source>
+        <translation>变为双侧</translation>
+    </message>
+    <message>
+        <source>Reverse faces</source>
+        <translation>反转面</translation>
+    </message>
+    <message>
+        <source>Resolve self-intersections</source>
+        <translation>消除自相交</translation>
+    </message>
+    <message>
+        <source>cancel the move</source>
+        <translation>取消移动</translation>
+    </message>
+    <message>
+        <source>keep this measurement</source>
+        <translation>保留此测量</translation>
+    </message>
+    <message>
+        <source>the boundary has changed meanwhile</source>
+        <translation>边界在此期间已更改</translation>
+    </message>
+    <message>
+        <source>not possible: two of the vertices are the same</source>
+        <translation>无法执行：其中两个顶点相同</translation>
+    </message>
+    <message>
+        <source>not possible: a triangle would flip or become degenerate</source>
+        <translation>无法执行：会有三角形翻转或退化</translation>
+    </message>
+    <message>
+        <source>not possible: an edge would have more than two triangles</source>
+        <translation>无法执行：会有边超过两个三角形</translation>
+    </message>
+    <message>
+        <source>not possible: the adjacent triangle has the opposite orientation</source>
+        <translation>无法执行：相邻三角形的方向相反</translation>
+    </message>
+    <message>
+        <source>not possible: it would touch the surface at a single vertex only</source>
+        <translation>无法执行：它与曲面只会在一个顶点处相接</translation>
+    </message>
+    <message>
+        <source>not possible: it would intersect or touch the part</source>
+        <translation>无法执行：它会与零件相交或接触</translation>
+    </message>
+    <message>
+        <source>not possible: there is no open edge</source>
+        <translation>无法执行：没有开放边</translation>
+    </message>
+    <message>
+        <source>smooth the boundary</source>
+        <translation>平滑边界</translation>
+    </message>
+    <message>
+        <source>deselect the hole</source>
+        <translation>取消选择孔洞</translation>
+    </message>
+    <message>
+        <source>move the vertex</source>
+        <translation>移动顶点</translation>
+    </message>
+    <message>
+        <source>move the vertex as far as possible</source>
+        <translation>将顶点移动到允许的最远处</translation>
+    </message>
+    <message>
+        <source>join the vertices</source>
+        <translation>连接顶点</translation>
+    </message>
+    <message>
+        <source>not possible: no other vertex is near</source>
+        <translation>无法执行：附近没有其他顶点</translation>
+    </message>
+    <message>
+        <source>add the bridge</source>
+        <translation>添加桥接</translation>
+    </message>
+    <message>
+        <source>drag a vertex; onto another one: join them</source>
+        <translation>拖动顶点；拖到另一顶点上则连接</translation>
+    </message>
+    <message>
+        <source>add a bridge to another vertex</source>
+        <translation>添加到另一顶点的桥接</translation>
+    </message>
+    <message>
+        <source>do not snap</source>
+        <translation>不吸附</translation>
+    </message>
+    <message>
+        <source>apply the smoothed boundary</source>
+        <translation>应用平滑后的边界</translation>
+    </message>
+    <message>
+        <source>remove the marked triangles</source>
+        <translation>移除已标记的三角形</translation>
+    </message>
+    <message>
+        <source>leave it unchanged</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>choose a boundary</source>
+        <translation>选择边界</translation>
+    </message>
+    <message>
+        <source>Analysing the boundary</source>
+        <translation>正在分析边界</translation>
+    </message>
+    <message>
+        <source>reduce triangles</source>
+        <translation>减少三角形</translation>
+    </message>
+    <message>
+        <source>they are the two sides of a plate of zero thickness, which is closed</source>
+        <translation>它们是零厚度板的两面，该板已封闭</translation>
+    </message>
+    <message>
+        <source>every separation would make the surface intersect itself</source>
+        <translation>任何分离都会使曲面自相交</translation>
+    </message>
+    <message>
+        <source>the cut could not be closed without intersecting the part</source>
+        <translation>无法在不与零件相交的情况下封闭切口</translation>
+    </message>
+    <message>
+        <source>the triangles are coplanar, overlap others, or intersect too much to be separated</source>
+        <translation>这些三角形共面、与其他三角形重叠，或相交过于复杂，无法分开</translation>
+    </message>
+    <message>
+        <source>thickening would intersect the part, or close a hole that is kept open</source>
+        <translation>加厚会与零件相交，或会封闭要保持开放的孔洞</translation>
+    </message>
+    <message>
+        <source>the region to be cut is folded too much</source>
+        <translation>要切割的区域折叠过多</translation>
+    </message>
+    <message>
+        <source>bridge the hole from vertex to vertex</source>
+        <translation>在两个顶点之间桥接孔洞</translation>
+    </message>
+    <message>
+        <source>undo the last corner</source>
+        <translation>撤销上一个角点</translation>
+    </message>
+    <message>
+        <source>no triangle can be removed within the given limits</source>
+        <translation>在给定限制内没有可移除的三角形</translation>
+    </message>
+    <message>
+        <source>Reduce triangles</source>
+        <translation>减少三角形</translation>
+    </message>
+    <message>
+        <source>Add a bridge</source>
+        <translation>添加桥接</translation>
+    </message>
+    <message>
+        <source>Join boundary vertices</source>
+        <translation>连接边界顶点</translation>
+    </message>
+    <message>
+        <source>Move a boundary vertex</source>
+        <translation>移动边界顶点</translation>
+    </message>
+    <message>
+        <source>Smooth the boundary</source>
+        <translation>平滑边界</translation>
+    </message>
+    <message>
+        <source>Remove degenerate triangles</source>
+        <translation>移除退化三角形</translation>
+    </message>
+    <message>
+        <source>it is already in place, has no area, or is too large</source>
+        <translation>它已就位、没有面积或尺寸过大</translation>
+    </message>
+    <message>
+        <source>place on the largest flat face</source>
+        <translation>放到最大的平面上</translation>
+    </message>
+    <message>
+        <source>Place on the largest flat face</source>
+        <translation>放到最大的平面上</translation>
+    </message>
+    <message>
+        <source>align the principal axes</source>
+        <translation>对齐主轴</translation>
+    </message>
+    <message>
+        <source>Align the principal axes</source>
+        <translation>对齐主轴</translation>
+    </message>
+    <message>
+        <source>move the minimum corner to the origin</source>
+        <translation>将最小角点移到原点</translation>
+    </message>
+    <message>
+        <source>Move the minimum corner to the origin</source>
+        <translation>将最小角点移到原点</translation>
+    </message>
+    <message>
+        <source>opposite direction</source>
+        <translation>相反方向</translation>
+    </message>
+    <message>
+        <source>undo: the surface now intersects itself</source>
+        <translation>撤销：表面现已自相交</translation>
+    </message>
+    <message>
+        <source>invert the selection</source>
+        <translation>反转选择</translation>
+    </message>
+    <message>
+        <source>reverse the shells of the selected faces</source>
+        <translation>反转所选面所在的壳体</translation>
+    </message>
+    <message>
+        <source>clear the selection</source>
+        <translation>清除选择</translation>
+    </message>
+    <message>
+        <source>select connected faces</source>
+        <translation>选择相连的面</translation>
+    </message>
+    <message>
+        <source>select up to the next sharp edge</source>
+        <translation>选择到下一条锐边</translation>
+    </message>
+    <message>
+        <source>Selecting up to the next sharp edge</source>
+        <translation>正在选择到下一条锐边</translation>
+    </message>
+    <message>
+        <source>Selecting connected faces</source>
+        <translation>正在选择相连的面</translation>
+    </message>
+    <message>
+        <source>remove from the selection</source>
+        <translation>从选择中移除</translation>
+    </message>
+    <message>
+        <source>apply the placement</source>
+        <translation>应用放置</translation>
+    </message>
+    <message>
+        <source>discard the pass</source>
+        <translation>放弃此次走刀</translation>
+    </message>
+    <message>
+        <source>the pass is full: release it</source>
+        <translation>走刀已满：请松开</translation>
+    </message>
+    <message>
+        <source>third corner: creates the face</source>
+        <translation>第三个角点：创建面</translation>
     </message>
 </context>
 <context>
@@ -3832,14 +3882,6 @@
         <translation>无法自动保存 %1</translation>
     </message>
     <message>
-        <source>Save it yourself: if the program ended now, your last changes would be lost.</source>
-        <translation>请自行保存：如果程序此时退出，您最近的更改将会丢失。</translation>
-    </message>
-    <message>
-        <source>They can be recovered as they were last autosaved, or discarded for good; otherwise they are offered again at the next start.</source>
-        <translation>可以恢复到最后一次自动保存的状态，也可以永久丢弃；否则下次启动时会再次提示。</translation>
-    </message>
-    <message>
         <source>Discard</source>
         <translation>丢弃</translation>
     </message>
@@ -3853,10 +3895,6 @@
         <source>The Log names the files.</source>
         <translation>日志中列出了这些文件。</translation>
     </message>
-    <message>
-        <source>What is in them is lost; until they are discarded they stay.</source>
-        <translation>其中的内容已丢失；在丢弃之前它们会一直保留。</translation>
-    </message>
     <message numerus="yes">
         <source>Discarded %Ln autosave(s)</source>
         <translation>
@@ -3867,19 +3905,31 @@
         <source>Discard…</source>
         <translation>丢弃…</translation>
     </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Save it now: if the program ended unexpectedly, your last changes would be lost.</source>
+        <translation>请立即保存：如果程序意外结束，您最近的更改将会丢失。</translation>
+    </message>
+    <message>
+        <source>They can be recovered as they were last autosaved, or discarded permanently; otherwise they are offered again at the next start.</source>
+        <translation>可以恢复到最后一次自动保存的状态，也可以永久丢弃；否则下次启动时会再次提示。</translation>
+    </message>
     <message numerus="yes">
-        <source>Discard %Ln document(s) for good?</source>
+        <source>Discard %Ln document(s) permanently?</source>
         <translation>
             <numerusform>永久丢弃 %Ln 个文档？</numerusform>
         </translation>
     </message>
     <message>
-        <source>Their changes since they were last saved cannot be brought back.</source>
+        <source>Their changes since they were last saved cannot be recovered.</source>
         <translation>自上次保存以来的更改将无法恢复。</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>保留</translation>
+        <source>Their contents are lost. They are kept until you discard them.</source>
+        <translation>其内容已丢失。它们会一直保留，直到您将其丢弃。</translation>
     </message>
 </context>
 <context>
@@ -3892,24 +3942,28 @@
         <source>Grip</source>
         <translation>手柄</translation>
     </message>
+    <message>
+        <source>Drag a knob to move the simulated hand; with keys: arrows, Page Up and Down, Home</source>
+        <translation>拖动滑钮以移动模拟手；按键：方向键、Page Up、Page Down、Home</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::BenchmarkRunner</name>
-    <message>
-        <source>What was measured on this machine cannot be used: %1</source>
-        <translation>本机的测量结果无法使用：%1</translation>
-    </message>
     <message>
         <source>the file is damaged.</source>
         <translation>文件已损坏。</translation>
     </message>
     <message>
-        <source>What was measured before is of another machine (%1).</source>
-        <translation>以前的测量结果来自另一台机器（%1）。</translation>
+        <source>The measurements of this machine cannot be used: %1</source>
+        <translation>本机的测量结果无法使用：%1</translation>
     </message>
     <message>
-        <source>It could not be kept for the next time: %1</source>
-        <translation>无法保存以供下次使用：%1</translation>
+        <source>The stored measurements are from another machine (%1).</source>
+        <translation>已存储的测量结果来自另一台机器（%1）。</translation>
+    </message>
+    <message>
+        <source>The measurements could not be saved: %1</source>
+        <translation>无法保存测量结果：%1</translation>
     </message>
 </context>
 <context>
@@ -3968,6 +4022,10 @@
         <source>Held: %1</source>
         <translation>按住：%1</translation>
     </message>
+    <message>
+        <source>Click to hold a button of the simulated hand, and again to release it; or press its number</source>
+        <translation>单击以按住模拟手的按钮，再次单击以松开；或按其数字键</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CalibrationRow</name>
@@ -3992,15 +4050,15 @@
         <translation>大约需要半分钟。您可以继续工作。</translation>
     </message>
     <message>
-        <source>The curves came with the program: %1, %2.</source>
+        <source>The curves were supplied with the program: %1, %2.</source>
         <translation>曲线随程序提供：%1，%2。</translation>
     </message>
     <message>
-        <source>The curves are of this machine, %1.</source>
+        <source>The curves were measured on this machine, %1.</source>
         <translation>曲线在本机测得，%1。</translation>
     </message>
     <message>
-        <source>%1 of %2 curves are of this machine.</source>
+        <source>%1 of %2 curves were measured on this machine.</source>
         <translation>%2 条曲线中有 %1 条在本机测得。</translation>
     </message>
 </context>
@@ -4039,32 +4097,8 @@
         <translation>重新读取链接的文件(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Forget the linked file</source>
-        <translation>取消与文件的链接(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Put the shape of another file beside the robot</source>
-        <translation>把另一文件的形状放到机器人旁</translation>
-    </message>
-    <message>
-        <source>The same, and remember the file, to read it again when it has changed</source>
-        <translation>同上，并记住该文件，以便更改后重新读取</translation>
-    </message>
-    <message>
         <source>Show all bodies that are hidden</source>
         <translation>显示所有隐藏的物体</translation>
-    </message>
-    <message>
-        <source>Read the file that the selected body is linked to once more</source>
-        <translation>再次读取所选物体链接的文件</translation>
-    </message>
-    <message>
-        <source>Keep the selected body as it is, whatever becomes of its file</source>
-        <translation>无论文件如何变化，保持所选物体不变</translation>
-    </message>
-    <message>
-        <source>Put such a body beside the robot</source>
-        <translation>在机器人旁放置这样的物体</translation>
     </message>
     <message>
         <source>Add a linked body</source>
@@ -4085,14 +4119,6 @@
     <message>
         <source>Remove the selected bodies from the cell</source>
         <translation>从单元中移除所选物体</translation>
-    </message>
-    <message>
-        <source>Neither show nor feel the selected bodies</source>
-        <translation>所选物体既不显示也不可触摸</translation>
-    </message>
-    <message>
-        <source>Take the shape of another file; name, place and colour stay</source>
-        <translation>采用另一文件的形状；名称、位置和颜色不变</translation>
     </message>
     <message>
         <source>Open a robot cell first.</source>
@@ -4131,10 +4157,6 @@
         <translation>重新读取 %1 的文件</translation>
     </message>
     <message>
-        <source>Forget the file of %1</source>
-        <translation>取消 %1 的文件链接</translation>
-    </message>
-    <message>
         <source>Show %1</source>
         <translation>显示 %1</translation>
     </message>
@@ -4153,6 +4175,42 @@
     <message>
         <source>Reading %1</source>
         <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Unlink the &amp;file</source>
+        <translation>取消与文件的链接(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Add the shape of another file beside the robot</source>
+        <translation>在机器人旁添加另一文件的形状</translation>
+    </message>
+    <message>
+        <source>Add the shape of another file and link to the file, to read it again when it has changed</source>
+        <translation>添加另一文件的形状并链接到该文件，以便更改后重新读取</translation>
+    </message>
+    <message>
+        <source>Hide the selected bodies from view and touch</source>
+        <translation>隐藏所选物体，且不可触及</translation>
+    </message>
+    <message>
+        <source>Read the file that the selected body is linked to again</source>
+        <translation>再次读取所选物体链接的文件</translation>
+    </message>
+    <message>
+        <source>Use the shape of another file; name, position and colour are kept</source>
+        <translation>采用另一文件的形状；名称、位置和颜色不变</translation>
+    </message>
+    <message>
+        <source>Keep the selected body as it is, without a link to its file</source>
+        <translation>保持所选物体不变，并取消与其文件的链接</translation>
+    </message>
+    <message>
+        <source>Add a body of this shape beside the robot</source>
+        <translation>在机器人旁添加此形状的物体</translation>
+    </message>
+    <message>
+        <source>Unlink the file of %1</source>
+        <translation>取消 %1 的文件链接</translation>
     </message>
 </context>
 <context>
@@ -4196,35 +4254,35 @@
         <translation>找到的命令</translation>
     </message>
     <message>
-        <source>No command is called that.</source>
-        <translation>没有这个名称的命令。</translation>
+        <source>No matching command.</source>
+        <translation>没有匹配的命令。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::DefectActions</name>
     <message>
-        <source>Mend</source>
-        <translation>修复</translation>
-    </message>
-    <message>
-        <source>Give a &amp;back</source>
-        <translation>加背面(&amp;B)</translation>
-    </message>
-    <message>
         <source>&amp;Cut and close</source>
         <translation>切开并封闭(&amp;C)</translation>
     </message>
     <message>
-        <source>Mend what is chosen in the list of defects</source>
-        <translation>修复缺陷列表中所选的项目</translation>
+        <source>Fix</source>
+        <translation>修复</translation>
     </message>
     <message>
-        <source>Make a thin body of an open sheet: of the selected one, or of all</source>
-        <translation>将开放曲面变为薄实体：所选的一张，或全部</translation>
+        <source>&amp;Thicken sheets</source>
+        <translation>加厚曲面(&amp;T)</translation>
     </message>
     <message>
-        <source>Close the hole across the part, and cut the part where the patch crosses it</source>
-        <translation>横穿零件封闭孔洞，并在补片穿过零件处切开零件</translation>
+        <source>Fix the defects selected in the list</source>
+        <translation>修复列表中所选的缺陷</translation>
+    </message>
+    <message>
+        <source>Turn open sheets into thin closed bodies: the selected one, or all</source>
+        <translation>将开放曲面变为薄的封闭物体：所选的一个，或全部</translation>
+    </message>
+    <message>
+        <source>Close the hole across the part, and cut the part where the patch intersects it</source>
+        <translation>跨零件封闭孔洞，并在补片与零件相交处切割零件</translation>
     </message>
 </context>
 <context>
@@ -4292,10 +4350,6 @@
         <translation>邻近顶点</translation>
     </message>
     <message>
-        <source>Triangles turned over</source>
-        <translation>已翻转的三角形</translation>
-    </message>
-    <message>
         <source>Degenerate triangles</source>
         <translation>退化三角形</translation>
     </message>
@@ -4320,18 +4374,6 @@
         <translation>超过两个三角形共用的边。</translation>
     </message>
     <message>
-        <source>Points at which parts of the surface touch only with a tip.</source>
-        <translation>曲面各部分仅以尖点相接之处。</translation>
-    </message>
-    <message>
-        <source>Vertices on open borders that the file has rounded apart. A repair merges them.</source>
-        <translation>开放边界上因文件舍入而分开的顶点。修复时会合并。</translation>
-    </message>
-    <message>
-        <source>Triangles that faced the wrong way in the file. They were turned over on opening.</source>
-        <translation>文件中朝向有误的三角形，打开时已翻转。</translation>
-    </message>
-    <message>
         <source>Triangles without area.</source>
         <translation>面积为零的三角形。</translation>
     </message>
@@ -4344,24 +4386,52 @@
         <translation>与模型不相连的小块。</translation>
     </message>
     <message>
-        <source>Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.</source>
-        <translation>有意保留的开口，以及开放曲面的外边界。“全部修复”会跳过它们。</translation>
+        <source>Pair %1</source>
+        <translation>第 %1 对</translation>
     </message>
     <message>
-        <source>Pairs of triangles that pass through each other. “Repair all” leaves them as they are.</source>
-        <translation>相互穿过的三角形对。“全部修复”会保持其原样。</translation>
+        <source>Body %1</source>
+        <translation>物体 %1</translation>
     </message>
     <message>
-        <source>Edges with one side</source>
+        <source>Inside out</source>
+        <translation>内外翻转</translation>
+    </message>
+    <message>
+        <source>Reversed on opening</source>
+        <translation>打开时已反转</translation>
+    </message>
+    <message>
+        <source>One-sided edges</source>
         <translation>单侧面的边</translation>
     </message>
     <message>
-        <source>Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.</source>
+        <source>Openings that are intended, and outer boundaries of open sheets. “Repair all” does not close them.</source>
+        <translation>有意保留的开口，以及开放曲面的外边界。“全部修复”不会封闭它们。</translation>
+    </message>
+    <message>
+        <source>Vertices at which parts of the surface touch without sharing an edge.</source>
+        <translation>曲面各部分相接但没有公共边的顶点。</translation>
+    </message>
+    <message>
+        <source>Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.</source>
         <translation>内侧在这些边处变为外侧：表面如莫比乌斯带，只有一侧。</translation>
     </message>
     <message>
-        <source>Pair %1</source>
-        <translation>第 %1 对</translation>
+        <source>Vertices on open edges that differ only by rounding in the file. A repair merges them.</source>
+        <translation>开放边上仅因文件取整而不同的顶点。修复时会将其合并。</translation>
+    </message>
+    <message>
+        <source>Closed surfaces whose triangles face inwards, so that inside and outside are swapped.</source>
+        <translation>三角形朝向内侧的封闭曲面，其内外颠倒。</translation>
+    </message>
+    <message>
+        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
+        <translation>不再是缺陷：文件中与相邻三角形方向相反的三角形在打开时已反转。如果错误的是相邻三角形，“反转面”可反转整个壳体。</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that intersect. “Repair all” leaves them unchanged.</source>
+        <translation>相交的三角形对。“全部修复”不会更改它们。</translation>
     </message>
 </context>
 <context>
@@ -4378,16 +4448,8 @@
 <context>
     <name>handwheel::DeviationPanel</name>
     <message>
-        <source>Fly to the place</source>
-        <translation>飞到该处</translation>
-    </message>
-    <message>
         <source>Back to the defects</source>
         <translation>返回缺陷</translation>
-    </message>
-    <message>
-        <source>Take the colours away</source>
-        <translation>移除颜色</translation>
     </message>
     <message>
         <source>Compare with another file…</source>
@@ -4457,16 +4519,20 @@
         <source>Histogram of the deviation</source>
         <translation>偏差直方图</translation>
     </message>
+    <message>
+        <source>Zoom to this place</source>
+        <translation>缩放到此处</translation>
+    </message>
+    <message>
+        <source>Remove the colours</source>
+        <translation>移除颜色</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DeviationView</name>
     <message>
         <source>De&amp;viation…</source>
         <translation>偏差(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>Show in colours how far the mesh is from what was opened</source>
-        <translation>用颜色显示网格与打开时的距离</translation>
     </message>
     <message>
         <source>Comparing…</source>
@@ -4516,6 +4582,10 @@
         <source>%1 could not be saved</source>
         <translation>无法保存 %1</translation>
     </message>
+    <message>
+        <source>Show the deviation of the mesh from the opened file in colours</source>
+        <translation>用颜色显示网格与所打开文件的偏差</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DeviceCard</name>
@@ -4552,12 +4622,20 @@
         <translation>非实时：怎么办</translation>
     </message>
     <message>
-        <source>Ticks come late when the machine is busy, and walls are made softer for it</source>
-        <translation>机器繁忙时节拍会迟到，墙面会因此变软</translation>
-    </message>
-    <message>
         <source>%1 (unplugged)</source>
         <translation>%1（已拔下）</translation>
+    </message>
+    <message>
+        <source>Simulates at the mouse pointer what a device would feel. The mouse also points and rotates the view without this.</source>
+        <translation>在鼠标指针处模拟设备所感受到的力。不使用此功能时，鼠标同样可以指点和旋转视图。</translation>
+    </message>
+    <message>
+        <source>%1 moves the view. Choose it above only if it is to move the tip.</source>
+        <translation>%1 用于移动视图。仅当要用它移动尖端时才在上方选择它。</translation>
+    </message>
+    <message>
+        <source>Ticks are late when the computer is busy, and the stiffness is reduced to allow for that</source>
+        <translation>计算机繁忙时节拍会延迟，因此降低了刚度</translation>
     </message>
 </context>
 <context>
@@ -4594,35 +4672,35 @@
         <translation>数据</translation>
     </message>
     <message>
-        <source>Safety: nothing is held back.</source>
-        <translation>安全：没有任何限制在起作用。</translation>
+        <source>Safety: the force is not limited.</source>
+        <translation>安全：力未受限制。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::DockTitle</name>
     <message>
-        <source>Fold this panel away</source>
-        <translation>折叠此面板</translation>
+        <source>Dock this panel</source>
+        <translation>停靠此面板</translation>
     </message>
     <message>
-        <source>Fold the panel “%1” away</source>
-        <translation>折叠面板“%1”</translation>
+        <source>Undock this panel</source>
+        <translation>取消停靠此面板</translation>
     </message>
     <message>
-        <source>Put this panel back into the window</source>
-        <translation>将此面板放回窗口</translation>
+        <source>Dock the panel “%1”</source>
+        <translation>停靠面板“%1”</translation>
     </message>
     <message>
-        <source>Take this panel out of the window</source>
-        <translation>将此面板移出窗口</translation>
+        <source>Undock the panel “%1”</source>
+        <translation>取消停靠面板“%1”</translation>
     </message>
     <message>
-        <source>Put the panel “%1” back into the window</source>
-        <translation>将面板“%1”放回窗口</translation>
+        <source>Hide this panel</source>
+        <translation>隐藏此面板</translation>
     </message>
     <message>
-        <source>Take the panel “%1” out of the window</source>
-        <translation>将面板“%1”移出窗口</translation>
+        <source>Hide the panel “%1”</source>
+        <translation>隐藏面板“%1”</translation>
     </message>
 </context>
 <context>
@@ -4799,10 +4877,6 @@
         <translation>打开可读部分</translation>
     </message>
     <message>
-        <source>It was written by a newer version of Handwheel; what only that one knows is not shown.</source>
-        <translation>该文件由更新版本的 Handwheel 写入；仅新版本认识的内容不会显示。</translation>
-    </message>
-    <message>
         <source>…and %1 more, listed in the Log.</source>
         <translation>…还有 %1 项，见日志。</translation>
     </message>
@@ -4817,10 +4891,6 @@
     <message>
         <source>%1 is opened for reading only</source>
         <translation>%1 以只读方式打开</translation>
-    </message>
-    <message>
-        <source>%1 holds more than its surface</source>
-        <translation>%1 不只包含表面</translation>
     </message>
     <message>
         <source>“Save” will ask for a new name, so the original stays as it is.</source>
@@ -4838,10 +4908,6 @@
         <source>%1 is opened as a mesh</source>
         <translation>%1 按网格打开</translation>
     </message>
-    <message>
-        <source>To be noted about %1</source>
-        <translation>关于 %1 的提示</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln more place(s) are damaged</source>
         <translation>
@@ -4851,6 +4917,18 @@
     <message>
         <source>%1 is incomplete</source>
         <translation>%1 不完整</translation>
+    </message>
+    <message>
+        <source>Notes on %1</source>
+        <translation>关于 %1 的说明</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Handwheel; contents that this version does not know are not shown.</source>
+        <translation>此文件由较新版本的 Handwheel 写入；本版本不认识的内容不会显示。</translation>
+    </message>
+    <message>
+        <source>%1 contains more than a surface</source>
+        <translation>%1 不只包含表面</translation>
     </message>
 </context>
 <context>
@@ -4864,10 +4942,6 @@
         <translation>已保存 %1：%2 字节，已回读比对</translation>
     </message>
     <message>
-        <source>%1 holds the state before your last change</source>
-        <translation>%1 保存的是您最后一次更改之前的状态</translation>
-    </message>
-    <message>
         <source>%1 could not be saved</source>
         <translation>无法保存 %1</translation>
     </message>
@@ -4876,36 +4950,12 @@
         <translation>%1 已写入</translation>
     </message>
     <message>
-        <source>It holds the shape, but not all of the document, which is not saved yet.</source>
-        <translation>它包含形状,但不包含整个文档;文档尚未保存。</translation>
-    </message>
-    <message>
-        <source>Save the document as *%1 to go on with it another day.</source>
-        <translation>将文档保存为 *%1,以便日后继续。</translation>
-    </message>
-    <message>
         <source>The display unit is not in this file.</source>
         <translation>显示单位未写入此文件。</translation>
     </message>
     <message>
-        <source>%1 does not hold all of the document</source>
-        <translation>%1 未包含文档的全部内容</translation>
-    </message>
-    <message>
-        <source>It stays open: save it as *%1, too, or do without.</source>
-        <translation>文档保持打开：请另存为 *%1，或不保留这些内容。</translation>
-    </message>
-    <message>
         <source>Saving %1 was cancelled</source>
         <translation>已取消保存 %1</translation>
-    </message>
-    <message>
-        <source>Nothing was written: the file is as it was before.</source>
-        <translation>没有写入任何内容：文件保持原样。</translation>
-    </message>
-    <message>
-        <source>The document is open, with all its changes.</source>
-        <translation>文档仍然打开，所有更改都在。</translation>
     </message>
     <message>
         <source>Save again</source>
@@ -4914,6 +4964,34 @@
     <message>
         <source>Replace</source>
         <translation>替换</translation>
+    </message>
+    <message>
+        <source>%1 contains the state before your last change</source>
+        <translation>%1 保存的是您最后一次更改之前的状态</translation>
+    </message>
+    <message>
+        <source>%1 does not contain the whole document</source>
+        <translation>%1 未包含文档的全部内容</translation>
+    </message>
+    <message>
+        <source>The document stays open. Save it as *%1, too, to keep all of it.</source>
+        <translation>文档保持打开。请同时另存为 *%1，以保留全部内容。</translation>
+    </message>
+    <message>
+        <source>It contains the shape, but not the whole document, which is not saved yet.</source>
+        <translation>它包含形状,但不包含整个文档;文档尚未保存。</translation>
+    </message>
+    <message>
+        <source>Save the document as *%1 to continue with it later.</source>
+        <translation>请将文档另存为 *%1，以便以后继续处理。</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the file is unchanged.</source>
+        <translation>没有写入任何内容：文件未更改。</translation>
+    </message>
+    <message>
+        <source>The document is still open, with all its changes.</source>
+        <translation>文档仍然打开，所有更改都在。</translation>
     </message>
 </context>
 <context>
@@ -4946,7 +5024,7 @@
         <translation>显示帧用时：%2 毫秒中的 %1 毫秒（%3 %）</translation>
     </message>
     <message>
-        <source>Predicted besides, after an edit: %1 ms (%2 %)</source>
+        <source>Predicted in addition, after an edit: %1 ms (%2 %)</source>
         <translation>另外预测编辑之后：%1 毫秒（%2 %）</translation>
     </message>
 </context>
@@ -5001,20 +5079,20 @@
         <translation>比较</translation>
     </message>
     <message>
-        <source>Show what each method makes of this hole</source>
+        <source>%1, by “%2”: the chosen method finds no valid patch</source>
+        <translation>%1，用“%2”：所选方法找不到有效的补片</translation>
+    </message>
+    <message>
+        <source>Show the result of each method for this hole</source>
         <translation>显示每种方法对此孔洞的结果</translation>
     </message>
     <message>
-        <source>%1, by “%2”: the chosen method finds no valid patch</source>
-        <translation>%1，用“%2”：所选方法找不到有效的补片</translation>
+        <source>Look at it: %1.</source>
+        <translation>请检查：%1。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::Inspection</name>
-    <message>
-        <source>Outer edge %1</source>
-        <translation>外边界 %1</translation>
-    </message>
     <message>
         <source>Hole %1</source>
         <translation>孔洞 %1</translation>
@@ -5028,6 +5106,24 @@
     <message>
         <source>%1 — %2</source>
         <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>Area %1.</source>
+        <translation>面积 %1。</translation>
+    </message>
+    <message>
+        <source>Outer boundary %1</source>
+        <translation>外边界 %1</translation>
+    </message>
+    <message>
+        <source>%1 from the best-fitting plane (RMS).</source>
+        <translation>与最佳拟合平面的偏差 %1（均方根）。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
+        <translation>
+            <numerusform>内有 %Ln 个岛：请先移除（孔洞边界工具）。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5093,12 +5189,12 @@
         <translation>此设备没有电机：力只用于显示。</translation>
     </message>
     <message>
-        <source>Let the device push; without this it only points</source>
-        <translation>允许设备施力；否则只用于指点</translation>
-    </message>
-    <message>
         <source>The device pushes gently along each axis. Hold the grip.</source>
         <translation>设备将沿每个轴轻轻推动。请握住手柄。</translation>
+    </message>
+    <message>
+        <source>Let the device apply forces; without this it only points</source>
+        <translation>允许设备施力；否则只用于指点</translation>
     </message>
 </context>
 <context>
@@ -5112,8 +5208,8 @@
         <translation>事件</translation>
     </message>
     <message>
-        <source>The same without a window</source>
-        <translation>等效命令</translation>
+        <source>Command line</source>
+        <translation>命令行</translation>
     </message>
 </context>
 <context>
@@ -5254,10 +5350,6 @@
         <translation>首选项(&amp;P)…</translation>
     </message>
     <message>
-        <source>The tool failed and was put away</source>
-        <translation>工具出错，已退出</translation>
-    </message>
-    <message>
         <source>The document is as it was before.</source>
         <translation>文档保持原样。</translation>
     </message>
@@ -5298,12 +5390,16 @@
         <translation>测量本机(&amp;M)</translation>
     </message>
     <message>
-        <source>How fast each setting of the panel “Fidelity” is here: about half a minute</source>
-        <translation>“保真度”面板的每项设置在本机有多快：大约半分钟</translation>
-    </message>
-    <message>
         <source>Touch</source>
         <translation>触摸</translation>
+    </message>
+    <message>
+        <source>The tool failed and was closed</source>
+        <translation>工具出错，已关闭</translation>
+    </message>
+    <message>
+        <source>Measure how fast each setting of the panel “Fidelity” is on this machine: about half a minute</source>
+        <translation>“保真度”面板的每项设置在本机有多快：大约半分钟</translation>
     </message>
 </context>
 <context>
@@ -5366,44 +5462,20 @@
         <translation>%1：未作任何更改</translation>
     </message>
     <message>
-        <source>Hole &amp;edges</source>
-        <translation>孔洞边界(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas</source>
-        <translation>拖动、连接和桥接边界点；平滑边界；移除孤岛和半岛</translation>
-    </message>
-    <message>
         <source>&amp;Make a face</source>
         <translation>创建面(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Make a face from three points of open edges</source>
-        <translation>用开放边上的三个点创建面</translation>
     </message>
     <message>
         <source>&amp;Reduce triangles</source>
         <translation>减少三角形(&amp;R)</translation>
     </message>
     <message>
-        <source>Make a mesh of fewer triangles that stays near the surface</source>
-        <translation>生成三角形较少且贴近表面的网格</translation>
-    </message>
-    <message>
         <source>&amp;Place</source>
         <translation>放置(&amp;P)</translation>
     </message>
     <message>
-        <source>Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin</source>
-        <translation>按数值移动、旋转和缩放，或放到平面上、对齐坐标轴、移到原点</translation>
-    </message>
-    <message>
         <source>Sc&amp;ulpt</source>
         <translation>雕刻(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
-        <translation>拖动、平滑、膨胀和压平表面；细分补片，并在其任一层级上雕刻</translation>
     </message>
     <message>
         <source>Deviation</source>
@@ -5416,14 +5488,6 @@
     <message>
         <source>Open the sample scan</source>
         <translation>打开示例扫描</translation>
-    </message>
-    <message>
-        <source>Repair a scan</source>
-        <translation>修复扫描</translation>
-    </message>
-    <message>
-        <source>A scanned part with holes. Close the first one with Enter.</source>
-        <translation>一个有孔洞的扫描零件。按 Enter 封闭第一个。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5447,15 +5511,47 @@
             <numerusform>%n 个孔</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n turned over</source>
-        <translation>
-            <numerusform>%n 个已翻转</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Opened %1: %2</source>
         <translation>已打开 %1：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reversed</source>
+        <translation>
+            <numerusform>已反转 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repair a sample scan</source>
+        <translation>修复示例扫描</translation>
+    </message>
+    <message>
+        <source>Opens a sample scan with holes. Press Enter to close the first one.</source>
+        <translation>打开带有孔洞的示例扫描。按 Enter 封闭第一个孔洞。</translation>
+    </message>
+    <message>
+        <source>Hole &amp;boundaries</source>
+        <translation>孔洞边界(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Move, join and bridge boundary vertices; smooth a boundary; remove islands and peninsulas</source>
+        <translation>移动、连接和桥接边界顶点；平滑边界；移除岛和半岛</translation>
+    </message>
+    <message>
+        <source>Make a face from three vertices of open edges</source>
+        <translation>用开放边上的三个顶点创建面</translation>
+    </message>
+    <message>
+        <source>Reduce the number of triangles while staying close to the surface</source>
+        <translation>减少三角形数量，同时贴近表面</translation>
+    </message>
+    <message>
+        <source>Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin</source>
+        <translation>按数值移动、旋转和缩放，或放到平面上、沿坐标轴或放到原点</translation>
+    </message>
+    <message>
+        <source>Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
+        <translation>拖动、平滑、膨胀和压平表面；细分补片，并在其任一层级上雕刻</translation>
     </message>
 </context>
 <context>
@@ -5486,10 +5582,6 @@
         <translation>方法</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>面</translation>
-    </message>
-    <message>
         <source>mm²</source>
         <translation>mm²</translation>
     </message>
@@ -5510,7 +5602,11 @@
         <translation>所有边的均方根:%1</translation>
     </message>
     <message>
-        <source>Bend</source>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Bending</source>
         <translation>弯折</translation>
     </message>
 </context>
@@ -5622,10 +5718,6 @@
         <translation>跟随系统</translation>
     </message>
     <message>
-        <source>Shown from the next start.</source>
-        <translation>下次启动时生效。</translation>
-    </message>
-    <message>
         <source>Save a recovery copy while working</source>
         <translation>工作时保存恢复副本</translation>
     </message>
@@ -5645,6 +5737,30 @@
         <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
         <translation>副本与您的文件分开保存，绝不覆盖；崩溃后会提供恢复。</translation>
     </message>
+    <message>
+        <source>A space mouse moves the view</source>
+        <translation>空间鼠标移动视图</translation>
+    </message>
+    <message>
+        <source>Speed of the space mouse</source>
+        <translation>空间鼠标的速度</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Its speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Its axes are set in the panel “Device” while it is the chosen device.</source>
+        <translation>当它是所选设备时，可在“设备”面板中设置其轴。</translation>
+    </message>
+    <message>
+        <source>Takes effect at the next start.</source>
+        <translation>下次启动时生效。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ReadOnlyRow</name>
@@ -5655,6 +5771,17 @@
     <message>
         <source>no</source>
         <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RecordingSign</name>
+    <message>
+        <source>The device is being recorded. Click to show the recordings</source>
+        <translation>正在录制设备。单击以显示录制内容</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>录制 %1</translation>
     </message>
 </context>
 <context>
@@ -5682,10 +5809,6 @@
     <message>
         <source>&amp;Delete the recording</source>
         <translation>删除录制(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Record where the device is and what it feels, until pressed again</source>
-        <translation>记录设备的位置和所感受到的力，直到再次按下</translation>
     </message>
     <message>
         <source>Let the cursor follow the recording, or pause it</source>
@@ -5757,6 +5880,10 @@
         <source>&amp;Pause the recording</source>
         <translation>暂停录制(&amp;P)</translation>
     </message>
+    <message>
+        <source>Record the position and the force of the device until pressed again</source>
+        <translation>记录设备的位置和力，直到再次按下</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RecordingsPage</name>
@@ -5824,10 +5951,6 @@
         <translation>清除选择(&amp;C)</translation>
     </message>
     <message>
-        <source>Fill all holes except those kept open, and mend the other defects, as one step</source>
-        <translation>一步填补所有未保持开放的孔洞，并修复其他缺陷</translation>
-    </message>
-    <message>
         <source>Remove the small pieces that are not connected with the model</source>
         <translation>移除与模型不相连的小块</translation>
     </message>
@@ -5838,10 +5961,6 @@
     <message>
         <source>Fill the selected hole</source>
         <translation>填补所选孔洞</translation>
-    </message>
-    <message>
-        <source>This opening is meant to be there: “Repair all” leaves it</source>
-        <translation>此开口是有意的：“全部修复”会跳过它</translation>
     </message>
     <message>
         <source>Show the patch of the selected hole before it is filled</source>
@@ -5859,6 +5978,14 @@
         <source>Clear the selection and the preview</source>
         <translation>清除选择和预览</translation>
     </message>
+    <message>
+        <source>Fill all holes except those kept open, and repair the other defects, as one step</source>
+        <translation>一步填补所有未保持开放的孔洞，并修复其他缺陷</translation>
+    </message>
+    <message>
+        <source>Mark this opening as intended: “Repair all” does not close it</source>
+        <translation>将此开口标记为有意保留：“全部修复”不会封闭它</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RepairDemo</name>
@@ -5871,60 +5998,60 @@
         <translation>停止</translation>
     </message>
     <message>
-        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
-        <translation>模拟手用您也有的工具修复示例中的一个孔</translation>
-    </message>
-    <message>
         <source>The hand opens the sample</source>
         <translation>手打开示例</translation>
-    </message>
-    <message>
-        <source>What it does now you can do with a device, or with the mouse.</source>
-        <translation>它现在做的，您用设备或鼠标都可以做。</translation>
     </message>
     <message>
         <source>1 of 5: choose the hole</source>
         <translation>第 1 步，共 5 步：选择孔</translation>
     </message>
     <message>
-        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
-        <translation>边缘的点会吸引尖端。第一个按钮选择孔。</translation>
-    </message>
-    <message>
-        <source>2 of 5: smooth its edge</source>
-        <translation>第 2 步，共 5 步：平滑边缘</translation>
-    </message>
-    <message>
-        <source>Shift+S shows what would become of it. The second button takes it.</source>
-        <translation>Shift+S 显示结果，第二个按钮采用。</translation>
-    </message>
-    <message>
         <source>3 of 5: stitch</source>
         <translation>第 3 步，共 5 步：缝合</translation>
-    </message>
-    <message>
-        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
-        <translation>像拉线一样把一点拉到对面的点：越长越费力。孔被分成两个。</translation>
     </message>
     <message>
         <source>4 of 5: fill both parts</source>
         <translation>第 4 步，共 5 步：填补两部分</translation>
     </message>
     <message>
-        <source>The first button shows the patch of a hole, the second puts it in.</source>
-        <translation>第一个按钮显示孔的补片，第二个按钮放入补片。</translation>
-    </message>
-    <message>
         <source>5 of 5: sculpt the patch</source>
-        <translation>第 5 步，共 5 步：雕塑补片</translation>
-    </message>
-    <message>
-        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
-        <translation>补片被细分，在粗糙层上拉动：细层随之而动，像在弹簧上一样。</translation>
+        <translation>第 5 步，共 5 步：雕刻补片</translation>
     </message>
     <message>
         <source>The seam of both patches is smoothed as a part of the whole surface.</source>
         <translation>两块补片之间的接缝作为整个表面的一部分被平滑。</translation>
+    </message>
+    <message>
+        <source>The simulated hand repairs a hole of the sample with the same tools that you have</source>
+        <translation>模拟手使用与您相同的工具修复示例中的一个孔洞</translation>
+    </message>
+    <message>
+        <source>You can do the same with a device or with the mouse.</source>
+        <translation>您用设备或鼠标都可以做同样的操作。</translation>
+    </message>
+    <message>
+        <source>Boundary vertices attract the tip. The first button chooses the hole.</source>
+        <translation>边界顶点会吸引尖端。第一个按钮选择孔洞。</translation>
+    </message>
+    <message>
+        <source>2 of 5: smooth its boundary</source>
+        <translation>第 2 步，共 5 步：平滑其边界</translation>
+    </message>
+    <message>
+        <source>Shift+S shows a preview. The second button applies it.</source>
+        <translation>Shift+S 显示预览。第二个按钮应用它。</translation>
+    </message>
+    <message>
+        <source>A vertex is pulled to the opposite one: the longer the pull, the stronger the force. The hole is divided into two.</source>
+        <translation>将一个顶点拉向对面的顶点：拉得越远，力越大。孔洞被分成两个。</translation>
+    </message>
+    <message>
+        <source>The first button shows the patch of a hole, the second fills the hole with it.</source>
+        <translation>第一个按钮显示孔洞的补片，第二个按钮用它填补孔洞。</translation>
+    </message>
+    <message>
+        <source>It is subdivided and dragged at its coarse level; the fine level follows as if on a spring.</source>
+        <translation>补片被细分，并在粗层级上拖动；细层级像弹簧一样跟随。</translation>
     </message>
 </context>
 <context>
@@ -5966,14 +6093,6 @@
         <translation>已修复 %1：%2</translation>
     </message>
     <message>
-        <source>A hole that the repair laid open</source>
-        <translation>修复过程中露出的孔洞</translation>
-    </message>
-    <message>
-        <source>%1 was changed meanwhile; the job runs once more</source>
-        <translation>%1 在此期间已更改；任务将重新运行</translation>
-    </message>
-    <message>
         <source>%1 was changed again; the result was discarded</source>
         <translation>%1 再次更改；结果已丢弃</translation>
     </message>
@@ -5984,12 +6103,6 @@
     <message>
         <source>Why: %1.</source>
         <translation>原因：%1。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n more pair(s) of triangles cross; undo takes that back</source>
-        <translation>
-            <numerusform>%1：新增 %n 对相交的三角形；撤销可恢复</numerusform>
-        </translation>
     </message>
     <message>
         <source>Save your work, and try it on a smaller part or in another way.</source>
@@ -6003,9 +6116,27 @@
         <source>The document is as it was before. %1</source>
         <translation>文档保持原样。%1</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n more pair(s) of triangles intersect; undo reverts this</source>
+        <translation>
+            <numerusform>%1：新增 %n 对相交的三角形；撤销可恢复</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>What is left could not be mended without harm; the list of defects names it, and the log says why holes stay open.</source>
-        <translation>剩余的问题无法在不造成损害的情况下修复；缺陷列表会列出它们，日志会说明孔为何保持开放。</translation>
+        <source>The remaining defects could not be repaired without damage. The list of defects shows them, and the log says why holes stay open.</source>
+        <translation>其余缺陷无法在不造成损害的情况下修复。缺陷列表中列出了它们，日志说明了孔洞保持开放的原因。</translation>
+    </message>
+    <message>
+        <source>A hole opened by the repair</source>
+        <translation>修复过程中产生的孔洞</translation>
+    </message>
+    <message>
+        <source>%1 was changed meanwhile; the job runs again</source>
+        <translation>%1 在此期间已更改；任务将重新运行</translation>
+    </message>
+    <message>
+        <source>Look at the patch of %1: %2</source>
+        <translation>请检查 %1 的补片：%2</translation>
     </message>
 </context>
 <context>
@@ -6028,10 +6159,6 @@
     <message>
         <source>Robot cell</source>
         <translation>机器人单元</translation>
-    </message>
-    <message>
-        <source>An arm with six joints. Move it by hand within its limits.</source>
-        <translation>六关节手臂。在限位内手动移动。</translation>
     </message>
     <message>
         <source>Move &amp;joints by hand</source>
@@ -6080,24 +6207,28 @@
         <translation>添加</translation>
     </message>
     <message>
-        <source>%1 is inside something else</source>
-        <translation>%1 位于其他物体内部</translation>
-    </message>
-    <message>
-        <source>It stands where its file says; all else is see-through while it is selected.</source>
-        <translation>它位于文件指定的位置；选中期间其他物体均为透明。</translation>
-    </message>
-    <message>
         <source>Type another position in the panel.</source>
         <translation>请在面板中输入其他位置。</translation>
     </message>
     <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The panel adds bodies beside the robot.</source>
-        <translation>用鼠标拖动连杆，按住 Shift 拖动整个手臂。关节列表可输入角度。面板可在机器人旁添加物体。</translation>
-    </message>
-    <message>
         <source>Cell</source>
         <translation>单元</translation>
+    </message>
+    <message>
+        <source>It is at the position given in its file; everything else is transparent while it is selected.</source>
+        <translation>它位于其文件给定的位置；选中时其余部分显示为透明。</translation>
+    </message>
+    <message>
+        <source>Opens a sample arm with six joints. Drag its links within their limits.</source>
+        <translation>打开带有六个关节的示例机械臂。可在限位内拖动各连杆。</translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies beside the robot in the panel.</source>
+        <translation>用鼠标拖动连杆，或按住 Shift 拖动整个机械臂。在关节列表中输入角度。在面板中添加机器人旁的物体。</translation>
+    </message>
+    <message>
+        <source>%1 is inside another object</source>
+        <translation>%1 位于另一个物体内部</translation>
     </message>
 </context>
 <context>
@@ -6133,10 +6264,6 @@
         <translation>运行中</translation>
     </message>
     <message>
-        <source>asleep</source>
-        <translation>休眠</translation>
-    </message>
-    <message>
         <source>Service</source>
         <translation>服务</translation>
     </message>
@@ -6166,28 +6293,9 @@
             <numerusform>丢失 %n 个输入</numerusform>
         </translation>
     </message>
-</context>
-<context>
-    <name>handwheel::ServiceStatistics</name>
     <message>
-        <source>%1: %2 µs/s</source>
-        <translation>%1：%2 µs/s</translation>
-    </message>
-    <message>
-        <source>%1 µs/s</source>
-        <translation>%1 µs/s</translation>
-    </message>
-    <message>
-        <source>Services: %1</source>
-        <translation>服务：%1</translation>
-    </message>
-    <message>
-        <source>No service runs</source>
-        <translation>没有服务在运行</translation>
-    </message>
-    <message>
-        <source>CPU time that what runs beside the window takes in a second</source>
-        <translation>窗口之外运行的服务每秒占用的 CPU 时间</translation>
+        <source>idle</source>
+        <translation>空闲</translation>
     </message>
 </context>
 <context>
@@ -6199,14 +6307,6 @@
     <message>
         <source>&amp;Add a mesh…</source>
         <translation>添加网格(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>Open each shell, what hangs together across edges, as a document of its own</source>
-        <translation>将每个壳体(通过边相连的部分)作为单独的文档打开</translation>
-    </message>
-    <message>
-        <source>Put the mesh of another file into this one, where it stands</source>
-        <translation>将另一文件的网格按其位置放入此网格</translation>
     </message>
     <message numerus="yes">
         <source>Split into %Ln shell(s)</source>
@@ -6225,10 +6325,6 @@
         </translation>
     </message>
     <message>
-        <source>“handwheel split” writes so many into a folder. Debris can be removed before.</source>
-        <translation>“handwheel split”可将这么多壳体写入文件夹。可先移除碎片。</translation>
-    </message>
-    <message>
         <source>Add a mesh</source>
         <translation>添加网格</translation>
     </message>
@@ -6244,6 +6340,18 @@
         <source>The shells could not be opened</source>
         <translation>无法打开壳体</translation>
     </message>
+    <message>
+        <source>Open each shell (triangles connected across edges) as a separate document</source>
+        <translation>将每个壳体（通过边相连的三角形）作为单独的文档打开</translation>
+    </message>
+    <message>
+        <source>Add the mesh of another file to this one, at its own position</source>
+        <translation>将另一文件的网格按其自身位置添加到此网格</translation>
+    </message>
+    <message>
+        <source>“handwheel split” writes that many into a folder. Debris can be removed first.</source>
+        <translation>“handwheel split”可将这么多壳体写入文件夹。可先移除碎片。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ShortcutEditor</name>
@@ -6258,14 +6366,6 @@
     <message>
         <source>Reset</source>
         <translation>重置</translation>
-    </message>
-    <message>
-        <source>Back to the key that the program gives it</source>
-        <translation>恢复程序默认的按键</translation>
-    </message>
-    <message>
-        <source>Take it from them</source>
-        <translation>从其他命令取走</translation>
     </message>
     <message>
         <source>The other commands lose this key</source>
@@ -6296,16 +6396,8 @@
         <translation>全部重置</translation>
     </message>
     <message>
-        <source>All keys as the program gives them</source>
-        <translation>所有按键恢复程序默认</translation>
-    </message>
-    <message>
         <source>Import…</source>
         <translation>导入…</translation>
-    </message>
-    <message>
-        <source>Take the keys from a file</source>
-        <translation>从文件读取按键</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6320,10 +6412,6 @@
         <translation>选择命令以更改其按键。</translation>
     </message>
     <message>
-        <source>The same key starts “%1”; so neither works.</source>
-        <translation>同一按键也用于“%1”；两者都不会生效。</translation>
-    </message>
-    <message>
         <source>”, “</source>
         <translation>”、“</translation>
     </message>
@@ -6336,20 +6424,40 @@
         <translation>按键 (*.json)</translation>
     </message>
     <message>
-        <source>The keys were taken from the file.</source>
-        <translation>已从文件读取按键。</translation>
-    </message>
-    <message>
         <source>Export keys</source>
         <translation>导出按键</translation>
     </message>
     <message>
-        <source>The changed keys were written.</source>
-        <translation>已写入更改的按键。</translation>
+        <source>Restore the default key</source>
+        <translation>恢复默认按键</translation>
     </message>
     <message>
-        <source>The same key starts “%1”. In the view the tool in use takes it.</source>
-        <translation>同一按键也用于“%1”。在视图中由正在使用的工具响应。</translation>
+        <source>Reassign</source>
+        <translation>重新分配</translation>
+    </message>
+    <message>
+        <source>Restore all default keys</source>
+        <translation>恢复所有默认按键</translation>
+    </message>
+    <message>
+        <source>Read the keys from a file</source>
+        <translation>从文件读取按键</translation>
+    </message>
+    <message>
+        <source>“%1” has the same key, so neither works.</source>
+        <translation>“%1”使用相同的按键，因此两者都无效。</translation>
+    </message>
+    <message>
+        <source>“%1” has the same key. In the view, the key acts on the active tool.</source>
+        <translation>“%1”使用相同的按键。在视图中，该按键作用于当前工具。</translation>
+    </message>
+    <message>
+        <source>The keys were imported.</source>
+        <translation>已导入按键。</translation>
+    </message>
+    <message>
+        <source>The changed keys were exported.</source>
+        <translation>已导出更改的按键。</translation>
     </message>
 </context>
 <context>
@@ -6363,20 +6471,27 @@
         <translation>按键</translation>
     </message>
     <message>
-        <source>In every tool Return finishes and Esc gives up: these keys stay as they are.</source>
-        <translation>在每个工具中，Return 表示完成，Esc 表示放弃：这些按键保持不变。</translation>
-    </message>
-    <message>
         <source>Return, Enter and Esc end what a tool does. No other command can have them.</source>
         <translation>Return、Enter 和 Esc 用于结束工具的操作，不能分配给其他命令。</translation>
     </message>
     <message>
-        <source>There is no such key.</source>
+        <source>In every tool Return finishes and Esc cancels: these keys cannot be changed.</source>
+        <translation>在所有工具中，Return 完成操作，Esc 取消操作：这些按键无法更改。</translation>
+    </message>
+    <message>
+        <source>This key does not exist.</source>
         <translation>没有这样的按键。</translation>
     </message>
     <message>
-        <source>In a tool a single press has to do.</source>
-        <translation>在工具中只能使用单次按键。</translation>
+        <source>In a tool, a shortcut must be a single key press.</source>
+        <translation>在工具中，快捷键只能是一次按键。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SpaceMouseNavigation</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
     </message>
 </context>
 <context>
@@ -6440,12 +6555,6 @@
             <numerusform>%Ln 个保持开放</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln turned over</source>
-        <translation>
-            <numerusform>%Ln 个已翻转</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not oriented</source>
         <translation>方向不一致</translation>
@@ -6453,6 +6562,16 @@
     <message>
         <source>Self-intersecting</source>
         <translation>自相交</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>内外翻转</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln reversed on opening</source>
+        <translation>
+            <numerusform>打开时反转了 %Ln 个</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6485,20 +6604,20 @@
         <translation>未写入 %1</translation>
     </message>
     <message>
-        <source>There is no file from which the steps lead to the present state.</source>
-        <translation>没有可由这些步骤得到当前状态的文件。</translation>
-    </message>
-    <message>
-        <source>Save the document as *.handwheel, and go on from there.</source>
-        <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
-    </message>
-    <message>
         <source>%1 could not be saved</source>
         <translation>无法保存 %1</translation>
     </message>
     <message>
         <source>Saved the steps as %1</source>
         <translation>步骤已保存为 %1</translation>
+    </message>
+    <message>
+        <source>There is no file from which the steps reproduce the current state.</source>
+        <translation>没有可由这些步骤得到当前状态的文件。</translation>
+    </message>
+    <message>
+        <source>Save the document as *.handwheel, and continue from there.</source>
+        <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
     </message>
 </context>
 <context>
@@ -6611,8 +6730,8 @@
         <translation>捕捉设备(&amp;S)</translation>
     </message>
     <message>
-        <source>Let what the tool in use takes by a click draw the tip of the device</source>
-        <translation>当前工具点击即可选取的对象会吸引设备尖端</translation>
+        <source>Attract the tip of the device to what a click of the active tool would choose</source>
+        <translation>将设备尖端吸引到当前工具点击时会选取的对象</translation>
     </message>
 </context>
 <context>
@@ -6712,14 +6831,6 @@
 <context>
     <name>handwheel::ViewSettings</name>
     <message>
-        <source>&amp;Cut the model open</source>
-        <translation>剖开模型(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Clipping plane: look inside; the panel “View” places it</source>
-        <translation>剖切平面:查看内部;在“视图”面板中定位</translation>
-    </message>
-    <message>
         <source>Perspective inste&amp;ad of parallel</source>
         <translation>以透视代替平行投影(&amp;A)</translation>
     </message>
@@ -6734,6 +6845,14 @@
     <message>
         <source>The cube in the corner that turns the view</source>
         <translation>角落里用于旋转视图的立方体</translation>
+    </message>
+    <message>
+        <source>&amp;Clip the model</source>
+        <translation>剖切模型(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Clip the model by a plane to look inside; the panel “View” positions the plane</source>
+        <translation>用平面剖切模型以查看内部；可在“视图”面板中设置平面位置</translation>
     </message>
 </context>
 <context>
@@ -6798,14 +6917,6 @@
         <translation>打开用于车床的示例轴</translation>
     </message>
     <message>
-        <source>Lathe exercise</source>
-        <translation>车削练习</translation>
-    </message>
-    <message>
-        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
-        <translation>一根车床用的轴。设定尺寸,另存为 STEP。</translation>
-    </message>
-    <message>
         <source>&amp;Turn</source>
         <translation>车削(&amp;T)</translation>
     </message>
@@ -6816,6 +6927,22 @@
     <message>
         <source>It was cut already, so its size is fixed. “Save as” writes STEP, too.</source>
         <translation>它已被切削，尺寸固定。“另存为”也可写入 STEP。</translation>
+    </message>
+    <message>
+        <source>Undo the passes to change the size.</source>
+        <translation>请撤销走刀以更改尺寸。</translation>
+    </message>
+    <message>
+        <source>It was cut already, so its size is fixed.</source>
+        <translation>它已被切削，因此尺寸已固定。</translation>
+    </message>
+    <message>
+        <source>Turn a sample bar</source>
+        <translation>车削示例棒料</translation>
+    </message>
+    <message>
+        <source>Opens a sample bar. Cut it to a shaft by hand, save it as STEP.</source>
+        <translation>打开示例棒料。手动将其车削成轴，并保存为 STEP。</translation>
     </message>
 </context>
 </TS>

@@ -45,8 +45,8 @@ Result<BenchmarkRun> benchmarkMachine(const FidelityRegistry& registry,
 
 std::string readableText(const BenchmarkRun& run) {
   std::string text = "Machine: " + run.calibration.machine + "\n";
-  if (run.kept) text += "Kept in: " + run.file.string() + "\n";
-  text += "\nCost here in the worst case, at the presets and at the default\n";
+  if (run.kept) text += "Saved in: " + run.file.string() + "\n";
+  text += "\nCost on this machine in the worst case, at the presets and at the default\n";
   std::vector<TableRow> rows{{"setting", "unit", "draft", "balanced", "exact", "default"}};
   for (const MeasuredSetting& m : run.measured) {
     TableRow row{m.setting.id, m.setting.cost.unit};
@@ -56,7 +56,7 @@ std::string readableText(const BenchmarkRun& run) {
   }
   text += alignedTable(rows);
   if (run.calibration.ticksInUse.empty()) return text;
-  text += "\nA tick in touch, as the loop sleeps in between\n";
+  text += "\nServo tick in contact, with the loop sleeping in between\n";
   rows = {{"rate", "unit", "us", "% of its period"}};
   for (const auto& [rate, tick] : run.calibration.ticksInUse)
     rows.push_back({roundedText(rate, 4), "Hz", roundedText(tick, 3), roundedText(1e-4 * tick * rate, 3)});

@@ -116,8 +116,9 @@ std::string overview(const Registered& registered) {
     page += "  " + name + std::string(11 - name.size(), ' ') + std::string(firstSentence(command.spec.summary)) + "\n";
   }
   return page +
-         "\n'handwheel help COMMAND' says more. --version shows the version.\n"
-         "Exit codes: 0 done, 1 error, 2 something is left or over budget (repair, edit, measure), 130 interrupted.\n";
+         "\n"
+         "'handwheel help COMMAND' gives details. --version shows the version.\n"
+         "Exit codes: 0 done, 1 error, 2 incomplete or over budget (repair, edit, measure), 130 interrupted.\n";
 }
 
 int helpOn(const Command& command, const Registered& registered) {

@@ -18,7 +18,7 @@ std::string readFidelity(const Arguments& arguments, std::string_view command, s
     if (std::any_of(read.begin(), read.end(), isRead)) continue;
     std::string names;
     for (const FidelitySetting& setting : read) names += (names.empty() ? "" : ", ") + setting.id;
-    return "The command " + std::string(command) + " does not read the setting " + id + ", but " + names + ".";
+    return "The command " + std::string(command) + " does not use the setting " + id + ", but " + names + ".";
   }
   values = *chosen;
   return {};

@@ -72,7 +72,7 @@ MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progre
 std::vector<std::string> lossSentences(const DocumentFile& file) {
   std::vector<std::string> all;
   if (file.isNewer)
-    all.emplace_back("A newer version of Handwheel wrote the file; it is read as far as it is understood.");
+    all.emplace_back("A newer version of Handwheel wrote the file; only what this version knows was read.");
   for (std::string& note : damageSentences(file)) all.push_back(std::move(note));
   if (!file.lost.empty()) all.push_back("Not kept: " + listOf(file.lost) + ".");
   for (const Note& note : file.notes) all.push_back(noteText(note).toStdString());
@@ -107,12 +107,12 @@ bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kind
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input) {
   if (!checkNotNewer(output)) {
     return output.string() +
-           " was written by a newer version of Handwheel and is not replaced, so that nothing that only that one knows "
-           "is lost. Write to another file.";
+           " was written by a newer version of Handwheel and is not replaced, so that no content unknown to this "
+           "version is lost. Write to another file.";
   }
   const bool isWhole = input.damage.empty() && input.unlistedDamage == 0;
   if (!input.isContainer || isWhole || !isSameFile(input.path, output)) return {};
-  return output.string() + " is damaged and is not replaced, so that no more of it is lost. Write to another file.";
+  return output.string() + " is damaged and is not replaced, to prevent further loss. Write to another file.";
 }
 
 }  // namespace handwheel

@@ -113,9 +113,9 @@ CommandSpec pictureSpec() {
       "does so under xvfb-run.",
       {
           {"scan", 0, "FILE", "Draw a mesh from four sides, coloured by its distance from this one"},
-          {"range", 0, "MM", "The distance at which the colours end (default: the 99th percentile)"},
-          {"partial", 0, "", "Read what is readable of a damaged file"},
-          {"help", 'h', "", "Show this page"},
+          {"range", 0, "MM", "Distance at the end of the colour scale (default: the 99th percentile)"},
+          {"partial", 0, "", "Read the undamaged part of a damaged file"},
+          {"help", 'h', "", "Show this help"},
       }};
 }
 
@@ -130,10 +130,10 @@ int renderInChildProcess(const PictureRequest& request) {
   if (code != kExitDone && wasInterrupted()) return kExitInterrupted;
   if (code == 127) complain("No picture was made: there is no display, and xvfb-run is not installed.");
   if (code == 128 + SIGKILL) {
-    complain("No picture was made: the system ended the process that draws it; memory may have run out.");
+    complain("No picture was made: the system ended the rendering process; memory may have run out.");
   } else if (code > 128) {
-    complain(std::string("No picture was made: the process that draws it ended unexpectedly (") +
-             strsignal(code - 128) + "). The graphics failed, or memory ran out.");
+    complain(std::string("No picture was made: the rendering process ended unexpectedly (") + strsignal(code - 128) +
+             "). The graphics failed, or memory ran out.");
   }
   return code == kExitDone ? kExitDone : kExitError;
 }

@@ -24,8 +24,13 @@ Json toJson(const Box& box) {
 Json toJson(const MeshReport& report) {
   Json loops = Json::array();
   for (const LoopReport& loop : report.loops) {
-    loops.push_back(
-        {{"id", loop.id}, {"edges", loop.edges}, {"length_mm", loop.lengthMm}, {"planarity", loop.planarity}});
+    loops.push_back({{"id", loop.id},
+                     {"edges", loop.edges},
+                     {"length_mm", loop.lengthMm},
+                     {"area_mm2", loop.areaMm2},
+                     {"planarity", loop.planarity},
+                     {"islands", loop.islands},
+                     {"rim", loop.rim}});
   }
   return {
       {"triangles", report.triangles},
@@ -41,6 +46,9 @@ Json toJson(const MeshReport& report) {
       {"non_manifold_vertices", report.nonManifoldVertices},
       {"degenerate_faces", report.degenerateFaces},
       {"duplicate_faces", report.duplicateFaces},
+      {"reversed_faces", report.reversedFaces},
+      {"near_vertices", report.nearVertices},
+      {"debris", report.debris},
       {"self_intersecting_pairs", orNull(report.selfIntersectingPairs)},
       {"volume_mm3", orNull(report.volumeMm3)},
       {"bounding_box_mm", toJson(report.box)},

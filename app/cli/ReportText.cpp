@@ -25,13 +25,18 @@ std::string rightAligned(const std::string& text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-std::string loopTable(const std::vector<LoopReport>& loops) {
-  std::string table = "\nBoundary loops\n    id   edges     length (mm)   planarity\n";
+// Of the holes, or of the outer edges of open sheets; nothing where there is none.
+std::string loopTable(const std::vector<LoopReport>& loops, bool isOfRims, const std::string& title) {
+  std::string table = "\n" + title + "\n    id   edges     length (mm)      area (mm2)   planarity   islands\n";
+  bool isAny = false;
   for (const LoopReport& loop : loops) {
+    if (loop.rim != isOfRims) continue;
+    isAny = true;
     table += rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
-             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.planarity), 12) + "\n";
+             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.areaMm2), 16) +
+             rightAligned(roundedText(loop.planarity), 12) + rightAligned(std::to_string(loop.islands), 10) + "\n";
   }
-  return table;
+  return isAny ? table : std::string();
 }
 
 }  // namespace
@@ -44,20 +49,23 @@ std::string readableText(const MeshReport& report) {
   text += line("Closed", yesNo(report.closed));
   text += line("Manifold", yesNo(report.manifold));
   text += line("Oriented", yesNo(report.oriented));
-  if (report.insideOutBodies > 0) text += line("Inside out", std::to_string(report.insideOutBodies) + " bodies");
+  if (report.insideOutBodies > 0)
+    text += line("Inside out",
+                 std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));
   text += line("Boundary loops", std::to_string(report.loops.size()));
   text += line("Non-manifold edges", std::to_string(report.nonManifoldEdges));
   text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));
-  text += line("Degenerate faces", std::to_string(report.degenerateFaces));
-  text += line("Duplicate faces", std::to_string(report.duplicateFaces));
+  text += line("Degenerate triangles", std::to_string(report.degenerateFaces));
+  text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
+  if (report.reversedFaces > 0) text += line("Triangles reversed", std::to_string(report.reversedFaces));
+  if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
+  if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
   const auto& pairs = report.selfIntersectingPairs;
   text += line("Self-intersecting pairs", pairs ? std::to_string(*pairs) : "not counted");
-  text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "none, the surface is open");
+  text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "undefined, the surface is open");
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
-  if (!report.loops.empty()) text += loopTable(report.loops);
-  for (const LoopReport& loop : report.loops) {
-    if (loop.rim) text += "Loop " + std::to_string(loop.id) + " is the outer edge of an open sheet.\n";
-  }
+  text += loopTable(report.loops, false, "Holes");
+  text += loopTable(report.loops, true, "Outer boundaries of open sheets");
   return text;
 }
 

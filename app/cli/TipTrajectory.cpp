@@ -41,7 +41,7 @@ class PathReader {
       if (line.empty() || line.front() == '#') continue;
       m_hasHeader ? readPose(line) : readHeader(line);
     }
-    if (m_path.problem.empty() && m_path.poses.empty()) m_path.problem = "There is no line of numbers in it.";
+    if (m_path.problem.empty() && m_path.poses.empty()) m_path.problem = "It has no line of numbers.";
     return std::move(m_path);
   }
 
@@ -84,9 +84,9 @@ class PathReader {
     }
     for (std::size_t k = 0; k < kNames.size(); ++k)
       if (std::isnan(values[k])) return refuse("The value for " + std::string(kNames[k]) + " is missing.");
-    if (!m_path.poses.empty() && values[0] < m_path.poses.back().time) return refuse("The time must not fall.");
+    if (!m_path.poses.empty() && values[0] < m_path.poses.back().time) return refuse("The time must not decrease.");
     if (m_path.poses.size() == kMostPoses)
-      return refuse("A path may have " + std::to_string(kMostPoses) + " lines and no more.");
+      return refuse("A path can have at most " + std::to_string(kMostPoses) + " lines.");
     HandPose pose;
     pose.time = values[0];
     pose.position = Vec3(values[1], values[2], values[3]);

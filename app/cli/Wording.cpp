@@ -5,6 +5,8 @@
 #include "cli/Messages.h"
 #include "text/RepairText.h"
 
+#include <cctype>
+
 namespace handwheel {
 
 namespace {
@@ -13,16 +15,21 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
+std::string nameOf(const LoopResult& loop) {
+  return loop.id < 0 ? "a hole opened by the repair" : "loop " + std::to_string(loop.id);
+}
+
 std::string leftOpen(const LoopResult& loop) {
   const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
-  const std::string name = loop.id < 0 ? "A hole that the repair laid open" : "Loop " + std::to_string(loop.id);
+  std::string name = nameOf(loop);
+  name.front() = static_cast<char>(std::toupper(name.front()));
   return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
 }
 
 // To be said of what was wanted; nothing where all of it was done.
 std::string cutShort(bool isCutShort, const std::string& what) {
   if (!isCutShort) return {};
-  return " " + what + " was cut short: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
+  return " " + what + " is incomplete: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
 }
 
 }  // namespace
@@ -46,6 +53,16 @@ std::string filledText(std::size_t filled, std::size_t holes) {
 std::string reasonSentence(FillFailure failure) {
   const QString reason = fillFailureReason(failure);
   return (reason.left(1).toUpper() + reason.mid(1) + '.').toStdString();
+}
+
+std::vector<std::string> patchWarnings(const RepairReport& repair) {
+  std::vector<std::string> lines;
+  for (const LoopResult& loop : repair.loops) {
+    const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
+    if (!warning.isEmpty())
+      lines.push_back("Look at the patch of " + nameOf(loop) + ": " + warning.toStdString() + ".");
+  }
+  return lines;
 }
 
 std::string listOf(const std::vector<LostAttribute>& attributes) {
@@ -80,32 +97,33 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
     }
   }
   if (sheets > 0) {
-    lines.push_back(counted(sheets, "outer edge of an open sheet stays", "outer edges of open sheets stay") +
-                    " open. --rims back makes thin bodies of the sheets, --rims fill closes the edges as holes.");
+    lines.push_back(
+        counted(sheets, "outer boundary of an open sheet stays", "outer boundaries of open sheets stay") +
+        " open. --rims back thickens the sheets to thin bodies, --rims fill closes the boundaries as holes.");
   }
   if (lines.empty() && after.boundaryEdges > 0) {
-    lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one face.");
+    lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one triangle.");
   }
   if (after.nonManifoldEdges > 0) {
-    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two faces." +
-                    cutShort(repair.isSeparationIncomplete, "Moving apart what touches"));
+    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two triangles." +
+                    cutShort(repair.isSeparationIncomplete, "Separating touching parts"));
   }
   if (after.inconsistentEdges > 0) {
     lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
-                    " the faces disagree on which side is outside.");
+                    " the adjacent triangles have inconsistent orientation.");
   }
   if (after.insideOutBodies > 0) {
     lines.push_back(counted(after.insideOutBodies, "closed surface is", "closed surfaces are") +
-                    " inside out; 'handwheel edit' with the step reverse turns the outside out.");
+                    " inside out; 'handwheel edit' with the step reverse reverses them.");
   }
   if (after.nonManifoldVertices > 0) {
-    lines.push_back("At " + counted(after.nonManifoldVertices, "point", "points") + " faces touch that share no edge.");
+    lines.push_back("At " + counted(after.nonManifoldVertices, "vertex", "vertices") +
+                    " triangles touch that share no edge.");
   }
   if (const std::size_t pairs = after.selfIntersectingPairs.value_or(0); pairs > 0) {
-    lines.push_back(
-        "The surface passes through itself: " + counted(pairs, "pair", "pairs") +
-        " of triangles cross or lie on each other. --cut-crossings cuts them apart where that can be done." +
-        cutShort(repair.isIntersectionRemovalIncomplete, "Cutting"));
+    lines.push_back("The surface intersects itself: " + counted(pairs, "pair", "pairs") +
+                    " of triangles intersect or overlap. --cut-crossings resolves them where possible." +
+                    cutShort(repair.isIntersectionRemovalIncomplete, "Cutting"));
   }
   return lines;
 }

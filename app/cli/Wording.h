@@ -19,6 +19,8 @@ std::string wordFor(LoopOutcome outcome);
 std::string filledText(std::size_t filled, std::size_t holes);
 
 // Why a loop was not filled, as a sentence.
+// A line for each patch that is unlike its surroundings.
+std::vector<std::string> patchWarnings(const RepairReport& repair);
 std::string reasonSentence(FillFailure failure);
 
 // The lost attributes as a list: "colours, normals".

@@ -58,7 +58,7 @@ FidelitySample rebuild(const EditedFaces& edit, double value) {
 FidelitySetting blockFacesSetting() {
   FidelitySetting s;
   s.id = "view.block_faces";
-  s.label = translatable("Fidelity", "Faces that the display builds and draws together");
+  s.label = translatable("Fidelity", "Triangles in a block of the display");
   s.scale = FidelityScale::Logarithmic;
   s.least = 4096.0;
   s.largest = 262144.0;
@@ -66,7 +66,7 @@ FidelitySetting blockFacesSetting() {
   s.standard = kBlockFaces;
   s.presets = {5800.0, 46000.0, 262144.0};
   s.error = {translatable("Fidelity", "draw calls of a frame"), translatable("Fidelity", "calls")};
-  s.cost = {translatable("Fidelity", "CPU time to rebuild what an edit of one face touches"), "ms"};
+  s.cost = {translatable("Fidelity", "CPU time to rebuild the blocks that an edit of one triangle affects"), "ms"};
   s.budget = FidelityBudget::Frame;
   return s;
 }

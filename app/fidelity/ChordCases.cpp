@@ -29,7 +29,7 @@ FidelityCase caseOn(const std::string& name, const StockCylinder& stock) {
 FidelitySetting chordSetting() {
   FidelitySetting s;
   s.id = "nurbs.chord_mm";
-  s.label = translatable("Fidelity", "How far triangles may leave a curved surface");
+  s.label = translatable("Fidelity", "Largest deviation of triangles from a curved surface");
   s.unit = "mm";
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-4;

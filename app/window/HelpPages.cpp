@@ -44,7 +44,7 @@ void collect(const QList<QAction*>& actions, Section& section) {
 }
 
 std::vector<Section> sectionsOf(const QMenuBar& menus, const std::vector<Hint>& now) {
-  std::vector<Section> all{{HelpPagesWords::tr("Now"), {}}};
+  std::vector<Section> all{{HelpPagesWords::tr("Currently available"), {}}};
   for (const Hint& hint : now) all[0].lines.emplace_back(hint.input, hint.effect);
   for (const QAction* menu : menus.actions()) {
     if (!menu->menu() || !menu->isVisible()) continue;

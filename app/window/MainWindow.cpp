@@ -11,6 +11,7 @@
 #include "window/documents/DocumentProperties.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolChoice.h"
 
 #include <QCloseEvent>
@@ -157,9 +158,16 @@ void MainWindow::showPreferences() {
   dialog->show();
 }
 
+// A space mouse is a node of the kernel, or behind the socket of spacenavd.
+void MainWindow::openDevices() {
+  m_haptics.takeUp();
+  m_spaceMouse->watch({QStringLiteral("/dev"), QStringLiteral("/run")});
+}
+
 void MainWindow::prefer(const Preferences& preferences) {
   m_viewport->setNavigationPreset(presetOf(preferences.navigation));
   m_autosave.setInterval(preferences.autosaveSeconds);
+  m_spaceMouse->setMotion(preferences.hasSpaceMouse, 0.01 * preferences.spaceMouseSpeed);
   updateHints();
 }
 

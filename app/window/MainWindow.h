@@ -44,6 +44,7 @@ class ToolChoice;
 class ToolHost;
 class ToolPanel;
 class ViewActions;
+class SpaceMouseNavigation;
 class ViewSettings;
 class Viewport;
 struct Preferences;
@@ -62,8 +63,8 @@ class MainWindow : public QMainWindow {
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
   // Offers to recover documents of a session that was killed; at the start of the program.
   void offerRecovery() { m_autosave.offerRecovery(); }
-  // Opens the haptic device that was in use last; at the start of the program.
-  void openLastDevice() { m_haptics.takeUp(); }
+  // Opens the haptic device that was in use last, and each space mouse; at the start of the program.
+  void openDevices();
   // Calibrates the accuracy settings on this machine when the user is idle, if that was not done; at the start of the
   // program.
   void calibrateWhenIdle();
@@ -147,6 +148,7 @@ class MainWindow : public QMainWindow {
   ToolPanel* m_toolPanel;
   ToolHost* m_tools;
   DeviceView* m_deviceView;
+  SpaceMouseNavigation* m_spaceMouse;
   ToolChoice* m_toolChoice;
   std::unique_ptr<KindMenus> m_kindPlace;
   CommandPalette* m_palette;

@@ -16,6 +16,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/haptics/DeviceView.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolChoice.h"
 #include "window/tools/ToolHost.h"
 #include "window/tools/ToolPanel.h"
@@ -79,9 +80,10 @@ void MainWindow::connectMessages() {
           [this](const Document* document) { m_messages->withdraw(document, kSavingTopic); });
   connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
   connect(&m_haptics, &HapticSession::message, m_messages, &MessageBar::showMessage);
+  connect(m_spaceMouse, &SpaceMouseNavigation::message, m_messages, &MessageBar::showMessage);
   connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
     m_messages->showMessage({Message::Weight::Error,
-                             tr("The tool failed and was put away"),
+                             tr("The tool failed and was closed"),
                              reason,
                              tr("The document is as it was before."),
                              {},

@@ -83,7 +83,8 @@ void MainWindow::buildMenus() {
   preferences->setObjectName(QStringLiteral("preferences"));
   QAction* calibrate = edit->addAction(tr("&Measure this machine"), &m_calibrator, &BenchmarkRunner::start);
   calibrate->setObjectName(QStringLiteral("calibrate"));
-  setActionToolTip(*calibrate, tr("How fast each setting of the panel “Fidelity” is here: about half a minute"));
+  setActionToolTip(*calibrate,
+                   tr("Measure how fast each setting of the panel “Fidelity” is on this machine: about half a minute"));
   preferences->setMenuRole(QAction::PreferencesRole);
   setActionToolTip(*preferences, tr("Keyboard shortcuts, mouse, units, language, autosave"));
 

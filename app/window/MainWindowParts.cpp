@@ -14,7 +14,6 @@
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
-#include "window/ServiceStatistics.h"
 #include "window/ViewActions.h"
 #include "window/ViewFocus.h"
 #include "window/ViewSettings.h"
@@ -29,6 +28,7 @@
 #include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingSign.h"
 #include "window/haptics/RecordingsDock.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 #include "window/haptics/TickTiming.h"
 #include "window/haptics/TouchPage.h"
 #include "window/tools/ToolChoice.h"
@@ -82,6 +82,7 @@ void MainWindow::buildCentre() {
   m_viewActions = new ViewActions(*m_viewport, this);
   new ViewFocus(*this, *m_viewport, this);
   m_deviceView = new DeviceView(m_haptics, *m_viewport, this);
+  m_spaceMouse = new SpaceMouseNavigation(m_haptics, *m_viewport, m_pool, this);
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
   new HapticFidelity(m_fidelity, m_haptics, m_touch, this);
@@ -132,6 +133,8 @@ void MainWindow::buildDocks() {
   auto* device = new DeviceDock(m_haptics, this);
   device->addPage(new TouchPage(m_haptics, device), tr("Touch"));
   device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Record"));
+  connect(m_spaceMouse, &SpaceMouseNavigation::changed, device,
+          [this, device] { device->setSpaceMice(m_spaceMouse->names()); });
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();
@@ -160,8 +163,6 @@ void MainWindow::buildStatusBar() {
   log->setDefaultAction(m_logDock->findChild<PanelToggle*>());
   log->setAccessibleName(tr("Log"));
   log->setIconSize({16, 16});
-  auto* services = new ServiceStatistics(m_services, this);
-  connect(services, &QToolButton::clicked, m_statusDock->findChild<PanelToggle*>(), &QAction::trigger);
   auto* recording = new RecordingSign(m_haptics, this);
   connect(recording, &QToolButton::clicked, this, [this] {
     auto* device = m_deviceDock->findChild<DeviceDock*>();
@@ -171,7 +172,7 @@ void MainWindow::buildStatusBar() {
   });
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(m_hints, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, recording, m_figures, services, m_unit, log}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, recording, m_figures, m_unit, log}) {
     statusBar()->addPermanentWidget(widget);
   }
 }

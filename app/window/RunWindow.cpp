@@ -82,7 +82,7 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
     window.openPaths(wishes.files);
     window.show();
     if (wishes.screenshot.isEmpty()) window.offerRecovery();
-    if (wishes.screenshot.isEmpty()) window.openLastDevice();
+    if (wishes.screenshot.isEmpty()) window.openDevices();
     if (wishes.screenshot.isEmpty()) window.calibrateWhenIdle();
     if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
     code = QApplication::exec();

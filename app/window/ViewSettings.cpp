@@ -44,7 +44,7 @@ ViewSettings::ViewSettings(PropertyList& list, Viewport& viewport, QObject* pare
     : QObject(parent),
       m_list(list),
       m_viewport(viewport),
-      m_clip(tr("&Cut the model open"), this),
+      m_clip(tr("&Clip the model"), this),
       m_perspective(tr("Perspective inste&ad of parallel"), this),
       m_cube(tr("&View cube"), this) {
   makeClipAction();
@@ -61,7 +61,7 @@ void ViewSettings::makeClipAction() {
   m_clip.setIconVisibleInMenu(false);  // the check mark stands there
   m_clip.setCheckable(true);
   m_clip.setShortcut(QKeySequence(Qt::Key_C));
-  setActionToolTip(m_clip, tr("Clipping plane: look inside; the panel “View” places it"));
+  setActionToolTip(m_clip, tr("Clip the model by a plane to look inside; the panel “View” positions the plane"));
   connect(&m_clip, &QAction::toggled, this, [this] {
     clip();
     refresh();
@@ -104,12 +104,12 @@ void ViewSettings::refresh() {
   Property cube = toggle("view_cube", QT_TRANSLATE_NOOP("Property", "View cube"), m_cube.isChecked());
   cube.group = all[0].group;
   all.push_back(cube);
-  all.push_back(toggle("clip", QT_TRANSLATE_NOOP("Property", "Cut the model open"), m_clip.isChecked()));
-  Property axis = choice("clip_axis", QT_TRANSLATE_NOOP("Property", "Across"), m_axis,
+  all.push_back(toggle("clip", QT_TRANSLATE_NOOP("Property", "Clip the model"), m_clip.isChecked()));
+  Property axis = choice("clip_axis", QT_TRANSLATE_NOOP("Property", "Normal"), m_axis,
                          {"X", "Y", "Z", QT_TRANSLATE_NOOP("Property", "View direction")});
   axis.group = kClipGroup;
   all.push_back(axis);
-  all.push_back(toggle("clip_flip", QT_TRANSLATE_NOOP("Property", "Other side"), m_isFlipped));
+  all.push_back(toggle("clip_flip", QT_TRANSLATE_NOOP("Property", "Flip side"), m_isFlipped));
   const auto [least, largest] = range();
   Property offset;
   offset.id = "clip_offset";

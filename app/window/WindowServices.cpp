@@ -54,15 +54,6 @@ QString WindowServices::nameOf(const std::string& id) const {
   return added == m_names.end() ? ownName(id) : added->second;
 }
 
-std::vector<std::pair<QString, double>> WindowServices::costs() const {
-  std::vector<std::pair<QString, double>> all;
-  m_needs.forEach([&](const Service& service) {
-    const ServiceCounters counters = service.counters();
-    if (counters.running) all.emplace_back(nameOf(service.id()), counters.cpuMicroseconds);
-  });
-  return all;
-}
-
 std::vector<ServiceStatus> WindowServices::status() {
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::max(1e-3, std::chrono::duration<double>(now - m_asked).count());

@@ -28,8 +28,6 @@ class WindowServices {
 
   Service& simulation() { return m_simulation; }  // what moves or is cut while the hand works
 
-  // The CPU time of each running service so far, in µs, by its translated name.
-  std::vector<std::pair<QString, double>> costs() const;
   // The statistics since the last call.
   std::vector<ServiceStatus> status();
 

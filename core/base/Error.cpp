@@ -14,12 +14,13 @@ const ErrorDescription ErrorCode::OutOfMemory{
 const ErrorDescription ErrorCode::FileMissing{
     .id = "FileMissing",
     .sentences = {translatable("ErrorText", "there is no such file")},
-    .advice = {translatable("ErrorText", "Check the name, or whether the file was moved.")}};
+    .advice = {translatable("ErrorText", "Check the name, and whether the file was moved.")}};
 
 const ErrorDescription ErrorCode::FileUnreadable{
     .id = "FileUnreadable",
     .sentences = {translatable("ErrorText", "the file cannot be read (%1)")},
-    .advice = {translatable("ErrorText", "Name a file that you may read, and check that its disk is connected.")}};
+    .advice = {translatable("ErrorText",
+                            "Choose a file that you have permission to read, and check that its disk is connected.")}};
 
 const ErrorDescription ErrorCode::FileEmpty{.id = "FileEmpty",
                                             .sentences = {translatable("ErrorText", "the file is empty")},
@@ -35,7 +36,7 @@ const ErrorDescription ErrorCode::WriteFailed{
     .id = "WriteFailed",
     .sentences = {translatable("ErrorText", "the file could not be written (%1)")},
     .advice = {
-        translatable("ErrorText", "Check the free space and that you may write there, or choose another place.")}};
+        translatable("ErrorText", "Check the free space and your write permission, or choose another location.")}};
 
 const ErrorDescription ErrorCode::HeaderMalformed{
     .id = "HeaderMalformed",
@@ -59,7 +60,7 @@ const ErrorDescription ErrorCode::DataTruncated{
 
 const ErrorDescription ErrorCode::CountMismatch{
     .id = "CountMismatch",
-    .sentences = {translatable("ErrorText", "the file contradicts itself (%1: %2 expected, %3 found)")},
+    .sentences = {translatable("ErrorText", "the file is inconsistent (%1: %2 expected, %3 found)")},
     .advice = {kOpenReadableAdvice},
     .mayBePartlyReadable = true};
 
@@ -77,15 +78,15 @@ const ErrorDescription ErrorCode::NumberNotFinite{
 const ErrorDescription ErrorCode::ElementMalformed{
     .id = "ElementMalformed",
     .sentences = {translatable("ErrorText", "the element '%1' is malformed: %2")},
-    .advice = {translatable("ErrorText", "Mend the file at this place, or export it again.")}};
+    .advice = {translatable("ErrorText", "Correct the file at this position, or export it again.")}};
 
 const ErrorDescription ErrorCode::ReferenceMissing{
     .id = "ReferenceMissing",
-    .sentences = {translatable("ErrorText", "%1 '%2' was looked for in the folder '%3' and in those above it, in vain"),
-                  translatable("ErrorText", "%1 '%2' is named, but cannot be found")},
+    .sentences = {translatable("ErrorText", "%1 '%2' was not found in the folder '%3' or in those above it"),
+                  translatable("ErrorText", "%1 '%2' is referenced, but cannot be found")},
     .advice = {
         translatable("ErrorText", "Put the folder '%2' into '%3' or a folder above it, and open the file again."),
-        translatable("ErrorText", "Put the missing file where the other one expects it.")}};
+        translatable("ErrorText", "Put the missing file where it is expected.")}};
 
 const ErrorDescription ErrorCode::ValueOutOfRange{
     .id = "ValueOutOfRange",
@@ -99,7 +100,7 @@ const ErrorDescription ErrorCode::Unsupported{
 
 const ErrorDescription ErrorCode::LibraryFailed{
     .id = "LibraryFailed",
-    .sentences = {translatable("ErrorText", "the library %1 gave up (%2)")},
+    .sentences = {translatable("ErrorText", "the library %1 failed (%2)")},
     .advice = {translatable("ErrorText", "Export the model in another way or another format.")}};
 
 }  // namespace handwheel

@@ -6,39 +6,40 @@ namespace handwheel {
 
 const ErrorDescription DocumentError::FormatUnknown{
     .id = "FormatUnknown",
-    .sentences = {translatable("ErrorText", "this is no file that Handwheel knows")},
+    .sentences = {translatable("ErrorText", "this is not a file that Handwheel can read")},
     .advice = {translatable("ErrorText", "Handwheel reads files that end in %1."),
                translatable("ErrorText", "Choose another file.")},
     .alternatives = 0};
 
 const ErrorDescription DocumentError::ExtensionUnknown{
     .id = "ExtensionUnknown",
-    .sentences = {translatable("ErrorText", "the ending '%1' stands for no format that this can be written in"),
-                  translatable("ErrorText", "the name has no ending, which would say the format")},
+    .sentences = {translatable("ErrorText", "the extension '%1' is not a format that this can be written in"),
+                  translatable("ErrorText", "the file name has no extension to specify the format")},
     .advice = {translatable("ErrorText", "Use a name that ends in %2.")},
     .alternatives = 1};
 
 const ErrorDescription DocumentError::ChangedOnDisk{
     .id = "ChangedOnDisk",
     .sentences = {translatable("ErrorText", "another program has changed the file since it was opened")},
-    .advice = {translatable("ErrorText", "Save under another name to keep both, or replace what the other wrote.")}};
+    .advice = {translatable("ErrorText",
+                            "Save under another name to keep both, or replace the version of the other program.")}};
 
 const ErrorDescription DocumentError::ReplacesLinked{
     .id = "ReplacesLinked",
-    .sentences = {translatable("ErrorText", "a body of the document is linked to this very file, which would be lost")},
-    .advice = {translatable("ErrorText", "Write to another file, or forget the link of the body first.")}};
+    .sentences = {translatable("ErrorText",
+                               "a body of the document is linked to this file, which would be overwritten")},
+    .advice = {translatable("ErrorText", "Write to another file, or unlink the body first.")}};
 
 const ErrorDescription DocumentError::KindUnknown{
     .id = "KindUnknown",
     .sentences = {translatable("ErrorText",
-                               "the file holds a '%1', a kind of document that this program does not know")},
+                               "the file contains a '%1', a kind of document that this program does not know")},
     .advice = {translatable("ErrorText", "Open it with a newer version of Handwheel.")}};
 
 const ErrorDescription DocumentError::CheckFailed{
     .id = "CheckFailed",
-    .sentences = {translatable("ErrorText",
-                               "the written file does not read back as it should (%1), so it was not kept")},
-    .advice = {translatable("ErrorText",
-                            "An earlier file of that name is untouched. Save in another format, for example PLY.")}};
+    .sentences = {translatable("ErrorText", "the written file did not pass verification (%1), so it was discarded")},
+    .advice = {translatable(
+        "ErrorText", "An existing file of that name was not changed. Save in another format, for example PLY.")}};
 
 }  // namespace handwheel

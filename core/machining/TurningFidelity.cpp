@@ -9,14 +9,14 @@ namespace handwheel {
 FidelitySetting turnSpacingSetting() {
   FidelitySetting s;
   s.id = "turn.spacing";
-  s.label = translatable("Fidelity", "Distance of the samples of a turned profile");
+  s.label = translatable("Fidelity", "Sample spacing of a turned profile");
   s.unit = "mm";
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-3;
   s.largest = 2.0;
   s.standard = 0.013;
   s.presets = {0.013, 0.013, 0.001};
-  s.error = {translatable("Fidelity", "largest distance of the profile from what the tool left"), "mm"};
+  s.error = {translatable("Fidelity", "largest distance of the profile from the exact shape"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of cutting and of the triangles that change"), "ms"};
   s.budget = FidelityBudget::Frame;
   return s;

@@ -262,7 +262,7 @@ Result<StepFileReport> inspectStep(std::string_view bytes, Progress progress) {
     reader.TransferRoots(indicator->Start());
     if (progress.cancelled()) return cancelledError();
     const TopoDS_Shape shape = reader.OneShape();
-    if (shape.IsNull()) return libraryError("the file holds no shape");
+    if (shape.IsNull()) return libraryError("the file contains no shape");
     return measure(shape);
   });
 }

@@ -87,8 +87,8 @@ std::string reasonOf(int code, const ReaderLimits& limits) {
   constexpr int kSignal = 128;  // codes of signals begin here
   if (code == 127) return "its process cannot be started";
   if (code == kSignal + SIGXCPU) return "it took longer than " + std::to_string(limits.cpu.count()) + " s";
-  if (code == kSignal + SIGKILL) return "the system ended it; memory may have run out";
-  return code > kSignal ? "it crashed on this file" : "its answer makes no sense";
+  if (code == kSignal + SIGKILL) return "the system ended it; it may have run out of memory";
+  return code > kSignal ? "it crashed on this file" : "its answer is not valid";
 }
 
 Result<std::string> conclude(ChildProcess& child, const IsolatedReader& reader) {
@@ -98,7 +98,7 @@ Result<std::string> conclude(ChildProcess& child, const IsolatedReader& reader) 
   if (child.code() != 0) return failed(reasonOf(child.code(), reader.limits));
   if (child.hasMoreOutput()) return failed("its answer is too large");
   std::optional<ReaderAnswer> answer = answerOf(child.takeOutput());
-  if (!answer) return failed("its answer makes no sense");
+  if (!answer) return failed("its answer is not valid");
   switch (answer->kind) {
     case ReaderAnswer::Kind::Content:
       return std::move(answer->text);
@@ -107,7 +107,7 @@ Result<std::string> conclude(ChildProcess& child, const IsolatedReader& reader) 
     case ReaderAnswer::Kind::OutOfMemory:
       return outOfMemory();
   }
-  return failed("its answer makes no sense");
+  return failed("its answer is not valid");
 }
 
 }  // namespace

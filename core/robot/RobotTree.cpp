@@ -66,7 +66,7 @@ Status Tree::follow(std::span<const MimicJoint> following) {
 Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const MimicJoint*>& following) {
   std::vector<const MimicJoint*> chain;
   for (std::uint32_t j = joint; m_motions[j].state != Motion::State::Known;) {
-    if (m_motions[j].state == Motion::State::Sought) return wrong(j, "it follows itself");
+    if (m_motions[j].state == Motion::State::Sought) return wrong(j, "it mimics itself");
     m_motions[j].state = Motion::State::Sought;
     const auto own = following.find(j);
     if (own == following.end()) {
@@ -91,7 +91,7 @@ Status Tree::joinLeader(std::uint32_t joint, const MimicJoint& own) {
   const Motion motion{Motion::State::Known, leader.leader, own.multiplier * leader.factor,
                       own.multiplier * leader.offset + own.offset};
   if (!(std::abs(motion.factor) <= kLargestLength && std::abs(motion.offset) <= kLargestLength))
-    return wrong(joint, "it goes too far when it follows");
+    return wrong(joint, "its mimic factor or offset is too large");
   m_motions[joint] = motion;
   return Done{};
 }
@@ -99,7 +99,7 @@ Status Tree::joinLeader(std::uint32_t joint, const MimicJoint& own) {
 Status Tree::findParents() {
   for (std::uint32_t j = 0; j < m_robot.joints.size(); ++j) {
     Link& child = m_robot.links[m_robot.joints[j].child];
-    if (child.parentJoint != kNone) return wrong(j, "link " + child.name + " hangs on another joint already");
+    if (child.parentJoint != kNone) return wrong(j, "link " + child.name + " already has a parent joint");
     child.parentJoint = j;
   }
   return Done{};
@@ -117,7 +117,7 @@ Status Tree::findRoot() {
   if (m_robot.root != kNone) return Done{};
   std::uint32_t j = 0;  // as many steps upwards as there are joints end in a ring
   for (std::size_t i = 0; i < m_robot.joints.size(); ++i) j = m_robot.links[m_robot.joints[j].parent].parentJoint;
-  return wrong(j, "it belongs to a ring of joints");
+  return wrong(j, "it belongs to a closed loop of joints");
 }
 
 // Depth first, so that the joints of an arm stand together.
@@ -135,7 +135,7 @@ Status Tree::findOrder() {
     open.insert(open.end(), below.rbegin(), below.rend());
   }
   for (std::uint32_t j = 0; j < reached.size(); ++j) {
-    if (!reached[j]) return wrong(j, "it belongs to a ring of joints");
+    if (!reached[j]) return wrong(j, "it belongs to a closed loop of joints");
   }
   return Done{};
 }

@@ -113,7 +113,7 @@ Result<JointLimits> UrdfJoints::readLimits(const XmlElement& element, const Join
     if (limits.lower > kFarthestTravel || limits.upper < -kFarthestTravel)
       return malformed(element, "its limits are too far away");
   } else {
-    m_shapes.note(malformed(element, "it has no limits, so it moves without"));
+    m_shapes.note(malformed(element, "it has no limits, so it moves without limits"));
   }
   if (joint.kind == JointKind::Prismatic) {
     limits.lower = std::clamp(limits.lower, -kFarthestTravel, kFarthestTravel);

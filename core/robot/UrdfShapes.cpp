@@ -24,7 +24,8 @@ Result<double> readLength(const XmlElement& element, std::string_view attribute)
 Result<Shape> readBox(const XmlElement& box) {
   const Result<Vec3> metres = readVector(box, "size", Vec3::Zero());
   if (!metres) return metres.error();
-  if (metres->minCoeff() <= 0.0 || metres->maxCoeff() > kLargestLength) return malformed(box, "its size is no length");
+  if (metres->minCoeff() <= 0.0 || metres->maxCoeff() > kLargestLength)
+    return malformed(box, "its size is not a length");
   return Shape(BoxShape{*metres * kMillimetresPerMetre});
 }
 
@@ -125,7 +126,7 @@ Result<Shape> UrdfShapes::readMesh(const XmlElement& mesh) const {
   const Result<Vec3> scale = readVector(mesh, "scale", Vec3::Ones());
   if (!scale) return scale.error();
   if ((scale->array() == 0.0).any() || scale->cwiseAbs().maxCoeff() > kLargestLength)
-    return malformed(mesh, "its scale leaves no shape");
+    return malformed(mesh, "its scale is degenerate");
   return Shape(MeshShape{*file, *scale});
 }
 

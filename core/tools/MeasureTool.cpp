@@ -126,7 +126,8 @@ std::span<const ToolKey> MeasureTool::keys() {
 
 std::vector<ToolAction> MeasureTool::actions() const {
   const std::size_t clicked = m_clicked.size() == wanted() ? 0 : m_clicked.size();
-  const char* next = m_mode == Mode::Thickness ? QT_TRANSLATE_NOOP("Tool", "keep this place") : nextPoint(clicked);
+  const char* next =
+      m_mode == Mode::Thickness ? QT_TRANSLATE_NOOP("Tool", "keep this measurement") : nextPoint(clicked);
   if (m_mode == Mode::FaceAngle) {
     next = clicked == 0 ? QT_TRANSLATE_NOOP("Tool", "first face") : QT_TRANSLATE_NOOP("Tool", "second face");
   }
@@ -172,7 +173,7 @@ std::vector<Property> MeasureTool::settings() const {
   mode.value = static_cast<double>(m_mode);
   mode.choices = {QT_TRANSLATE_NOOP("Property", "Distance"), QT_TRANSLATE_NOOP("Property", "Angle of three points")};
   if (m_services.thickness) {
-    mode.choices.push_back(QT_TRANSLATE_NOOP("Property", "Angle of two faces"));
+    mode.choices.push_back(QT_TRANSLATE_NOOP("Property", "Angle between two faces"));
     mode.choices.push_back(QT_TRANSLATE_NOOP("Property", "Wall thickness"));
   }
   std::vector<Property> all{mode};
@@ -184,9 +185,9 @@ std::vector<Property> MeasureTool::settings() const {
   }
   if (const auto wall = thickness()) {
     all.push_back(
-        figure("thickness", QT_TRANSLATE_NOOP("Property", "Straight through"), wall->alongNormal, Quantity::Length));
-    all.push_back(
-        figure("ball", QT_TRANSLATE_NOOP("Property", "Largest ball inside"), wall->ballDiameter, Quantity::Length));
+        figure("thickness", QT_TRANSLATE_NOOP("Property", "Along a ray"), wall->alongNormal, Quantity::Length));
+    all.push_back(figure("ball", QT_TRANSLATE_NOOP("Property", "Largest inscribed sphere"), wall->ballDiameter,
+                         Quantity::Length));
     all.back().prefix = "⌀";
   }
   return all;

@@ -26,36 +26,51 @@ struct Fastest {
   void add(double run) { seconds = std::min(seconds, run); }
 };
 
+// What a ratio to another's figure is; no number, and so no bar kept, where the other came to none.
+inline double ratioTo(double ours, double theirs) {
+  return std::isfinite(theirs) && theirs > 0.0 ? ours / theirs : std::nan("");
+}
+
 // What a benchmark program promises, and what it measured, as a table at its end.
 class Bars {
  public:
   // Google Benchmark calls a benchmark several times; the last call counts.
-  void atMost(const std::string& what, double bar, double measured) {
-    const auto at = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& row) { return row.what == what; });
-    const Row row{what, bar, measured};
-    if (at == m_rows.end())
-      m_rows.push_back(row);
-    else
-      *at = row;
-  }
+  void atMost(const std::string& what, double bar, double measured) { put({what, bar, measured}); }
 
   // What is promised to nobody, and said beside what is.
   void tell(const std::string& what, double measured) {
     atMost(what, std::numeric_limits<double>::infinity(), measured);
   }
 
+  // Breaks a bar, and says why: what was to be measured is there and could not be.
+  void failed(benchmark::State& state, const std::string& what, const std::string& why) {
+    state.SkipWithError(why.c_str());
+    put({what, std::nan(""), std::nan(""), "NO: " + why});
+  }
+
+  // Says that there was nothing to measure, such as without data that are not ours to ship. No bar is broken by it.
+  void skipped(benchmark::State& state, const std::string& what, const std::string& why) {
+    state.SkipWithError(("SKIPPED: " + why).c_str());
+    put({what, std::nan(""), std::nan(""), "SKIPPED: " + why, true});
+  }
+
   // The exit code of the program.
   int print() const {
-    bool ok = true;
+    bool ok = !m_rows.empty();
     std::printf("\n%-76s %9s %9s  %s\n", "what", "bar", "measured", "ok");
     for (const Row& row : m_rows) {
-      const bool kept = row.measured <= row.bar;  // not so for NaN
-      if (std::isinf(row.bar))
+      const bool kept = row.isSkipped || row.measured <= row.bar;  // not so for NaN
+      if (!row.why.empty())
+        std::printf("%-76s %9s %9s  %s\n", row.what.c_str(), "", "", row.why.c_str());
+      else if (std::isinf(row.bar))
         std::printf("%-76s %9s %9.3g\n", row.what.c_str(), "", row.measured);
       else
         std::printf("%-76s %9.3g %9.3g  %s\n", row.what.c_str(), row.bar, row.measured, kept ? "yes" : "NO");
       ok &= kept;
     }
+    const auto skips = std::count_if(m_rows.begin(), m_rows.end(), [](const Row& row) { return row.isSkipped; });
+    if (skips > 0) std::printf("%td SKIPPED: not measured, and so not promised\n", skips);
+    if (m_rows.empty()) std::printf("nothing was measured\n");
     return ok ? 0 : 1;
   }
 
@@ -64,7 +79,18 @@ class Bars {
     std::string what;
     double bar;
     double measured;
+    std::string why = {};  // there are no figures
+    bool isSkipped = false;
   };
+
+  void put(const Row& row) {
+    const auto at = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& old) { return old.what == row.what; });
+    if (at == m_rows.end())
+      m_rows.push_back(row);
+    else
+      *at = row;
+  }
+
   std::vector<Row> m_rows;
 };
 

@@ -14,18 +14,23 @@
 // Ways of a tip over scans that are not ours to ship.
 namespace handwheel::bench {
 
-// A scan in the folder HANDWHEEL_DATA, as large as the ball; nothing where the folder is not named or has none such.
-inline std::optional<TriangleSoup> scanOf(const char* name) {
+struct ReadScan {
+  bool isThere = false;
+  std::optional<TriangleSoup> mesh = {};  // nothing where it is refused
+};
+
+// A scan in the folder HANDWHEEL_DATA, as large as the ball.
+inline ReadScan scanOf(const char* name) {
   const char* const folder = std::getenv("HANDWHEEL_DATA");
-  if (!folder) return std::nullopt;
+  if (!folder || !std::filesystem::exists(std::filesystem::path(folder) / name)) return {};
   const Result<MeshFile> read = readMeshFile(std::filesystem::path(folder) / name, {});
-  if (!read) return std::nullopt;
+  if (!read) return {true};
   TriangleSoup soup = weld(read->soup);
   Box box;
   for (const Vec3& p : soup.points) box.extend(p);
   const double scale = 2 * kBallRadius / box.sizes().maxCoeff();
   for (Vec3& p : soup.points) p = scale * (p - box.center());
-  return soup;
+  return {true, std::move(soup)};
 }
 
 // So many places, each the step (mm) further: around the axis over the surface, so much below it, and without the

@@ -26,8 +26,9 @@ class NotingClock : public MonotonicClock {
     MonotonicClock::waitUntil(time);
     if (m_late.size() < m_late.capacity()) m_late.push_back(static_cast<double>(now() - time) * 1e-3);
   }
-  // us
+  // us; no number where some of the waits are missing.
   double quantile(double share) {
+    if (m_late.size() < kTicks) return std::nan("");
     std::sort(m_late.begin(), m_late.end());
     return m_late[static_cast<std::size_t>(share * static_cast<double>(m_late.size() - 1))];
   }

@@ -65,7 +65,7 @@ void selects(Person& person) {
     return person.drag(Qt::LeftButton, person.at(0.1, 0.1), person.at(0.9, 0.8));
   });
   person.does("select all", [&] { driver.find<QAbstractButton>("toolAction/all")->click(); });
-  person.does("select the rest", [&] { driver.find<QAbstractButton>("toolAction/invert")->click(); });
+  person.does("invert the selection", [&] { driver.find<QAbstractButton>("toolAction/invert")->click(); });
   person.waits("brush again", [&] {
     person.choose("toolDock", "mode", 1);
     return person.drag(Qt::LeftButton, person.at(0.2, 0.5), person.at(0.5, 0.6));

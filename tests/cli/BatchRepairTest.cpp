@@ -42,7 +42,7 @@ class BatchRepairTest : public QObject {
     QVERIFY(QFile::link(bench.path() + "/gone.off", bench.path() + "/in/dead.off"));
     const Ran ran = bench.run({"repair", "in", "-o", "out"});
     QCOMPARE(ran.code, 1);
-    QVERIFY(lineWith(ran, "in/dead.off").contains("failed: The link leads nowhere."));
+    QVERIFY(lineWith(ran, "in/dead.off").contains("failed: The target of the link does not exist."));
   }
 
   void exitCodes() {
@@ -53,7 +53,7 @@ class BatchRepairTest : public QObject {
     const Ran ran = bench.run({"repair", "in", "-o", "out"});
     QCOMPARE(ran.code, 2);
     QVERIFY(lineWith(ran, "sheet").contains("left open at 1 place, no holes, "));
-    QVERIFY(lineWith(ran, "sheet").contains("1 outer edge of an open sheet stays open"));
+    QVERIFY(lineWith(ran, "sheet").contains("1 outer boundary of an open sheet stays open"));
     QCOMPARE(bench.run({"repair", "in/none.off", "in/a.off", "-o", "out"}).code, 1);
     QCOMPARE(bench.run({"repair", "in", "-o", "out", "--rims", "fill", "--max-hole", "4"}).code, 2);
   }
@@ -111,8 +111,8 @@ class BatchRepairTest : public QObject {
     row({"in/a.off", "in/x.obj", "-o", "in/../in"}, "in/../in/a.off is an input; ");
     row({"in", "-o", "linked"}, "linked/a.off is an input; ");
     row({"in/a.off", "in/x.obj", "-o", "hard"}, "hard/a.off is an input; ");
-    row({"in", "-o", "in/a.off"}, "in/a.off is no folder, ");
-    row({"in", "-o", "new.stl"}, "new.stl is no folder, ");
+    row({"in", "-o", "in/a.off"}, "in/a.off is not a folder; ");
+    row({"in", "-o", "new.stl"}, "new.stl is not a folder; ");
     row({"in", "odd.mesh", "-o", "out", "--report", "odd.mesh"}, "odd.mesh is an input too.");
     row({"in", "-o", "out", "--report", "no/such/r.json"}, "There is no folder no/such for the report.");
     row({"in", "-o", "out", "--report", "r.stl"}, "--report takes a name such as parts.json, ");
@@ -121,7 +121,7 @@ class BatchRepairTest : public QObject {
     row({"in", "-o", "out", "-j", "65"}, "--jobs takes a number from 1 to 64.");
     row({"in", "-o", "out", "--time-limit", "nan"}, "--time-limit takes a number of seconds above zero.");
     row({"in", "-o", "out", "--format", "docx"}, "--format takes ");
-    row({"in", "-o", "out", "--keep-open", "1"}, "--keep-open is for one file at a time.");
+    row({"in", "-o", "out", "--keep-open", "1"}, "--keep-open can be used with one file only.");
     row({"in", "-o", "out", "--fill", "x"}, "--fill takes ");
     row({"in"}, "The option -o OUT is missing.");
   }

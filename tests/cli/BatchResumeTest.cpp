@@ -79,7 +79,7 @@ class BatchResumeTest : public QObject {
     bench.put("r.json", content);
     const Ran ran = bench.run({"repair", "in", "-o", "out", "--report", "r.json", "--resume"});
     QCOMPARE(ran.code, 1);
-    QVERIFY2(ran.err.startsWith("handwheel: r.json is no report to resume from: "), ran.err);
+    QVERIFY2(ran.err.startsWith("handwheel: r.json is not a report to resume from: "), ran.err);
     QCOMPARE(bench.content("r.json"), content);
   }
 

@@ -40,7 +40,7 @@ class CalibrateTest : public QObject {
     const Ran first = bench.run(kCalibrate + QStringList{"nurbs.chord_mm"});
     QCOMPARE(first.code, 0);
     QCOMPARE(first.err, QByteArray());
-    for (const char* words : {"Machine: ", "Kept in: ", "\n  setting ", "\n  nurbs.chord_mm  ms "})
+    for (const char* words : {"Machine: ", "Saved in: ", "\n  setting ", "\n  nurbs.chord_mm  ms "})
       QVERIFY2(first.out.contains(words), words);
     QCOMPARE(keptIds(*m_cache), std::set<std::string>{"nurbs.chord_mm"});
 
@@ -81,7 +81,7 @@ class CalibrateTest : public QObject {
     const Bench bench;
     const Ran ran = bench.run(kCalibrate + QStringList{"nurbs.chord_mm"});
     QCOMPARE(ran.code, 1);
-    QVERIFY(ran.out.contains("nurbs.chord_mm") && !ran.out.contains("Kept in"));
+    QVERIFY(ran.out.contains("nurbs.chord_mm") && !ran.out.contains("Saved in"));
     QVERIFY(ran.err.startsWith("handwheel: ") && ran.err.count('\n') == 1);
   }
 

@@ -27,8 +27,8 @@ class CommandLineTest : public QObject {
     }
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
-    const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 16);
+    const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;:()-]+\\.$", QRegularExpression::MultilineOption);
+    QCOMPARE(QString(overview.out).count(line), 18);
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
                                "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
@@ -59,7 +59,7 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o"}, "The option -o needs a value: OUT.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "-x"}, "There is no option -x.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"},
-        "--fill takes fair, refined, ear, minimal, area, dihedral or ridge, not 'x'.", " repair");
+        "--fill takes fair, refined, ear, minimal, area, dihedral, ridge or flat, not 'x'.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--continuity", "x"},
         "--continuity takes position, tangent or curvature, not 'x'.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--keep-open", "1,"}, "--keep-open takes loop numbers separated by commas.",

@@ -88,7 +88,7 @@ class ContainersTest : public QObject {
     const Ran ran = bench.run({"repair", "a.handwheel", "-o", "b.handwheel", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.out.startsWith("2 of 3 holes filled. "));
-    QVERIFY(ran.err.contains("(6 edges) stays open: you asked for it."));
+    QVERIFY(ran.err.contains("(6 edges) stays open: it is marked to be kept open."));
     compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
     const Json after = inspected(bench, "b.handwheel");
     QCOMPARE(after.at("loops").size(), std::size_t(1));
@@ -175,8 +175,8 @@ class ContainersTest : public QObject {
     const QByteArray before = bench.content("n.handwheel");
     const Ran ran = bench.run(words);
     QCOMPARE(ran.code, 1);
-    QVERIFY2(ran.err.endsWith(" was written by a newer version of Handwheel and is not replaced, so that nothing that "
-                              "only that one knows is lost. Write to another file.\n"),
+    QVERIFY2(ran.err.endsWith(" was written by a newer version of Handwheel and is not replaced, so that no content "
+                              "unknown to this version is lost. Write to another file.\n"),
              ran.err);
     QCOMPARE(bench.content("n.handwheel"), before);
     QVERIFY(QFileInfo(bench.path() + "/link.handwheel").isSymLink());
@@ -188,8 +188,9 @@ class ContainersTest : public QObject {
     putNewer(bench, "n.handwheel", containerIn(bench, "a.handwheel"));
     const Ran ran = bench.run({"convert", "n.handwheel", "b.handwheel"});
     QCOMPARE(ran.code, 0);
-    QCOMPARE(ran.err, QByteArray("handwheel: A newer version of Handwheel wrote the file; it is read as far as it is "
-                                 "understood.\n"));
+    QCOMPARE(ran.err,
+             QByteArray("handwheel: A newer version of Handwheel wrote the file; only what this version knows was "
+                        "read.\n"));
     compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
   }
 
@@ -217,7 +218,7 @@ class ContainersTest : public QObject {
     const Ran ran = bench.run(words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("'future/data' is missing"), ran.err);
-    QVERIFY2(ran.err.endsWith(" is damaged and is not replaced, so that no more of it is lost. Write to "
+    QVERIFY2(ran.err.endsWith(" is damaged and is not replaced, to prevent further loss. Write to "
                               "another file.\n"),
              ran.err);
     QCOMPARE(bench.content("d.handwheel"), damaged);
@@ -235,7 +236,7 @@ class ContainersTest : public QObject {
     bench.put("a.off", shape.off());
     const Ran ran = bench.run({"convert", "a.off", "a.handwheel"});
     QCOMPARE(ran.code, 0);
-    QCOMPARE(ran.err, QByteArray("handwheel: Triangles turned as their neighbours are: 1.\n"));
+    QCOMPARE(ran.err, QByteArray("handwheel: Triangles reversed to agree with their neighbours: 1.\n"));
     QVERIFY((*containerIn(bench, "a.handwheel").manifest)["document"]["turned_faces"] == 1);
     QCOMPARE(bench.run({"repair", "a.off", "-o", "b.handwheel"}).code, 0);
     QVERIFY((*containerIn(bench, "b.handwheel").manifest)["document"]["turned_faces"] == 1);

@@ -88,7 +88,7 @@ class DocumentsTest : public QObject {
     for (const QStringList& words :
          {QStringList{"inspect", "env.sh"}, QStringList{"convert", "env.sh", "x.handwheel"}}) {
       const Ran read = bench.run(words);
-      QVERIFY2(read.err.contains("no file that Handwheel knows"), read.err.constData());
+      QVERIFY2(read.err.contains("not a file that Handwheel can read"), read.err.constData());
       for (const char* ending : {".stl", ".3mf", ".step", ".urdf", ".handwheel"})
         QVERIFY2(read.err.contains(ending), read.err);
     }

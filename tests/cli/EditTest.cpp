@@ -83,17 +83,16 @@ class EditTest : public QObject {
     bench.put("a.off", cube(2.0).off());
     const Ran ran = bench.run({"edit", "a.off", "debris", "corner", "-o", "b.off"});
     QCOMPARE(ran.code, 2);
-    QCOMPARE(
-        ran.err,
-        QByteArray("handwheel: The file: closed, manifold, oriented, one piece.\n"
-                   "handwheel: Step 1, 'debris' changed nothing: no piece is far smaller than the largest.\n"
-                   "handwheel: Step 2, 'corner' changed nothing: it is there already, has no area, or is too large "
-                   "to tell.\n"));
+    QCOMPARE(ran.err,
+             QByteArray("handwheel: The file: closed, manifold, oriented, one piece.\n"
+                        "handwheel: Step 1, 'debris' changed nothing: no piece is far smaller than the largest.\n"
+                        "handwheel: Step 2, 'corner' changed nothing: it is already in place, has no area, or is too "
+                        "large.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));
     QCOMPARE(
         bench.run({"edit", "a.off", "bridge 3,9", "-o", "b.off"}).err.split('\n').at(1),
-        QByteArray("handwheel: Step 1, 'bridge 3,9' changed nothing: nothing is open there, or a triangle would turn "
-                   "over, cross another or double an edge."));
+        QByteArray("handwheel: Step 1, 'bridge 3,9' changed nothing: there is no open edge, or a triangle would flip, "
+                   "intersect another or double an edge."));
   }
 
   void mistakes_data() {
@@ -102,9 +101,9 @@ class EditTest : public QObject {
     const auto row = [](const QStringList& words, const char* message) {
       QTest::newRow(qPrintable(words.join(' '))) << words << QByteArray("handwheel: ") + message + "\n";
     };
-    row({"-o", "b.off"}, "There is no step. Give some, or a file of them with --steps.\nTry 'handwheel help edit'.");
+    row({"-o", "b.off"}, "No step is given. Give steps, or a file of steps with --steps.\nTry 'handwheel help edit'.");
     row({"flat"}, "The option -o OUT is missing.\nTry 'handwheel help edit'.");
-    const char* advice = "'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.";
+    const char* advice = "'handwheel help edit' lists the steps; loops are numbered as in 'handwheel inspect'.";
     const auto wrong = [&](const QStringList& words, const QByteArray& where, const char* what) {
       row(words + QStringList{"-o", "b.off"},
           (where + ": the step cannot be done: " + what + ". " + advice).constData());
@@ -131,7 +130,7 @@ class EditTest : public QObject {
     QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
     const Ran ran = bench.run({"edit", "bar.handwheel", "flat", "-o", "b.handwheel"});
     QCOMPARE(ran.code, 1);
-    QCOMPARE(ran.err, QByteArray("handwheel: bar.handwheel is no mesh: only meshes are edited by steps.\n"));
+    QCOMPARE(ran.err, QByteArray("handwheel: bar.handwheel is not a mesh: only meshes can be edited by steps.\n"));
     bench.put("a.off", cube().off());
     QCOMPARE(bench.run({"edit", "a.off", "flat", "-o", "b.docx"}).code, 1);
     QCOMPARE(bench.names(), (QStringList{"a.off", "bar.handwheel"}));

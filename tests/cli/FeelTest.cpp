@@ -137,7 +137,7 @@ class FeelTest : public QObject {
     for (const char* unread : {"servo.velocity_window=0.05", "contact.stiffness=2,mesh.near_weld=1e-4"}) {
       const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", unread});
       QCOMPARE(ran.code, 1);
-      QVERIFY2(ran.err.contains("does not read the setting"), ran.err);
+      QVERIFY2(ran.err.contains("does not use the setting"), ran.err);
       for (const char* id : {"proxy.tolerance", "contact.stiffness", "servo.rate"}) QVERIFY2(ran.err.contains(id), id);
     }
     QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", "exact"}).code, 0);
@@ -151,7 +151,7 @@ class FeelTest : public QObject {
     const QStringList words{"feel", "cube.off", "--path", "p.csv", "--device", "simulated", "--stiffness", "100"};
     const Ran fast = bench.run(words + QStringList{"--rate", "8000"});
     QVERIFY2(fast.err.contains("capped at 3 N/mm"), fast.err);
-    QVERIFY2(fast.err.contains("the device gives no more") && !fast.err.contains("stable"), fast.err);
+    QVERIFY2(fast.err.contains("the limit of the device at any rate") && !fast.err.contains("stable"), fast.err);
     const Ran slow = bench.run(words + QStringList{"--rate", "1000"});
     QVERIFY2(slow.err.contains("would not be stable on this device at 1000 Hz"), slow.err);
   }
@@ -165,7 +165,7 @@ class FeelTest : public QObject {
     const Ran cut = bench.run(words + QStringList{"--device", "simulated"});
     QCOMPARE(cut.code, 0);
     QVERIFY(cut.out.contains("Peak force   8 N\n"));
-    QCOMPARE(cut.err.count("cut at 8 N"), 1);
+    QCOMPARE(cut.err.count("limited to 8 N"), 1);
     QVERIFY2(cut.err.contains("up to 18 N"), cut.err);
     const Ran whole = bench.run(words);
     QVERIFY2(whole.err.isEmpty(), whole.err);

@@ -20,12 +20,16 @@ const char* const kCubeJson = R"({
   "closed": true,
   "manifold": true,
   "oriented": true,
+  "inside_out_bodies": 0,
   "boundary_loops": 0,
   "loops": [],
   "non_manifold_edges": 0,
   "non_manifold_vertices": 0,
   "degenerate_faces": 0,
   "duplicate_faces": 0,
+  "reversed_faces": 0,
+  "near_vertices": 0,
+  "debris": 0,
   "self_intersecting_pairs": 0,
   "volume_mm3": 1.0,
   "bounding_box_mm": [
@@ -50,19 +54,26 @@ const char* const kOpenCubeJson = R"({
   "closed": false,
   "manifold": true,
   "oriented": true,
+  "inside_out_bodies": 0,
   "boundary_loops": 1,
   "loops": [
     {
       "id": 0,
       "edges": 4,
       "length_mm": 2.0,
-      "planarity": 0.0
+      "area_mm2": 0.25,
+      "planarity": 0.0,
+      "islands": 0,
+      "rim": false
     }
   ],
   "non_manifold_edges": 0,
   "non_manifold_vertices": 0,
   "degenerate_faces": 0,
   "duplicate_faces": 0,
+  "reversed_faces": 0,
+  "near_vertices": 0,
+  "debris": 0,
   "self_intersecting_pairs": 0,
   "volume_mm3": null,
   "bounding_box_mm": [
@@ -90,15 +101,15 @@ const char* const kOpenCubeText =
     "Boundary loops            1\n"
     "Non-manifold edges        0\n"
     "Non-manifold vertices     0\n"
-    "Degenerate faces          0\n"
-    "Duplicate faces           0\n"
+    "Degenerate triangles      0\n"
+    "Duplicate triangles       0\n"
     "Self-intersecting pairs   0\n"
-    "Volume (mm3)              none, the surface is open\n"
+    "Volume (mm3)              undefined, the surface is open\n"
     "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
     "\n"
-    "Boundary loops\n"
-    "    id   edges     length (mm)   planarity\n"
-    "     0       4               2           0\n";
+    "Holes\n"
+    "    id   edges     length (mm)      area (mm2)   planarity   islands\n"
+    "     0       4               2            0.25           0         0\n";
 
 }  // namespace
 
@@ -171,11 +182,12 @@ class InspectTest : public QObject {
     QCOMPARE(json.at("self_intersecting_pairs").get<int>(), 0);
   }
 
-  void insideOutCubeHasNegativeVolume() {
+  void insideOutCubeIsNotOriented() {
     Shape shape = cube();
     for (auto& f : shape.faces) std::swap(f[0], f[1]);
     const auto json = statistics(shape.off());
-    QVERIFY(json.at("oriented"));
+    QVERIFY(!json.at("oriented"));
+    QCOMPARE(json.at("inside_out_bodies").get<int>(), 1);
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() + 1.0) < 1e-15);
   }
 

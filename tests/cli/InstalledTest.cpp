@@ -98,6 +98,7 @@ class InstalledTest : public QObject {
 
   void bringsItsSamples() {
     const QDir shipped(SOURCE_SAMPLES);
+    QVERIFY(!shipped.isEmpty(QDir::Files));
     for (const QString& name : shipped.entryList(QDir::Files)) {
       QFile source(shipped.filePath(name));
       QFile copy(installed(DATA "/handwheel/samples/" + name));

@@ -156,7 +156,7 @@ void MeasureTest::budget() {
   const Ran poor = bench.run(kChord + QStringList{"--budget", "ms=1e-9"});
   QCOMPARE(poor.code, 2);
   QVERIFY(poor.out.contains("Fit for 1e-09 ms: none"));
-  QCOMPARE(poor.err, QByteArray("handwheel: No value of nurbs.chord_mm keeps the budget.\n"));
+  QCOMPARE(poor.err, QByteArray("handwheel: No value of nurbs.chord_mm keeps within the budget.\n"));
 }
 
 void MeasureTest::usersFile() {
@@ -218,7 +218,7 @@ void MeasureTest::repairReadsTheSettings() {
   QVERIFY(ear < draft && draft < standard);
   QCOMPARE(newFaces({"--fidelity", "exact,mesh.fill_method=ear", "--fill", "fair"}), newFaces({"--fidelity", "exact"}));
 
-  for (const char* wrong : {"fast", "mesh.near_weld=7", "mesh.near_weld", "mesh.fill_method=flat"}) {
+  for (const char* wrong : {"fast", "mesh.near_weld=7", "mesh.near_weld", "mesh.fill_method=round"}) {
     const Ran ran = bench.run({"repair", "torn.off", "-o", "c.off", "--fidelity", wrong});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.endsWith("Try 'handwheel help repair'.\n"));

@@ -50,7 +50,7 @@ class RepairOptionsTest : public QObject {
     for (const char* unread : {"servo.rate=500", "mesh.decimation_error=1e-3", "draft,snap.radius=1"}) {
       const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--fidelity", unread});
       QCOMPARE(ran.code, 1);
-      QVERIFY2(ran.err.contains("repair does not read the setting"), ran.err);
+      QVERIFY2(ran.err.contains("repair does not use the setting"), ran.err);
       for (const char* id :
            {"mesh.near_weld", "mesh.fill_method", "mesh.fill_continuity", "mesh.patch_density", "mesh.piece_edges"})
         QVERIFY2(ran.err.contains(id), id);
@@ -65,14 +65,14 @@ class RepairOptionsTest : public QObject {
     const Json kept = loopOf(box.report, 6);
     QCOMPARE(kept.at("outcome").get<std::string>(), std::string("kept-open"));
     QVERIFY(kept.at("method").is_null());
-    QCOMPARE(kept.at("reason").get<std::string>(), std::string("You asked for it."));
+    QCOMPARE(kept.at("reason").get<std::string>(), std::string("It is marked to be kept open."));
     QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 1);
     QCOMPARE(
         box.ran.out,
         QByteArray(
             "2 of 3 holes filled. b.stl: not closed, manifold, oriented, free of self-intersections, one piece.\n"));
     QCOMPARE(box.ran.err, QByteArray("handwheel: Loop " + QByteArray::number(idOf(6)) +
-                                     " (6 edges) stays open: you asked for it.\n"));
+                                     " (6 edges) stays open: it is marked to be kept open.\n"));
   }
 
   void keepOpenTakesAList() {
@@ -106,13 +106,13 @@ class RepairOptionsTest : public QObject {
     bench.put("a.off", flatSheet(4).off());
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
-    QVERIFY(ran.err.contains("outer edge"));
-    QVERIFY(ran.err.contains("1 outer edge of an open sheet stays open. --rims back"));
+    QVERIFY(ran.err.contains("outer boundary"));
+    QVERIFY(ran.err.contains("1 outer boundary of an open sheet stays open. --rims back"));
     QVERIFY(ran.err.contains("--rims fill"));
     QVERIFY(ran.out.contains("No holes"));
     const Json loop = bench.json("r.json").at("loops").at(0);
     QCOMPARE(loop.at("outcome").get<std::string>(), std::string("kept-open"));
-    QCOMPARE(loop.at("reason").get<std::string>(), std::string("It is the outer edge of an open sheet."));
+    QCOMPARE(loop.at("reason").get<std::string>(), std::string("It is the outer boundary of an open sheet."));
   }
 
   // A long channel of two walls at a right angle is a sheet; asked to, it gets a back, or its edge is filled to a bar
@@ -150,7 +150,7 @@ class RepairOptionsTest : public QObject {
     bench.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
     const Ran told = bench.run({"repair", "a.off", "-o", "b.off"});
     QCOMPARE(told.code, 2);
-    QVERIFY(told.err.contains("The surface passes through itself: "));
+    QVERIFY(told.err.contains("The surface intersects itself: "));
     const Ran cut = bench.run({"repair", "a.off", "-o", "b.off", "--cut-crossings", "--report", "r.json"});
     QCOMPARE(cut.code, 0);
     QCOMPARE(cut.err, QByteArray());
@@ -168,7 +168,7 @@ class RepairOptionsTest : public QObject {
     QCOMPARE(bench.run({"repair", "near.off", "-o", "b.stl"}).err, QByteArray());
     QCOMPARE(bench.run({"repair", "far.off", "-o", "b.off"}).err, QByteArray());
     const Ran ran = bench.run({"repair", "far.off", "-o", "b.stl", "--report", "r.json"});
-    QVERIFY(ran.err.contains("moved points by up to 0.01 mm"));
+    QVERIFY(ran.err.contains("moved vertices by up to 0.01 mm"));
     QVERIFY(std::abs(bench.json("r.json").at("rounding_moved_mm").get<double>() - 0.01) < 1e-9);
   }
 

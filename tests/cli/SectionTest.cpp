@@ -105,7 +105,7 @@ class SectionTest : public QObject {
     QVERIFY(open.err.contains("An outline is open") && bench.names().contains("b.svg"));
     const Ran beside = bench.run({"section", "a.off", "--plane", "x=7", "-o", "b.svg"});
     QCOMPARE(beside.code, 2);
-    QVERIFY(beside.err.contains("The plane does not meet the mesh."));
+    QVERIFY(beside.err.contains("The plane does not intersect the mesh."));
   }
 
   void wrongWords_data() {

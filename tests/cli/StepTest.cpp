@@ -75,11 +75,11 @@ class StepTest : public QObject {
     QTest::addColumn<QByteArray>("script");
     QTest::addColumn<QByteArray>("reason");
     QTest::newRow("killed") << QByteArray("kill -KILL $$")
-                            << QByteArray("the system ended it; memory may have run out");
+                            << QByteArray("the system ended it; it may have run out of memory");
     QTest::newRow("crashed") << QByteArray("kill -SEGV $$") << QByteArray("it crashed on this file");
-    QTest::newRow("no answer") << QByteArray("exit 0") << QByteArray("its answer makes no sense");
-    QTest::newRow("failed") << QByteArray("exit 1") << QByteArray("its answer makes no sense");
-    QTest::newRow("garbage") << QByteArray("cat /proc/self/maps; printf c") << QByteArray("its answer makes no sense");
+    QTest::newRow("no answer") << QByteArray("exit 0") << QByteArray("its answer is not valid");
+    QTest::newRow("failed") << QByteArray("exit 1") << QByteArray("its answer is not valid");
+    QTest::newRow("garbage") << QByteArray("cat /proc/self/maps; printf c") << QByteArray("its answer is not valid");
   }
   void deathsOfTheReaderAreErrorsOfTheFile() {
     QFETCH(QByteArray, script);
@@ -88,7 +88,7 @@ class StepTest : public QObject {
     replaceReader(bench, script);
     const Ran ran = bench.run({"inspect", "bar.step"});
     QCOMPARE(ran.code, 1);
-    QVERIFY2(ran.err.startsWith("handwheel: bar.step: the library Open CASCADE gave up (" + reason + ")."), ran.err);
+    QVERIFY2(ran.err.startsWith("handwheel: bar.step: the library Open CASCADE failed (" + reason + ")."), ran.err);
     QVERIFY2(ran.err.contains("Export the model in another way or another format."), ran.err);
   }
 

@@ -172,7 +172,7 @@ class TurnTest : public QObject {
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "bad.csv", "-o", "x.handwheel"}, "bad.csv"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "bad.csv", "-o", "x.handwheel"}, "y_mm, z_mm"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "none.csv", "-o", "x.handwheel"}, "none.csv"));
-    QVERIFY(refuses({"turn", "a.off", "--path", "p.csv", "-o", "x.handwheel"}, "no workpiece"));
+    QVERIFY(refuses({"turn", "a.off", "--path", "p.csv", "-o", "x.handwheel"}, "not a workpiece"));
     QVERIFY(!bench.names().contains("x.handwheel"));
   }
 };

@@ -144,7 +144,9 @@ void MeshExtremesTest::repairs() {
   const test::ExtremeMesh& extreme = meshNamed(name);
   const TriangleSoup soup = extreme.soup();
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const RepairReport report = repair(mesh, {});
+  RepairOptions options;
+  options.rims = RimHandling::Thicken;
+  const RepairReport report = repair(mesh, options);
   QVERIFY(!report.cancelled);
   QCOMPARE(QString::fromStdString(validate(mesh)), QString());
   QVERIFY(findDefects(mesh).degenerateFaces.empty());

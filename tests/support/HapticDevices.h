@@ -83,6 +83,7 @@ inline FunctionSource::Function wall(double stiffness, double damping = 0.0) {
   return [=](const TipState& tip, ForceOut& out) {
     const double limit = tip.stiffnessLimit * (1.0 - damping / tip.dampingLimit);
     out.isSoftened = limit < stiffness;
+    out.asked = stiffness;
     out.stiffness = std::min(stiffness, limit);
     out.isContact = tip.position.x() > 0.0;
     if (!out.isContact) return;

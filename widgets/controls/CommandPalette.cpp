@@ -47,7 +47,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
       m_model(new CommandModel(this)),
       m_query(new QLineEdit(this)),
       m_list(new QListView(this)),
-      m_nothing(new QLabel(tr("No command is called that."), this)) {
+      m_nothing(new QLabel(tr("No matching command."), this)) {
   setObjectName(QStringLiteral("commandPalette"));
   setProperty("card", true);
   setAutoFillBackground(true);

@@ -22,13 +22,13 @@ QString reason(const ExpressionError& error) {
     case ExpressionError::Kind::Empty:
       return Text::tr("A number is missing");
     case ExpressionError::Kind::TooLong:
-      return Text::tr("This is too long");
+      return Text::tr("The expression is too long");
     case ExpressionError::Kind::TooDeep:
-      return Text::tr("Too many brackets within brackets");
+      return Text::tr("The brackets are nested too deeply");
     case ExpressionError::Kind::NumberMissing:
       return before(found, Text::tr("A number is missing at the end"), Text::tr("A number is missing before “%1”"));
     case ExpressionError::Kind::OperatorMissing:
-      return Text::tr("A sign such as + or * is missing before “%1”").arg(found);
+      return Text::tr("An operator such as + or * is missing before “%1”").arg(found);
     case ExpressionError::Kind::BracketMissing:
       return before(found, Text::tr("A closing bracket is missing at the end"),
                     Text::tr("A closing bracket is missing before “%1”"));
@@ -37,13 +37,13 @@ QString reason(const ExpressionError& error) {
     case ExpressionError::Kind::CommaAmbiguous:
       return Text::tr("“%1” can be read in two ways; write it with a point, or without the comma").arg(found);
     case ExpressionError::Kind::NameUnknown:
-      return Text::tr("There is no unit “%1”").arg(found);
+      return Text::tr("“%1” is not a known unit").arg(found);
     case ExpressionError::Kind::UnlikeTerms:
       return Text::tr("Lengths, angles and plain numbers cannot be added to each other");
     case ExpressionError::Kind::WrongQuantity:
       return Text::tr("The result has the wrong unit");
     case ExpressionError::Kind::DivisionByZero:
-      return Text::tr("Nothing can be divided by zero");
+      return Text::tr("Division by zero");
     case ExpressionError::Kind::TooLarge:
       return Text::tr("The result is too large");
   }

@@ -13,6 +13,8 @@ const auto kNavigation = QStringLiteral("navigation");
 const auto kLengthUnit = QStringLiteral("lengthUnit");
 const auto kLanguage = QStringLiteral("language");
 const auto kAutosave = QStringLiteral("autosaveSeconds");
+const auto kSpaceMouse = QStringLiteral("view/space_mouse");
+const auto kSpaceMouseSpeed = QStringLiteral("view/space_mouse_speed");
 
 constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch};
 
@@ -32,6 +34,9 @@ Preferences loadPreferences() {
   if (isNumber && seconds >= 0) {
     preferences.autosaveSeconds = seconds == 0 ? 0 : std::clamp(seconds, kShortestAutosave, kLongestAutosave);
   }
+  preferences.hasSpaceMouse = settings.value(kSpaceMouse, true).toBool();
+  const int percent = settings.value(kSpaceMouseSpeed).toInt(&isNumber);
+  if (isNumber) preferences.spaceMouseSpeed = std::clamp(percent, kLeastSpaceMouseSpeed, kLargestSpaceMouseSpeed);
   return preferences;
 }
 
@@ -41,6 +46,8 @@ void storePreferences(const Preferences& preferences) {
   settings.setValue(kLengthUnit, QLatin1String(symbolOf(preferences.lengthUnit)));
   settings.setValue(kLanguage, preferences.language);
   settings.setValue(kAutosave, preferences.autosaveSeconds);
+  settings.setValue(kSpaceMouse, preferences.hasSpaceMouse);
+  settings.setValue(kSpaceMouseSpeed, preferences.spaceMouseSpeed);
 }
 
 }  // namespace handwheel

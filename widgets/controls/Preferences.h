@@ -14,12 +14,16 @@ struct Preferences {
   LengthUnit lengthUnit = LengthUnit::Millimetre;  // of new documents
   QString language = QStringLiteral("system");     // or a code: "de"
   int autosaveSeconds = 20;                        // 0: never
+  bool hasSpaceMouse = true;                       // a space mouse moves the view
+  int spaceMouseSpeed = 100;                       // of that, percent
 
   bool operator==(const Preferences&) const = default;
 };
 
 inline constexpr int kShortestAutosave = 5;  // seconds
 inline constexpr int kLongestAutosave = 600;
+inline constexpr int kLeastSpaceMouseSpeed = 10;  // percent
+inline constexpr int kLargestSpaceMouseSpeed = 500;
 
 // Loads the preferences from the program's settings. Invalid values count as not set.
 Preferences loadPreferences();

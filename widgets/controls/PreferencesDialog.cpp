@@ -102,8 +102,35 @@ QWidget* PreferencesDialog::mousePage() {
     describe();
     store();
   });
-  line(page, tr("Move the view as in"), box)->addRow(description);
+  QFormLayout* form = line(page, tr("Move the view as in"), box);
+  form->addRow(description);
+  addSpaceMouse(form);
   return page;
+}
+
+void PreferencesDialog::addSpaceMouse(QFormLayout* form) {
+  auto* on = new QCheckBox(tr("A space mouse moves the view"), this);
+  on->setObjectName(QStringLiteral("spaceMouseOn"));
+  on->setChecked(m_preferences.hasSpaceMouse);
+  auto* speed = new QSpinBox(this);
+  speed->setObjectName(QStringLiteral("spaceMouseSpeed"));
+  speed->setAccessibleName(tr("Speed of the space mouse"));
+  speed->setRange(kLeastSpaceMouseSpeed, kLargestSpaceMouseSpeed);
+  speed->setSingleStep(10);
+  speed->setSuffix(tr(" %"));
+  speed->setValue(m_preferences.spaceMouseSpeed);
+  speed->setEnabled(on->isChecked());
+  const auto use = [this, on, speed] {
+    speed->setEnabled(on->isChecked());
+    m_preferences.hasSpaceMouse = on->isChecked();
+    m_preferences.spaceMouseSpeed = speed->value();
+    store();
+  };
+  connect(on, &QCheckBox::toggled, this, use);
+  connect(speed, &QSpinBox::valueChanged, this, use);
+  form->addRow(on);
+  form->addRow(tr("Its speed"), speed);
+  form->addRow(note(tr("Its axes are set in the panel “Device” while it is the chosen device."), this));
 }
 
 QWidget* PreferencesDialog::unitsPage() {
@@ -133,7 +160,7 @@ QWidget* PreferencesDialog::languagePage() {
     m_preferences.language = box->currentData().toString();
     store();
   });
-  line(page, tr("Language"), box)->addRow(note(tr("Shown from the next start."), page));
+  line(page, tr("Language"), box)->addRow(note(tr("Takes effect at the next start."), page));
   return page;
 }
 

@@ -7,6 +7,7 @@
 
 #include "controls/Preferences.h"
 
+class QFormLayout;
 class QListWidget;
 class QStackedWidget;
 
@@ -34,6 +35,7 @@ class PreferencesDialog : public QDialog {
 
  private:
   QWidget* mousePage();
+  void addSpaceMouse(QFormLayout* form);
   QWidget* unitsPage();
   QWidget* languagePage();
   QWidget* autosavePage();

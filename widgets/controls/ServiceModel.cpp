@@ -29,7 +29,7 @@ QString shareText(const ServiceStatus& service) {
 
 QString stateText(const ServiceStatus& service) {
   constexpr double kSeen = 0.01;  // less is the scheduler's doing, and nobody notices it
-  if (!service.running) return ServiceModel::tr("asleep");
+  if (!service.running) return ServiceModel::tr("idle");
   QStringList troubles;
   if (service.behind >= kSeen) troubles << ServiceModel::tr("too slow by %1 %").arg(number(service.behind * 100.0));
   if (service.dropped > 0) troubles << ServiceModel::tr("%n input(s) dropped", nullptr, service.dropped);

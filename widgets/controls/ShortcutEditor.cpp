@@ -38,8 +38,8 @@ ShortcutEditor::ShortcutEditor(ShortcutModel* model, QWidget* parent)
       m_list(new QTreeView(this)),
       m_keys(new QKeySequenceEdit(this)),
       m_none(button("shortcutNone", tr("No key"), tr("The command has no key any more"), this)),
-      m_reset(button("shortcutReset", tr("Reset"), tr("Back to the key that the program gives it"), this)),
-      m_take(button("shortcutTake", tr("Take it from them"), tr("The other commands lose this key"), this)),
+      m_reset(button("shortcutReset", tr("Reset"), tr("Restore the default key"), this)),
+      m_take(button("shortcutTake", tr("Reassign"), tr("The other commands lose this key"), this)),
       m_status(new QLabel(this)) {
   setObjectName(QStringLiteral("shortcutEditor"));
   m_filtered.setSourceModel(model);
@@ -91,8 +91,8 @@ void ShortcutEditor::buildKeyLine(QLayout& column) {
 }
 
 void ShortcutEditor::buildFileLine(QLayout& column) {
-  auto* all = button("shortcutResetAll", tr("Reset all"), tr("All keys as the program gives them"), this);
-  auto* read = button("shortcutImport", tr("Import…"), tr("Take the keys from a file"), this);
+  auto* all = button("shortcutResetAll", tr("Reset all"), tr("Restore all default keys"), this);
+  auto* read = button("shortcutImport", tr("Import…"), tr("Read the keys from a file"), this);
   auto* write = button("shortcutExport", tr("Export…"), tr("Write the changed keys to a file"), this);
   auto* line = new QHBoxLayout;
   line->setSpacing(kKeyGap);
@@ -130,8 +130,8 @@ void ShortcutEditor::showRow() {
   if (others.isEmpty()) return say({}, false);
   const QString names = others.join(tr("”, “"));
   if (m_model->index(chosen, 0).data(ShortcutModel::AmbiguousRole).toBool())
-    return say(tr("The same key starts “%1”; so neither works.").arg(names), true);
-  say(tr("The same key starts “%1”. In the view the tool in use takes it.").arg(names), true);
+    return say(tr("“%1” has the same key, so neither works.").arg(names), true);
+  say(tr("“%1” has the same key. In the view, the key acts on the active tool.").arg(names), true);
 }
 
 void ShortcutEditor::useKey() {
@@ -154,7 +154,7 @@ void ShortcutEditor::importFile() {
     const Result<ShortcutChanges> changes = shortcutsFromJson(bytes);
     if (!changes) return say(errorSentence(changes.error()), true);
     m_model->setChanges(*changes);
-    say(tr("The keys were taken from the file."), false);
+    say(tr("The keys were imported."), false);
   });
   dialog->open();
 }
@@ -167,7 +167,7 @@ void ShortcutEditor::exportFile() {
   dialog->setDefaultSuffix(QStringLiteral("json"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const Status written = writeFileAtomically(path.toStdString(), toJson(m_model->changes()).toStdString());
-    say(written ? tr("The changed keys were written.") : errorSentence(written.error()), !written);
+    say(written ? tr("The changed keys were exported.") : errorSentence(written.error()), !written);
   });
   dialog->open();
 }

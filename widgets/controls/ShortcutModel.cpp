@@ -97,10 +97,10 @@ bool ShortcutModel::isFixed(const Entry& entry) {
 
 QString ShortcutModel::objection(const Entry& entry, const QKeySequence& key) {
   if (entry.defaults.contains(key)) return {};
-  if (isFixed(entry)) return tr("In every tool Return finishes and Esc gives up: these keys stay as they are.");
+  if (isFixed(entry)) return tr("In every tool Return finishes and Esc cancels: these keys cannot be changed.");
   if (isEndingKey(key)) return tr("Return, Enter and Esc end what a tool does. No other command can have them.");
-  if (!isKey(key)) return tr("There is no such key.");
-  if (!entry.scope.isEmpty() && key.count() > 1) return tr("In a tool a single press has to do.");
+  if (!isKey(key)) return tr("This key does not exist.");
+  if (!entry.scope.isEmpty() && key.count() > 1) return tr("In a tool, a shortcut must be a single key press.");
   return {};
 }
 

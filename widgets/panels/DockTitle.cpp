@@ -54,11 +54,10 @@ void DockTitle::showState() {
   m_float->setVisible(m_dock->features() & QDockWidget::DockWidgetFloatable);
   m_fold->setVisible(m_dock->features() & QDockWidget::DockWidgetClosable);
   m_float->setIcon(icon(floats ? QStringLiteral("dock") : QStringLiteral("float")));
-  m_float->setToolTip(floats ? tr("Put this panel back into the window") : tr("Take this panel out of the window"));
-  m_float->setAccessibleName(floats ? tr("Put the panel “%1” back into the window").arg(name)
-                                    : tr("Take the panel “%1” out of the window").arg(name));
-  m_fold->setToolTip(tr("Fold this panel away"));
-  m_fold->setAccessibleName(tr("Fold the panel “%1” away").arg(name));
+  m_float->setToolTip(floats ? tr("Dock this panel") : tr("Undock this panel"));
+  m_float->setAccessibleName(floats ? tr("Dock the panel “%1”").arg(name) : tr("Undock the panel “%1”").arg(name));
+  m_fold->setToolTip(tr("Hide this panel"));
+  m_fold->setAccessibleName(tr("Hide the panel “%1”").arg(name));
 }
 
 }  // namespace handwheel

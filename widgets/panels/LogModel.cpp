@@ -54,7 +54,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
 
 QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  return section == Time ? tr("Time") : section == Event ? tr("Event") : tr("The same without a window");
+  return section == Time ? tr("Time") : section == Event ? tr("Event") : tr("Command line");
 }
 
 }  // namespace handwheel

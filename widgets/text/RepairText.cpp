@@ -30,19 +30,21 @@ QString fillMethodName(FillMethod method) {
     case FillMethod::Refined:
       return RepairWords::tr("Refined");
     case FillMethod::Ear:
-      return RepairWords::tr("Ear cutting");
+      return RepairWords::tr("Ear clipping");
     case FillMethod::Minimal:
-      return RepairWords::tr("Area and bend");
+      return RepairWords::tr("Area and bending");
     case FillMethod::Area:
-      return RepairWords::tr("Least area");
+      return RepairWords::tr("Minimum area");
     case FillMethod::Dihedral:
-      return RepairWords::tr("Least bend");
+      return RepairWords::tr("Minimum bending");
     case FillMethod::Ridge:
       return RepairWords::tr("Ridges");
+    case FillMethod::Flat:
+      return RepairWords::tr("Flat");
     case FillMethod::Cone:
       return RepairWords::tr("Cone");
     case FillMethod::ThickenedSheet:
-      return RepairWords::tr("Given a back");
+      return RepairWords::tr("Thickened sheet");
     case FillMethod::Stitched:
       return RepairWords::tr("Stitched");
     case FillMethod::Removed:
@@ -54,29 +56,48 @@ QString fillMethodName(FillMethod method) {
 QString fillMethodHint(FillMethod method) {
   switch (method) {
     case FillMethod::Fair:
-      return RepairWords::tr("Triangles as fine as the surroundings, bent to continue them. For scans.");
+      return RepairWords::tr("Triangles as fine as the surroundings, curved to continue them. For scans.");
     case FillMethod::Refined:
-      return RepairWords::tr("Triangles as fine as the surroundings, not bent. For flat places.");
+      return RepairWords::tr("Triangles as fine as the surroundings, not curved. For flat regions.");
     case FillMethod::Ear:
-      return RepairWords::tr("Cuts one corner after the other; adds no vertices.");
+      return RepairWords::tr(
+          "Cuts off one corner after the other, the best first; adds no vertices. For holes with many edges.");
     case FillMethod::Minimal:
-      return RepairWords::tr("The smallest possible area; adds no vertices.");
+      return RepairWords::tr(
+          "Small angles between adjacent triangles, then a small area, using edges of the Delaunay tetrahedralisation; "
+          "adds no vertices.");
     case FillMethod::Area:
-      return RepairWords::tr("The least area of all triangulations; adds no vertices.");
+      return RepairWords::tr("Minimises the area; adds no vertices. A hole of more than 300 edges is divided first.");
     case FillMethod::Dihedral:
-      return RepairWords::tr("The least bend between neighbours, then the least area; adds no vertices.");
+      return RepairWords::tr(
+          "Minimises the angles between adjacent triangles, then the area; adds no vertices. A hole of more than 300 "
+          "edges is divided first.");
     case FillMethod::Ridge:
       return RepairWords::tr(
-          "As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
+          "As fair, with the sharp edges that end at the hole continued across it. For designed parts.");
+    case FillMethod::Flat:
+      return RepairWords::tr(
+          "A planar patch in the best-fitting plane of the boundary; adds no vertices. For openings that were cut.");
     case FillMethod::Cone:
-      return RepairWords::tr("Triangles to one point behind or before the hole.");
+      return RepairWords::tr("Triangles to one apex behind or in front of the hole.");
     case FillMethod::ThickenedSheet:
-      return RepairWords::tr("The sheet became a thin body.");
+      return RepairWords::tr("The sheet was thickened to a thin body.");
     case FillMethod::Stitched:
-      return RepairWords::tr("The borders were brought together.");
+      return RepairWords::tr("The boundaries were joined.");
     case FillMethod::Removed:
-      return RepairWords::tr("The faces around it were removed.");
+      return RepairWords::tr("The triangles around it were removed.");
   }
+  return {};
+}
+
+QString patchWarning(const PatchComparison& shape) {
+  const auto degrees = [](double radian) { return QString::number(std::lround(radian / kRadiansPerDegree)); };
+  if (shape.bendsMore())
+    return RepairWords::tr("the patch bends by %1°, its surroundings by at most %2°")
+        .arg(degrees(shape.bend), degrees(shape.bendAround));
+  if (shape.risesMore())
+    return RepairWords::tr("the patch bulges by %1 % of the size of the hole beyond its surroundings")
+        .arg(std::lround(100.0 * shape.rise / shape.size));
   return {};
 }
 
@@ -87,17 +108,17 @@ QString fillFailureReason(FillFailure failure) {
     case FillFailure::Cancelled:
       return RepairWords::tr("cancelled");
     case FillFailure::Rim:
-      return RepairWords::tr("it is the outer edge of an open sheet");
+      return RepairWords::tr("it is the outer boundary of an open sheet");
     case FillFailure::KeptOpen:
-      return RepairWords::tr("you asked for it");
+      return RepairWords::tr("it is marked to be kept open");
     case FillFailure::TooLong:
       return RepairWords::tr("it has more edges than allowed");
     case FillFailure::NoPatch:
-      return RepairWords::tr("no surface fits its edge");
+      return RepairWords::tr("no valid patch fits its boundary");
     case FillFailure::SelfIntersecting:
-      return RepairWords::tr("every patch would cross the part");
+      return RepairWords::tr("every patch would intersect the part");
     case FillFailure::Bulging:
-      return RepairWords::tr("every patch would bulge far out");
+      return RepairWords::tr("every patch would bulge out too far");
     case FillFailure::TooMuchEffort:
       return RepairWords::tr("it would take too long for a mesh of this size");
   }
@@ -119,7 +140,7 @@ QString lostAttributeName(LostAttribute attribute) {
     case LostAttribute::Lines:
       return RepairWords::tr("lines");
     case LostAttribute::Points:
-      return RepairWords::tr("single points");
+      return RepairWords::tr("isolated points");
     case LostAttribute::Curves:
       return RepairWords::tr("curves");
     case LostAttribute::ExactSurfaces:
@@ -135,23 +156,23 @@ QStringList repairSummary(const RepairReport& report) {
   const auto add = [&parts](std::size_t count, const auto& phrase) {
     if (count > 0) parts << phrase(asInt(count));
   };
-  add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) turned over", nullptr, n); });
-  add(report.removedDegenerate,
-      [](int n) { return RepairWords::tr("%n triangle(s) without area removed", nullptr, n); });
+  add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) reversed", nullptr, n); });
+  add(report.removedDegenerate, [](int n) { return RepairWords::tr("%n degenerate triangle(s) removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
-  add(report.removedFlaps, [](int n) { return RepairWords::tr("%n loosely hanging triangle(s) removed", nullptr, n); });
+  add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });
   add(report.removedDebris, [](int n) { return RepairWords::tr("%n triangle(s) of debris removed", nullptr, n); });
-  add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near point(s) merged", nullptr, n); });
-  add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches cross", nullptr, n); });
-  add(report.cutClusters, [](int n) { return RepairWords::tr("crossings cut apart at %n place(s)", nullptr, n); });
-  add(report.lostLoops.size(), [](int n) {
-    return RepairWords::tr("%n hole(s) to be kept open gone with triangles that were removed", nullptr, n);
-  });
+  add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near vertex(ices) merged", nullptr, n); });
+  add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches intersect", nullptr, n); });
+  add(report.cutClusters,
+      [](int n) { return RepairWords::tr("self-intersections resolved at %n place(s)", nullptr, n); });
+  add(report.lostLoops.size(),
+      [](int n) { return RepairWords::tr("%n hole(s) to be kept open lost with removed triangles", nullptr, n); });
   add(report.replacedFaces,
-      [](int n) { return RepairWords::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
+      [](int n) { return RepairWords::tr("%n folded triangle(s) replaced around holes", nullptr, n); });
   add(report.nonOrientableCuts,
-      [](int n) { return RepairWords::tr("%n cut(s) where the surface had one side only", nullptr, n); });
-  add(report.separatedVertices, [](int n) { return RepairWords::tr("%n touching point(s) parted", nullptr, n); });
+      [](int n) { return RepairWords::tr("%n cut(s) where the surface was one-sided", nullptr, n); });
+  add(report.separatedVertices,
+      [](int n) { return RepairWords::tr("%n touching vertex(ices) separated", nullptr, n); });
   return parts;
 }
 
@@ -166,6 +187,12 @@ QString stateText(const MeshState& state) {
   parts << (state.components == 1 ? RepairWords::tr("one piece")
                                   : RepairWords::tr("%n piece(s)", nullptr, asInt(state.components)));
   return parts.join(QStringLiteral(", "));
+}
+
+QString areaText(double squareMillimetres, LengthUnit unit) {
+  const double area = squareMillimetres / (millimetresPer(unit) * millimetresPer(unit));
+  return (area < 100.0 ? QLocale().toString(area, 'g', 3) : QLocale().toString(area, 'f', 0)) + QLatin1Char(' ') +
+         QString::fromLatin1(symbolOf(unit)) + QChar(0xb2);
 }
 
 QString lengthText(double millimetres, LengthUnit unit) {

@@ -18,6 +18,8 @@ QString fillMethodName(FillMethod method);
 QString fillMethodHint(FillMethod method);
 
 // Why a hole stayed open, as the end of a sentence. Example: "every patch would cross the part".
+// Why a person should look at a patch; empty where it is like its surroundings.
+QString patchWarning(const PatchComparison& shape);
 QString fillFailureReason(FillFailure failure);
 
 // The name of a lost attribute: "colours", "texture coordinates", …
@@ -30,6 +32,8 @@ QStringList repairSummary(const RepairReport& report);
 // does not hold; what was not looked for is left out.
 QString stateText(const MeshState& state);
 
+// Formats an area with three significant digits, or as a whole number: "12.3 mm²".
+QString areaText(double squareMillimetres, LengthUnit unit);
 // Formats a length with three significant digits: "31.2 mm". It has at most two decimals, or four in units other than
 // mm.
 QString lengthText(double millimetres, LengthUnit unit);

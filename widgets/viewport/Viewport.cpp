@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -132,6 +133,12 @@ CameraState Viewport::camera() const {
 void Viewport::setCamera(const CameraState& camera) {
   d->flight.stop();
   d->moveTo(camera);
+}
+
+void Viewport::moveByHand(const Vec3& pivot, const Vec3& shift, const Vec3& turn) {
+  d->flight.stop();
+  d->moveTo(d->navigation().movedByHand(pivot, shift.head<2>(), turn));
+  if (shift.z() != 0) d->zoomAbout(d->camera.centre, std::exp(shift.z()));
 }
 
 Pick Viewport::pickAlong(const Vec3& origin, const Vec3& direction) const {

@@ -67,6 +67,9 @@ class Viewport : public QOpenGLWidget {
   void flyTo(const Box& box, const Vec3& outward);
   CameraState camera() const;  // the present camera, or the goal of its animation
   void setCamera(const CameraState& camera);
+  // Moves the camera so that the model seems carried: turned by a rotation vector about pivot, moved by shares of the
+  // height of the view, and enlarged by exp(shift.z). Along the axes of the view: x right, y up, z towards the viewer.
+  void moveByHand(const Vec3& pivot, const Vec3& shift, const Vec3& turn);
   // Changes the projection and keeps the scale at the focus. The projection is part of the camera state: setCamera()
   // may change it, too.
   void setProjection(Projection projection);

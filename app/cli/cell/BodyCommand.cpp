@@ -41,7 +41,7 @@ int changeAndSave(OpenedFile opened, const OperationValues& values, const Argume
   const DocumentKind& kind = *opened.kind;
   const std::unique_ptr<Document> document = kind.make(std::move(opened));
   const auto* owner = dynamic_cast<const BodyOwner*>(document.get());
-  if (!owner) return refuse(arguments.operands[0] + " holds no bodies: only robot cells do.");
+  if (!owner) return refuse(arguments.operands[0] + " contains no bodies: only robot cells do.");
   std::error_code ignored;
   const std::filesystem::path& holder = values.isSet("add") ? output : std::filesystem::path(arguments.operands[0]);
   const std::filesystem::path folder = std::filesystem::absolute(holder, ignored).parent_path();
@@ -79,13 +79,13 @@ int runBody(const Arguments& arguments, const DocumentKinds& kinds) {
 std::vector<Command> cellCommands() {
   CommandSpec spec = {bodyOperation().id,
                       "IN",
-                      "Changes the things beside the robot of a cell: adds one, removes it, or reads its file again.\n"
-                      "Name, place and look of a body are properties: handwheel set IN body.1.x=100 -o OUT.",
+                      "Changes the bodies beside the robot of a cell: adds one, removes it, or reads its file again.\n"
+                      "Name, position and appearance of a body are properties: handwheel set IN body.1.x=100 -o OUT.",
                       {}};
   spec.options = optionsOf(bodyOperation());
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
-  spec.options.push_back({"help", 'h', "", "Show this page"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
   return {{std::move(spec), runBody}};
 }
 

@@ -72,28 +72,29 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
   Result<Conversion> done = convertDocument(*opened, output, writing);
   if (!done || opened->file.isContainer || opened->kind->id() != kMeshKind) return done;
   const auto turned = static_cast<const MeshSnapshot&>(*opened->content).build->reversedFaces.size();
-  if (turned > 0) done->notes.push_back("Triangles turned as their neighbours are: " + std::to_string(turned) + ".");
+  if (turned > 0)
+    done->notes.push_back("Triangles reversed to agree with their neighbours: " + std::to_string(turned) + ".");
   return done;
 }
 
 }  // namespace
 
 CommandSpec convertSpec() {
-  return {
-      "convert",
-      "IN OUT",
-      "Writes a document in another format. OUT's ending says in which. The triangles of a mesh stay the same, in the\n"
-      "same order; nothing is repaired, but in a .handwheel equal positions are one vertex, and triangles are turned "
-      "as\n"
-      "their neighbours are.",
-      {
-          {"partial", 0, "", "Read what is readable of a damaged file"},
-          {"help", 'h', "", "Show this page"},
-      }};
+  return {"convert",
+          "IN OUT",
+          "Writes a document in another format, given by the extension of OUT. The triangles of a mesh stay the same, "
+          "in the\n"
+          "same order; nothing is repaired, but in a .handwheel equal positions are merged to one vertex, and "
+          "triangles are\n"
+          "reversed to agree with their neighbours.",
+          {
+              {"partial", 0, "", "Read the undamaged part of a damaged file"},
+              {"help", 'h', "", "Show this help"},
+          }};
 }
 
 std::string convertDetails(const DocumentKinds& kinds) {
-  std::string lines = "Endings:\n";
+  std::string lines = "Extensions:\n";
   for (const auto& kind : kinds.all()) {
     lines += "  of a " + kind->id() + ":";
     for (const std::string& ending : writtenEndings(kind->formats())) lines += " " + ending;

@@ -91,15 +91,14 @@ std::string readableText(const DeviceCatalogue& catalogue, const std::vector<Fou
 }  // namespace
 
 CommandSpec devicesSpec() {
-  return {
-      "devices",
-      "",
-      "Lists the haptic and pointing devices that are plugged in. Also the drivers, and the plugins that they come\n"
-      "from; a plugin that cannot be used is told on stderr.",
-      {
-          {"json", 0, "", "Print the list as JSON"},
-          {"help", 'h', "", "Show this page"},
-      }};
+  return {"devices",
+          "",
+          "Lists the haptic and pointing devices that are plugged in. Also the drivers, and the plugins that provide\n"
+          "them; a plugin that cannot be used is reported on stderr.",
+          {
+              {"json", 0, "", "Print the list as JSON"},
+              {"help", 'h', "", "Show this help"},
+          }};
 }
 
 int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDriver>> drivers) {

@@ -16,11 +16,11 @@ namespace handwheel {
 CommandSpec inspectSpec() {
   return {"inspect",
           "IN",
-          "Says what a file holds and what is wrong with it.",
+          "Lists the contents and the defects of a file.",
           {
               {"json", 0, "", "Print the figures as JSON"},
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"help", 'h', "", "Show this page"},
+              {"partial", 0, "", "Read the undamaged part of a damaged file"},
+              {"help", 'h', "", "Show this help"},
           }};
 }
 

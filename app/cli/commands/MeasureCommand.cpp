@@ -58,7 +58,7 @@ bool readCount(const Arguments& arguments, std::string_view name, int& count) {
 // Measures as the window does: there is nothing to choose but the settings. Returns what is wrong, or nothing.
 std::string readCalibration(const Arguments& arguments, MeasureRequest& request) {
   for (const char* other : {"input", "budget", "steps", "repeats", "write-curves", "list"}) {
-    if (arguments.has(other)) return std::string("--calibrate does not go with --") + other + ".";
+    if (arguments.has(other)) return std::string("--calibrate cannot be combined with --") + other + ".";
   }
   const std::vector<const FidelityRegistry::Entry*> dependent = machineDependent(request.registry);
   for (const FidelityRegistry::Entry* entry : request.entries) {
@@ -202,7 +202,8 @@ int runCalibration(const MeasureRequest& request, const Arguments& arguments) {
     return code;
   if (!run.kept) return fail(run.kept.error());
   if (run.measured.size() == run.wanted) return kExitDone;
-  complain("The time is up; the last " + std::to_string(run.wanted - run.measured.size()) + " are as they were.");
+  complain("The time limit was reached; the last " + std::to_string(run.wanted - run.measured.size()) +
+           " are unchanged.");
   return kExitSomethingLeft;
 }
 
@@ -212,22 +213,24 @@ CommandSpec measureSpec() {
   return {
       "measure",
       "[ID...]",
-      "Measures where speed trades with accuracy. Sweeps each setting (or those named) over its range on built-in\n"
-      "shapes and prints error and cost, the front of values that no other beats, its knee, and where the presets\n"
-      "fall. Cost is CPU time. Exit code 0: done; 2: no value of a setting keeps the budget; 1: error.",
+      "Measures the trade-off between speed and accuracy. Sweeps each setting (or those named) over its range on "
+      "built-in\n"
+      "shapes and prints error and cost, the Pareto front, its knee, and the values of the presets. Cost is CPU time.\n"
+      "Exit code 0: done; 2: no value of a setting keeps within the budget; 1: error.",
       {
-          {"calibrate", 0, "", "Measure what costs time on this machine, and keep it where the window finds it"},
-          {"input", 0, "FILE", "Measure on this mesh too; may be given several times"},
-          {"budget", 0, "LIST", "Show the most accurate value within us=...,ms=...,mb=... per step, a third to spare"},
+          {"calibrate", 0, "", "Measure the CPU time on this machine, and save it for the window"},
+          {"input", 0, "FILE", "Measure on this mesh, too; can be given several times"},
+          {"budget", 0, "LIST",
+           "Show the most accurate value within us=...,ms=...,mb=... per step, with a third left unused"},
           {"csv", 0, "FILE", "Write the measurements as comma-separated values"},
-          {"plot", 0, "FILE", "Draw error over cost, as .png or .svg, or write its points as .csv"},
-          {"dark", 0, "", "Draw on a dark ground"},
+          {"plot", 0, "FILE", "Plot error over cost, as .png or .svg, or write its points as .csv"},
+          {"dark", 0, "", "Draw on a dark background"},
           {"json", 0, "", "Print everything as JSON"},
-          {"list", 0, "", "Only name the settings"},
+          {"list", 0, "", "List the settings only"},
           {"steps", 0, "N", "Values over each range (default 9)"},
-          {"repeats", 0, "N", "Runs of each, of which the median counts (default 5)"},
+          {"repeats", 0, "N", "Runs of each; the median is used (default 5)"},
           {"write-curves", 0, "FOLDER", "Write the curves from which presets are derived, one file for each setting"},
-          {"help", 'h', "", "Show this page"},
+          {"help", 'h', "", "Show this help"},
       }};
 }
 
@@ -246,7 +249,7 @@ int runMeasure(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!written) return fail(written.error());
   if (const int code = print(text(measured, request, arguments.has("json"))); code != kExitDone) return code;
   const std::vector<std::string> over = overBudget(measured, request.budgets);
-  for (const std::string& id : over) complain("No value of " + id + " keeps the budget.");
+  for (const std::string& id : over) complain("No value of " + id + " keeps within the budget.");
   return over.empty() ? kExitDone : kExitSomethingLeft;
 }
 

@@ -36,7 +36,7 @@ const StoredRecording* chosen(const std::vector<StoredRecording>& all, const Arg
   if (!arguments.has("name")) {
     if (all.size() == 1) return &all.front();
     problem = all.empty() ? "There are no recordings in " + arguments.operands[0] + "."
-                          : "There are several recordings; --name says which.";
+                          : "There are several recordings; choose one with --name.";
     return nullptr;
   }
   const std::string name = arguments.valueOf("name");
@@ -59,11 +59,11 @@ CommandSpec recordingSpec() {
   return {
       "recording",
       "FILE",
-      "Writes a recording of a haptic device as a table (CSV). Without --out it lists those that the document holds.",
+      "Writes a recording of a haptic device as a table (CSV). Without --out it lists the recordings of the document.",
       {
           {"out", 'o', "CSV", "The table: time, tip, proxy and force in each tick (s, mm, N)"},
           {"name", 0, "NAME", "Which recording, where there are several"},
-          {"help", 'h', "", "Show this page"},
+          {"help", 'h', "", "Show this help"},
       }};
 }
 

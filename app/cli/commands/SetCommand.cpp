@@ -28,7 +28,7 @@ std::string assign(Document& document, const std::string& word) {
   if (!property->editable) {
     const auto edit = document.propertyEdit(property->id, std::get<PropertyValue>(value));
     const bool saysWhy = !edit && edit.error().code != ErrorCode::ReferenceMissing;
-    return saysWhy ? sentenceFor(edit.error()) : "The property " + name + " follows from others and cannot be set.";
+    return saysWhy ? sentenceFor(edit.error()) : "The property " + name + " depends on others and cannot be set.";
   }
   const Status done = document.setProperty(property->id, std::get<PropertyValue>(value));
   return done ? std::string() : sentenceFor(done.error());
@@ -62,14 +62,14 @@ std::string kindsToMake(const DocumentKinds& kinds) {
 
 const std::vector<OptionSpec> kOptions = {
     {"output", 'o', "OUT", "The document to write, .handwheel or an export"},
-    {"help", 'h', "", "Show this page"},
+    {"help", 'h', "", "Show this help"},
 };
 
 }  // namespace
 
 CommandSpec newSpec() {
-  return {"new", "KIND [NAME=VALUE...]",
-          "Makes a document of default size. Properties can be given as 'set' takes them.", kOptions};
+  return {"new", "KIND [NAME=VALUE...]", "Makes a document of default size. Properties are given as for 'set'.",
+          kOptions};
 }
 
 std::string newDetails(const DocumentKinds& kinds) {
@@ -80,7 +80,7 @@ CommandSpec setSpec() {
   return {"set", "IN [NAME=VALUE...]",
           "Changes properties of a document. Examples: diameter=25.4/2, joint.joint_1=30deg,\n"
           "body.Table.x=100; 'handwheel inspect IN' lists them.\n"
-          "OUT may be IN, unless IN is damaged or of a newer version.",
+          "OUT can be IN, unless IN is damaged or of a newer version.",
           kOptions};
 }
 

@@ -110,7 +110,7 @@ class Planner {
       } else if (hasEnding(name, m_endings) && entry->is_regular_file(ignored)) {
         found.emplace_back(folder / name, std::string());
       } else if (hasEnding(name, m_endings) && entry->is_symlink(ignored) && !entry->exists(ignored)) {
-        found.emplace_back(folder / name, "The link leads nowhere.");
+        found.emplace_back(folder / name, "The target of the link does not exist.");
       }
     }
     if (error) found.emplace_back(folder, "The folder cannot be read (" + error.message() + ").");

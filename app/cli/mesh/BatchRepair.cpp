@@ -62,13 +62,13 @@ std::string readRunOptions(const Arguments& arguments, BatchRequest& request) {
 // Turns the words into a request, but for the plan and the earlier run. Returns what is wrong with them, or nothing.
 std::string readBatchRequest(const Arguments& arguments, const DocumentKinds& kinds, BatchRequest& request) {
   for (std::string_view name : kOfOne) {
-    if (arguments.has(name)) return "--" + std::string(name) + " is for one file at a time.";
+    if (arguments.has(name)) return "--" + std::string(name) + " can be used with one file only.";
   }
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   const fs::path output = arguments.valueOf("output");
   std::error_code ignored;
   if (!fs::is_directory(output, ignored) && (fs::exists(output, ignored) || isDocumentName(output, kinds))) {
-    return output.string() + " is no folder, and many files need one.";
+    return output.string() + " is not a folder; several files need one.";
   }
   RepairRequest repair;  // read here only to say what is wrong once, and at once
   const std::string problem = readRepairOptions(arguments, repair);
@@ -116,7 +116,7 @@ int runBatchRepair(const Arguments& arguments, const DocumentKinds& kinds) {
     Result<std::optional<BatchReport>> earlier = readBatchReport(request.report);
     if (!earlier) {
       return refuse(request.report.string() +
-                    " is no report to resume from: " + beginningOf(sentenceFor(earlier.error())) + ".");
+                    " is not a report to resume from: " + beginningOf(sentenceFor(earlier.error())) + ".");
     }
     request.earlier = std::move(*earlier);
   }

@@ -75,7 +75,7 @@ int BatchRun::run() {
     stop();
     const bool isSaved = saveReport();
     complain("Cancelled after " + std::to_string(m_finished) + " of " + std::to_string(count) + " files." +
-             (isSaved ? " With --resume the next run does the rest." : ""));
+             (isSaved ? " Run again with --resume to do the rest." : ""));
     return kExitInterrupted;
   }
   const bool isSaved = saveReport();
@@ -106,7 +106,7 @@ void BatchRun::start(std::size_t file) {
   if (!planned(file).problem.empty()) return fail(file, planned(file).problem);
   std::error_code error;
   std::filesystem::create_directories(planned(file).output.parent_path(), error);
-  if (error) return fail(file, "The folder of the output cannot be made (" + error.message() + ").");
+  if (error) return fail(file, "The output folder cannot be created (" + error.message() + ").");
   std::vector<std::string> words{ownProgram(), "repair", "--json"};
   words.insert(words.end(), m_request.repairOptions.begin(), m_request.repairOptions.end());
   words.insert(words.end(), {"-o", planned(file).output.string(), "--", planned(file).input.string()});
@@ -174,7 +174,7 @@ std::string BatchRun::reasonOf(const Running& running, const ChildProcess& child
     return std::string("Its process crashed (") + strsignal(child.code() - 128) + ").";
   }
   if (sentences.empty())
-    return "Its process ended with the code " + std::to_string(child.code()) + " and said nothing.";
+    return "Its process ended with the code " + std::to_string(child.code()) + " without a message.";
   const std::string& last = sentences.back();
   const std::string input = planned(running.file).input.string();  // stands before it on the line
   const bool hasSubject = last.starts_with(input + ": ") || last.starts_with(input + ", ");

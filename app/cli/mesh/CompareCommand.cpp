@@ -85,18 +85,18 @@ void addPicture(const CompareRequest& request, Comparison& comparison) {
 }  // namespace
 
 CommandSpec compareSpec() {
-  return {"compare",
-          "FILE SCAN",
-          "Measures how far a mesh is from the scan that it came from, and the scan from the mesh.\n"
-          "Distances are taken at all vertices and at samples spread evenly over both surfaces; above zero they are on "
-          "the\n"
-          "side to which the faces of the other look: of a closed one, outside.",
-          {
-              {"report", 0, "FILE", "Write the figures with histograms, as .html or .pdf with pictures, or .json"},
-              {"samples", 0, "N", "Samples on each surface (default 200000); 0: vertices only"},
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"help", 'h', "", "Show this page"},
-          }};
+  return {
+      "compare",
+      "FILE SCAN",
+      "Measures how far a mesh is from the scan that it came from, and the scan from the mesh.\n"
+      "Distances are taken at all vertices and at samples spread evenly over both surfaces; positive distances are\n"
+      "on the side of the normals of the other surface: outside a closed one.",
+      {
+          {"report", 0, "FILE", "Write the figures with histograms, as .html or .pdf with pictures, or .json"},
+          {"samples", 0, "N", "Samples on each surface (default 200000); 0: vertices only"},
+          {"partial", 0, "", "Read the undamaged part of a damaged file"},
+          {"help", 'h', "", "Show this help"},
+      }};
 }
 
 int runCompare(const Arguments& arguments, const DocumentKinds& kinds) {

@@ -81,8 +81,9 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
     rounding = roundingMove(mesh, *options.error, numberTypeOf(*format, input->mesh->numbers));
     *options.error -= rounding;
     if (!(*options.error > 0.0)) {
-      done.refusal = request.output.string() + ": its numbers move points by up to " + roundedText(rounding) +
-                     " mm, more than --error allows. Bring the part near the origin, or name a .handwheel.";
+      done.refusal = request.output.string() + ": the precision of its numbers moves vertices by up to " +
+                     roundedText(rounding) +
+                     " mm, more than --error allows. Move the part near the origin, or write a .handwheel.";
       return done;
     }
   }
@@ -102,9 +103,9 @@ std::string readableText(const DecimationReport& report) {
   std::string text =
       "Triangles: " + std::to_string(report.facesBefore) + " before, " + std::to_string(report.facesAfter) + " now.\n";
   if (report.largestDistance) {
-    text += "Largest distance found between before and now: " + roundedText(*report.largestDistance) + " mm.\n" +
+    text += "Largest distance found between original and result: " + roundedText(*report.largestDistance) + " mm.\n" +
             (report.isProven ? "No point is farther away than --error allows.\n"
-                             : "Between the points looked at it is not proven that --error is kept.\n");
+                             : "Between the sampled points, --error is not guaranteed.\n");
   }
   return text;
 }
@@ -112,16 +113,17 @@ std::string readableText(const DecimationReport& report) {
 }  // namespace
 
 CommandSpec decimateSpec() {
-  CommandSpec spec = {
-      "decimate",
-      "FILE",
-      "Makes a mesh of fewer triangles that stays as near to the original as it can. Holes, handles and parts stay,\n"
-      "and no triangle turns over. Exit code 0: done; 2: --faces was not reached, or nothing could go, told on stderr; "
-      "1: error.",
-      {meshOutputOption()}};
+  CommandSpec spec = {"decimate",
+                      "FILE",
+                      "Reduces the number of triangles while staying as close to the original as possible. Holes, "
+                      "handles and parts are\n"
+                      "preserved, and no triangle flips. Exit code 0: done; 2: --faces was not reached, or nothing "
+                      "could be removed, as\n"
+                      "reported on stderr; 1: error.",
+                      {meshOutputOption()}};
   for (OptionSpec& option : optionsOf(decimateOperation())) spec.options.push_back(std::move(option));
-  spec.options.push_back({"partial", 0, "", "Read what is readable of a damaged file"});
-  spec.options.push_back({"help", 'h', "", "Show this page"});
+  spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
   return spec;
 }
 
@@ -138,12 +140,12 @@ int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!done.refusal.empty()) return refuse(done.refusal);
   if (const int code = print(readableText(done.report)); code != kExitDone) return code;
   if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {
-    complain("Nothing was taken away: nothing can go within --error. A larger one may do.");
+    complain("No triangle was removed: none can be removed within --error. Try a larger one.");
     return kExitSomethingLeft;
   }
   if (request.options.faces == 0 || done.report.facesAfter <= request.options.faces) return kExitDone;
   complain("More than " + std::to_string(request.options.faces) +
-           " triangles are left: further ones cannot go within what is to be kept.");
+           " triangles remain: no more can be removed within the given limits.");
   return kExitSomethingLeft;
 }
 

@@ -118,7 +118,8 @@ Result<Edited> editFile(const Arguments& arguments, const DocumentKinds& kinds, 
   if (!opened) return opened.error();
   Edited done;
   done.file = opened->file;
-  if (opened->kind->id() != kMeshKind) done.refusal = input.string() + " is no mesh: only meshes are edited by steps.";
+  if (opened->kind->id() != kMeshKind)
+    done.refusal = input.string() + " is not a mesh: only meshes can be edited by steps.";
   if (done.refusal.empty()) done.refusal = refusalToReplace(output, opened->file);
   if (!done.refusal.empty()) return done;
 
@@ -138,12 +139,13 @@ Result<Edited> editFile(const Arguments& arguments, const DocumentKinds& kinds, 
 const std::string& summary() {
   static const std::string text = [] {
     std::string all =
-        "Does to a mesh what the window does, step by step. The window's Log and \"Save steps\" write such steps; "
-        "with\n"
-        "them the same file comes out, byte for byte. Exit code 0: done; 2: a step changed nothing, told on stderr;\n"
-        "1: error, and nothing is written.\n\nSteps, each one word for the shell:\n";
+        "Edits a mesh by the same steps as in the window. The window's Log and \"Save steps\" write such steps; they\n"
+        "produce the same file, byte for byte. Exit code 0: done; 2: a step changed nothing, as reported on stderr;\n"
+        "1: error, and nothing is written.\n\n"
+        "Steps, each quoted as one argument:\n";
     return all + stepsHelp(meshOperations()) +
-           "LOOP is numbered as 'handwheel inspect' does, anew after each step, or v and its smallest vertex: v12.";
+           "LOOP is its number as in 'handwheel inspect', renumbered after each step, or v and its smallest vertex: "
+           "v12.";
   }();
   return text;
 }
@@ -165,16 +167,16 @@ CommandSpec editSpec() {
           summary(),
           {
               meshOutputOption(),
-              {"steps", 0, "FILE", "Steps, one a line, done before those of the command line; # begins a comment"},
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"help", 'h', "", "Show this page"},
+              {"steps", 0, "FILE", "Steps, one per line, applied before those of the command line; # begins a comment"},
+              {"partial", 0, "", "Read the undamaged part of a damaged file"},
+              {"help", 'h', "", "Show this help"},
           }};
 }
 
 int runEdit(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "edit");
   if (arguments.operands.size() < 2 && !arguments.has("steps"))
-    return failUsage("There is no step. Give some, or a file of them with --steps.", "edit");
+    return failUsage("No step is given. Give steps, or a file of steps with --steps.", "edit");
   std::optional<Result<Edited>> result;
   runInterruptible("Editing", [&](CommandJob& job) { result = editFile(arguments, kinds, job.progress()); });
   if (!*result) return fail(result->error());

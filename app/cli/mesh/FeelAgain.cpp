@@ -81,7 +81,7 @@ std::string summary(const FeltAgain& again) {
   return "Ticks        " + std::to_string(felt.ticks) + "\nScenes       " + std::to_string(again.scenes) + ", edits " +
          std::to_string(again.edits) + "\nIn contact   " + std::to_string(felt.inContact) + "\nPeak force   " +
          roundedText(felt.peakForce) + " N\nAs recorded  " + std::to_string(again.same) +
-         " ticks to the last digit; the largest difference is " + roundedText(again.difference) + " N\n";
+         " ticks bit for bit; the largest difference is " + roundedText(again.difference) + " N\n";
 }
 
 }  // namespace
@@ -103,10 +103,9 @@ int feelAgain(const Arguments& arguments, std::string_view text, const DocumentK
   if (!written) return fail(written.error());
   const FeltAgain& again = result->value();
   for (const std::string& id : again.leftOut)
-    complain("The force '" + id + "' of the recording is left out: only surfaces are felt again.");
-  if (!again.problem.empty()) complain("The recording is felt again only up to an edit: " + again.problem);
-  if (again.without > 0)
-    complain(std::to_string(again.without) + " ticks are left out: nothing is known of their scene.");
+    complain("The force '" + id + "' of the recording is left out: only surfaces are replayed.");
+  if (!again.problem.empty()) complain("The recording is replayed only up to an edit: " + again.problem);
+  if (again.without > 0) complain(std::to_string(again.without) + " ticks are left out: their scene is not known.");
   const int code = print(out == "-" ? again.felt.csv : summary(again));
   if (code != kExitDone) return code;
   return again.problem.empty() && again.without == 0 ? kExitDone : kExitSomethingLeft;

@@ -68,13 +68,14 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   request.path = arguments.valueOf("path");
   request.out = arguments.valueOf("out");
   request.read.partial = arguments.has("partial");
-  if (!arguments.has("path")) return "--path P.csv is missing: the way of the tip.";
+  if (!arguments.has("path")) return "--path P.csv is missing: the path of the tip.";
   if (arguments.has("out") && (isSameFile(request.out, request.mesh) || isSameFile(request.out, request.path))) {
     return "MESH and the path cannot be the output too: " + request.out.string() + ".";
   }
   const std::string device = arguments.valueOf("device");
   request.hasDevice = arguments.has("device");
-  if (request.hasDevice && device != "simulated") return "--device takes simulated: others do not follow a path.";
+  if (request.hasDevice && device != "simulated")
+    return "--device takes simulated: other devices cannot follow a path.";
   if (const std::string problem = readSnap(arguments, request.snap); !problem.empty()) return problem;
   if (const std::string problem = readSettings(arguments, request); !problem.empty()) return problem;
   TouchedSurface& surface = request.surface;
@@ -101,7 +102,7 @@ void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
   const double most = run.stiffnessLimit * (damping > 0.0 ? 1.0 - damping / run.dampingLimit : 1.0);
   if (request.surface.stiffness > most)
     complain("The stiffness is capped at " + roundedText(most, 4) + " N/mm: " +
-             (isByTheDevice ? "the device gives no more at any rate."
+             (isByTheDevice ? "the limit of the device at any rate."
                             : "more would not be stable on this device at " + roundedText(run.rate) + " Hz."));
   if (damping < request.surface.damping)
     complain("The damping is capped at " + roundedText(damping, 4) + " N·s/mm, half of the device's own.");
@@ -116,7 +117,7 @@ std::optional<SnapAttraction> rimsOf(const FeelRequest& request, const Input& in
       document ? document->mesh.defects->loops : findBoundaryLoops(mesh, progress.part(0.6, 0.8));
   std::optional<SnapAttraction> feel =
       snapAttraction(request.snap, mesh, loops, request.values, progress.part(0.8, 1.0));
-  if (!feel && !progress.cancelled()) complain("The mesh has no open edge: nothing draws the tip.");
+  if (!feel && !progress.cancelled()) complain("The mesh has no open edge to snap to.");
   return feel;
 }
 
@@ -141,7 +142,7 @@ std::string summary(const HapticPathResult& felt) {
   return "Ticks        " + std::to_string(felt.ticks) + "\nIn contact   " + std::to_string(felt.inContact) +
          "\nPeak force   " + roundedText(felt.peakForce) + " N\nA tick       " +
          roundedText(felt.usualMicroseconds, 3) + " us (median), " + roundedText(felt.slowMicroseconds, 3) +
-         " us (99 of 100 are faster)\n";
+         " us (99th percentile)\n";
 }
 
 }  // namespace
@@ -150,31 +151,30 @@ CommandSpec feelSpec() {
   return {
       "feel",
       "MESH",
-      "Leads a tip along a path over a mesh and writes what it feels.\n"
-      "A proxy follows the tip and never goes through the surface; the force is F = k (proxy - tip), less the\n"
-      "damping of the speed along the normal. Where the path begins is free space.\n"
-      "P.csv has the columns t_s,x_mm,y_mm,z_mm; between its lines the tip goes straight. The output has the columns\n"
+      "Moves a tip along a path over a mesh and writes the contact forces.\n"
+      "A proxy follows the tip and never goes through the surface; the force is F = k (proxy - tip), minus the\n"
+      "damping of the speed along the normal. The path is assumed to begin in free space.\n"
+      "P.csv has the columns t_s,x_mm,y_mm,z_mm; the tip moves straight between its lines. The output has the columns\n"
       "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us, in mm and N.\n"
-      "P.csv may also be a recording that the window exported: it is felt again with the settings it was felt with, "
-      "and\n"
+      "P.csv can also be a recording that the window exported: it is replayed with the settings of the recording, and\n"
       "the mesh is edited at the same ticks. MESH is then the file as it was opened. Exit code 0: done; 2: not all of\n"
-      "the recording could be felt again; 1: error.",
+      "the recording could be replayed; 1: error.",
       {
-          {"path", 0, "P.csv", "The way of the tip"},
-          {"out", 0, "FILE", "Write what is felt at each tick; - for standard output"},
+          {"path", 0, "P.csv", "The path of the tip"},
+          {"out", 0, "FILE", "Write the state of each tick; - for standard output"},
           {"stiffness", 0, "N/MM", "Of the surface (default 0.5)"},
           {"damping", 0, "N·S/MM", "Of the speed along the normal, in contact (default 0)"},
-          {"friction", 0, "MU", "Coulomb's coefficient (default 0)"},
+          {"friction", 0, "MU", "Coulomb friction coefficient (default 0)"},
           {"snap", 0, "PROFILE",
-           "none, spring, triangle, quadratic or gaussian: how open edges and their points draw the tip (default "
-           "none)"},
+           "none, spring, triangle, quadratic or gaussian: how open edges and their vertices attract the tip "
+           "(default none)"},
           {"snap-method", 0, "METHOD", "proxy: one feature at a time; force: the sum of all (default proxy)"},
           {"snap-stiffness", 0, "N/MM", "Of the profile (default 0.3)"},
-          {"rate", 0, "HZ", "Ticks a second (default 1000)"},
+          {"rate", 0, "HZ", "Ticks per second (default 1000)"},
           {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: proxy.tolerance=1e-6,..."},
-          {"device", 0, "NAME", "simulated: stiffness, damping and force as that device can carry them"},
-          {"partial", 0, "", "Read what is readable of a damaged file"},
-          {"help", 'h', "", "Show this page"},
+          {"device", 0, "NAME", "simulated: stiffness, damping and force limited to those of this device"},
+          {"partial", 0, "", "Read the undamaged part of a damaged file"},
+          {"help", 'h', "", "Show this help"},
       }};
 }
 
@@ -194,7 +194,7 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
   request.run.to = path.poses.back().time;
   if (!((request.run.to - request.run.from) * request.run.rate < static_cast<double>(kMostTicks)))
     return refuse(request.path.string() + ": The path takes more than " + std::to_string(kMostTicks) +
-                  " ticks. Choose a smaller --rate, or cut it.");
+                  " ticks. Choose a smaller --rate, or shorten the path.");
   request.run.path = PoseTrajectory(std::move(path.poses));
   if (request.hasDevice) limitBy(simulatedDevice().capabilities, request);
 
@@ -218,9 +218,9 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
   });
   if (problem) return fail(*problem);
   if (felt.cut > 0)
-    complain("The force is cut at " + roundedText(request.run.maxForce, 4) + " N, the most that the device gives, in " +
+    complain("The force is limited to " + roundedText(request.run.maxForce, 4) + " N, the limit of the device, in " +
              std::to_string(felt.cut) + " of " + std::to_string(felt.ticks) + " ticks: up to " +
-             roundedText(felt.askedForce, 4) + " N would be felt.");
+             roundedText(felt.askedForce, 4) + " N without this limit.");
   for (DocumentFile& file : read) {
     file.lost.clear();  // nothing is written, so nothing is not kept
     reportLosses(file);

@@ -33,7 +33,7 @@ std::string readSnap(const Arguments& arguments, SnapRequest& request) {
     return "--snap takes none, spring, triangle, quadratic or gaussian.";
   for (const char* option : {"snap-method", "snap-stiffness"})
     if (arguments.has(option) && !request.isOn)
-      return "--" + std::string(option) + " says how to snap: choose a --snap.";
+      return "--" + std::string(option) + " needs a profile: choose one with --snap.";
   if (arguments.has("snap-method") && !takeWord(arguments.valueOf("snap-method"), kMethods, request.method))
     return "--snap-method takes proxy or force.";
   return {};

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 OptionSpec meshOutputOption() {
-  return {"output", 'o', "OUT", "The result: " + choicesText(writtenEndings(meshFileFormats())) + "; may be the input"};
+  return {"output", 'o', "OUT", "The result: " + choicesText(writtenEndings(meshFileFormats())) + "; can be the input"};
 }
 
 std::string meshFormatWords(bool withContainer) {

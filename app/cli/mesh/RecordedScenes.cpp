@@ -50,7 +50,7 @@ ForceRenderer* RecordedScenes::at(const RecordedTick& tick) {
 void RecordedScenes::begin(const std::string& note, bool isFelt) {
   const nlohmann::json scene = nlohmann::json::parse(note, nullptr, false);
   if (!scene.is_object()) {
-    m_problem = "What it says of a scene cannot be read.";
+    m_problem = "The description of a scene cannot be read.";
     return;
   }
   const nlohmann::json* surface = nullptr;

@@ -41,14 +41,15 @@ struct Delivery {
 Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
   Delivery delivery{lossSentences(run.file), {}, {}};
   if (run.roundingMove > kToldRounding * run.after.box.diagonal().norm()) {
-    delivery.complaints.push_back("The single precision of the format moved points by up to " +
+    delivery.complaints.push_back("The single precision of the format moved vertices by up to " +
                                   roundedText(run.roundingMove) +
-                                  " mm. Bring the part near the origin, or write .ply, .obj or .off.");
+                                  " mm. Move the part near the origin, or write .ply, .obj or .off.");
   }
   if (arguments.has("report")) delivery.report = textOf(toJson(run, request, unitOf(arguments)));
   const bool asJson = arguments.has("json");
   if (!asJson) {
     for (std::string& sentence : leftovers(run.repair, run.after)) delivery.complaints.push_back(std::move(sentence));
+    for (std::string& sentence : patchWarnings(run.repair)) delivery.complaints.push_back(std::move(sentence));
   }
   delivery.text = asJson ? outcomeLine(run, request) : summary(run, request);
   return delivery;
@@ -114,19 +115,16 @@ int deliver(const Repaired& done, const RepairRequest& request, const Arguments&
 namespace {
 
 std::string repairPurpose() {
-  return "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
-         "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold, oriented\n"
-         "and free of self-intersections; 2: something is left and told on stderr; 1: error. The format is that of "
-         "OUT's ending.\n\n"
-         "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a "
-         "process\n"
-         "of its own, so that none stops the others. OUT is then a folder, in which the files lie as they do in the "
-         "folders\n"
-         "named: " +
+  return "Fills the holes of a mesh, removes degenerate and duplicate triangles and repairs non-manifold places.\n"
+         "Everything else is unchanged, bit for bit. Exit code 0: the written file is closed, manifold, oriented\n"
+         "and free of self-intersections; 2: defects remain, as reported on stderr; 1: error. The\n"
+         "format is given by the extension of OUT.\n\n"
+         "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a\n"
+         "separate process. OUT is then a folder with the same subfolders as the input folders.\n"
+         "Repaired are files of these formats: " +
          meshFormatNames() +
-         ", below the first level too, hidden ones and linked folders left out. A line "
-         "for\n"
-         "each, a table at the end; exit code 2: something was left open; 1: a file failed. No input is ever replaced.";
+         ", also in subfolders, without hidden files and linked folders. Prints a line for\n"
+         "each and a summary table; exit code 2: defects remain; 1: a file failed. No input is ever replaced.";
 }
 
 }  // namespace
@@ -138,18 +136,18 @@ CommandSpec repairSpec() {
       {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: mesh.near_weld=1e-4,..."}};
   for (OptionSpec& option : optionsOf(repairOperation(), {"numbers"})) options.push_back(std::move(option));
   const std::vector<OptionSpec> others = {
-      {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
+      {"keep-open", 0, "ID,...", "Loops to keep open, numbered as in 'handwheel inspect'"},
       {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report and in 3MF, nothing is scaled"},
-      {"partial", 0, "", "Read what is readable of a damaged file"},
+      {"partial", 0, "", "Read the undamaged part of a damaged file"},
       {"report", 0, "FILE",
-       "Write figures before and after, and what became of each loop, as JSON; of many, of each file"},
-      {"screenshot", 0, "PNG", "Draw the result; where that fails the repair is done all the same"},
-      {"json", 0, "", "Say what came of each file as one line of JSON"},
+       "Write figures before and after, and the result of each loop, as JSON; with several files, of each file"},
+      {"screenshot", 0, "PNG", "Draw the result; the repair does not depend on it"},
+      {"json", 0, "", "Print the result of each file as one line of JSON"},
       {"jobs", 'j', "N", "Repair many: N files at a time, 1 (default) to 64"},
       {"format", 0, "ENDING", "Repair many: write all as " + meshFormatWords(true)},
-      {"resume", 0, "", "Repair many: leave out what an earlier run with the same options has done"},
-      {"time-limit", 0, "S", "Repair many: give up on a file after S seconds"},
-      {"help", 'h', "", "Show this page"},
+      {"resume", 0, "", "Repair many: skip files done by an earlier run with the same options"},
+      {"time-limit", 0, "S", "Repair many: stop a file after S seconds"},
+      {"help", 'h', "", "Show this help"},
   };
   options.insert(options.end(), others.begin(), others.end());
   return {"repair", "IN [IN...]", purpose, std::move(options)};

@@ -42,6 +42,8 @@ Json toJson(const LoopResult& loop) {
       {"method", filled ? Json(methodWord(loop.method)) : Json(nullptr)},
       {"reason", filled ? Json(nullptr) : Json(reasonSentence(loop.reason))},
       {"new_faces", loop.newFaces},
+      {"bend_deg", loop.shape.bend / kRadiansPerDegree},
+      {"bend_around_deg", loop.shape.bendAround / kRadiansPerDegree},
       {"ms", loop.milliseconds},
   };
 }

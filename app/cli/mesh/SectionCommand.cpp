@@ -52,7 +52,7 @@ std::string readRequest(const Arguments& arguments, SectionRequest& request) {
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
   if (!arguments.has("output")) return "The option -o OUT is missing.";
-  if (!arguments.has("plane")) return "The option --plane says where to cut: z=12.5, say.";
+  if (!arguments.has("plane")) return "The option --plane is missing, for example --plane z=12.5.";
   const std::string plane = arguments.valueOf("plane");
   const std::size_t equals = plane.find('=');
   if (equals == std::string::npos || !readNormal(std::string_view(plane).substr(0, equals), request.normal) ||
@@ -96,15 +96,15 @@ CommandSpec sectionSpec() {
   return {
       "section",
       "FILE",
-      "Cuts a mesh by a plane and draws the outlines. The drawing is in mm, one to one, and seen from the side to\n"
-      "which the normal points. Says how long the outlines are and what area they go around: parts that overlap\n"
-      "count once, hollows not at all. Exit code 0: done; 2: there is nothing to cut, or an outline is open and has\n"
+      "Cuts a mesh by a plane and draws the outlines. The drawing is in mm, at scale 1:1, and seen from the side to\n"
+      "which the normal points. Prints the length of the outlines and the enclosed area: parts that overlap count\n"
+      "once, cavities not at all. Exit code 0: done; 2: there is nothing to cut, or an outline is open and has\n"
       "no area; 1: error.",
       {
           {"plane", 0, "PLANE", "x=MM, y=MM, z=MM, or A,B,C=MM: the normal and the distance from the origin"},
           {"output", 'o', "OUT", "The drawing: .svg or .dxf"},
-          {"partial", 0, "", "Read what is readable of a damaged file"},
-          {"help", 'h', "", "Show this page"},
+          {"partial", 0, "", "Read the undamaged part of a damaged file"},
+          {"help", 'h', "", "Show this help"},
       }};
 }
 
@@ -123,7 +123,7 @@ int runSection(const Arguments& arguments, const DocumentKinds& kinds) {
   const Section& section = result->value();
   reportLosses(losses);
   if (const int code = print(readableText(section)); code != kExitDone) return code;
-  if (section.curves.empty()) complain("The plane does not meet the mesh.");
+  if (section.curves.empty()) complain("The plane does not intersect the mesh.");
   if (!section.isClosed) complain("An outline is open, so there is no area. 'handwheel repair' closes the mesh.");
   return section.curves.empty() || !section.isClosed ? kExitSomethingLeft : kExitDone;
 }

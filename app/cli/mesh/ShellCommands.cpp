@@ -69,7 +69,7 @@ Result<Outcome> split(const fs::path& path, const fs::path& folder, const std::s
   for (std::size_t i = 0; i < shells.size(); ++i) {
     outputs.push_back(folder / nameOf(path, extension, i + 1, shells.size()));
     if (!fs::exists(outputs.back())) continue;
-    done.refusal = outputs.back().string() + " is there already.";
+    done.refusal = outputs.back().string() + " already exists.";
     return done;
   }
   for (std::size_t i = 0; i < shells.size(); ++i) {
@@ -123,13 +123,13 @@ int tell(const Result<Outcome>& result) {
 CommandSpec splitSpec() {
   return {"split",
           "FILE",
-          "Writes each shell of a mesh, what hangs together across edges, to a file of its own. The files are named\n"
-          "after the mesh and numbered in the order of the shells' first triangles; none that is there is replaced.",
+          "Writes each shell of a mesh (triangles connected across edges) to a separate file. The files are named\n"
+          "after the mesh and numbered in the order of the shells' first triangles; existing files are not replaced.",
           {
-              {"output", 'o', "FOLDER", "Where to; made if it is not there"},
-              {"format", 0, "ENDING", meshFormatWords(false) + "; as the mesh, if not given"},
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"help", 'h', "", "Show this page"},
+              {"output", 'o', "FOLDER", "Output folder; created if it does not exist"},
+              {"format", 0, "ENDING", meshFormatWords(false) + "; default: the format of the mesh"},
+              {"partial", 0, "", "Read the undamaged part of a damaged file"},
+              {"help", 'h', "", "Show this help"},
           }};
 }
 
@@ -148,16 +148,15 @@ int runSplit(const Arguments& arguments, const DocumentKinds& kinds) {
 }
 
 CommandSpec mergeSpec() {
-  return {
-      "merge",
-      "IN [IN...]",
-      "Writes several meshes to one file, one after the other. Nothing is joined: where they touch or pass through\n"
-      "each other they go on doing so, and 'repair' mends what can be mended.",
-      {
-          meshOutputOption(),
-          {"partial", 0, "", "Read what is readable of damaged files"},
-          {"help", 'h', "", "Show this page"},
-      }};
+  return {"merge",
+          "IN [IN...]",
+          "Writes several meshes to one file, one after the other. Nothing is joined: where they touch or intersect,\n"
+          "they still do so afterwards; 'repair' repairs what can be repaired.",
+          {
+              meshOutputOption(),
+              {"partial", 0, "", "Read the undamaged part of damaged files"},
+              {"help", 'h', "", "Show this help"},
+          }};
 }
 
 int runMerge(const Arguments& arguments, const DocumentKinds& kinds) {

@@ -135,7 +135,7 @@ std::string report(const WorkpieceSnapshot& workpiece, const TurnRequest& reques
   std::string text = "Passes: " + std::to_string(passes) + ". Volume: " + roundedText(volume) + " mm³, " +
                      roundedText(removed) + " mm³ removed from the bar.\n";
   if (isSame)
-    text += *isSame ? "Repeated, the passes give the same part.\n" : "Repeated, the passes give another part.\n";
+    text += *isSame ? "Replayed, the passes give the same part.\n" : "Replayed, the passes give a different part.\n";
   return text;
 }
 
@@ -163,7 +163,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!*opened) return fail(opened->error());
   const OpenedFile& file = opened->value();
   const WorkpieceSnapshot* const given = workpieceIn(file);
-  if (!given) return refuse(request.input.string() + " is no workpiece: only workpieces are turned.");
+  if (!given) return refuse(request.input.string() + " is not a workpiece: only workpieces can be turned.");
   reportLosses(file.file);
 
   std::optional<Error> problem;
@@ -206,20 +206,20 @@ std::vector<Command> workpieceCommands() {
       {{"turn",
         "IN",
         "Cuts a workpiece on a lathe along a recorded path of the tool.\n"
-        "P.csv has the columns t_s,x_mm,y_mm,z_mm: the centre of the nose, of one pass. Or it is a recording that the\n"
-        "window has exported, in the coordinates of the document: each press of the first button is a pass, also one\n"
-        "that was dropped with Esc; --nose-radius is not in it. The part turns about z, so that the distance from "
-        "that\n"
-        "axis is what counts. Exit code 0: done; 2: the path does not touch the part and nothing is written, or\n"
+        "P.csv has the columns t_s,x_mm,y_mm,z_mm: the centre of the tool nose, of one pass. Or it is a recording that "
+        "the\n"
+        "window has exported, in the coordinates of the document: each press of the first button is a pass, including\n"
+        "passes discarded with Esc; it does not contain --nose-radius. The part turns about z: only the distance from\n"
+        "that axis matters. Exit code 0: done; 2: the path does not touch the part and nothing is written, or\n"
         "--replay found a difference; 1: error.",
         {
             {"path", 0, "P.csv", "The path of the tool"},
             {"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"},
             {"nose-radius", 0, "MM", "Radius of the round tool, 0.05 to 50 (default 1)"},
-            {"spacing", 0, "MM", "Distance of the samples of the profile, for a bar that was not cut yet"},
-            {"replay", 0, "", "Repeat the passes of IN on its bar and compare the result, bit for bit"},
+            {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
+            {"replay", 0, "", "Replay the passes of IN on its bar and compare the result, bit for bit"},
             {"json", 0, "", "Report as JSON"},
-            {"help", 'h', "", "Show this page"},
+            {"help", 'h', "", "Show this help"},
         },
         "IN (--path P.csv -o OUT [--nose-radius MM] [--spacing MM] | --replay) [--json]"},
        runTurn}};

@@ -36,16 +36,17 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
       m_showAll(tr("Show all &bodies"), this),
       m_update(tr("Read the linked file a&gain"), this),
       m_relink(tr("Link to an&other file…"), this),
-      m_unlink(tr("&Forget the linked file"), this),
+      m_unlink(tr("Unlink the &file"), this),
       m_menu(new QMenu(parts.window)) {
-  prepare(m_add, "addBody", "add-mesh", tr("Put the shape of another file beside the robot"));
-  prepare(m_link, "linkBody", nullptr, tr("The same, and remember the file, to read it again when it has changed"));
+  prepare(m_add, "addBody", "add-mesh", tr("Add the shape of another file beside the robot"));
+  prepare(m_link, "linkBody", nullptr,
+          tr("Add the shape of another file and link to the file, to read it again when it has changed"));
   prepare(m_remove, "removeBody", nullptr, tr("Remove the selected bodies from the cell"));
-  prepare(m_hide, "hideBody", "eye-off", tr("Neither show nor feel the selected bodies"));
+  prepare(m_hide, "hideBody", "eye-off", tr("Hide the selected bodies from view and touch"));
   prepare(m_showAll, "showBodies", "eye", tr("Show all bodies that are hidden"));
-  prepare(m_update, "updateBody", nullptr, tr("Read the file that the selected body is linked to once more"));
-  prepare(m_relink, "relinkBody", nullptr, tr("Take the shape of another file; name, place and colour stay"));
-  prepare(m_unlink, "unlinkBody", nullptr, tr("Keep the selected body as it is, whatever becomes of its file"));
+  prepare(m_update, "updateBody", nullptr, tr("Read the file that the selected body is linked to again"));
+  prepare(m_relink, "relinkBody", nullptr, tr("Use the shape of another file; name, position and colour are kept"));
+  prepare(m_unlink, "unlinkBody", nullptr, tr("Keep the selected body as it is, without a link to its file"));
   addShapes();
   m_menu->setObjectName(QStringLiteral("bodyMenu"));
   m_menu->addActions(all());
@@ -101,7 +102,8 @@ void CellBodies::connectList() {
 void CellBodies::addShapes() {
   for (const PrimitiveDescription& primitive : primitives()) {
     auto* action = new QAction(QCoreApplication::translate("Property", primitive.label), this);
-    prepare(*action, (std::string("add-") + primitive.id).c_str(), nullptr, tr("Put such a body beside the robot"));
+    prepare(*action, (std::string("add-") + primitive.id).c_str(), nullptr,
+            tr("Add a body of this shape beside the robot"));
     connect(action, &QAction::triggered, this, [this, &primitive] { addShape(primitive); });
     m_shapes->addAction(action);
   }

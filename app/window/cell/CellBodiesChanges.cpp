@@ -53,7 +53,7 @@ QString undoTextOf(const OperationValues& values, const QString& body) {
   if (values.isSet("add")) return CellBodies::tr("Add %1").arg(body);
   if (values.isSet("from")) return CellBodies::tr("Link %1 to another file").arg(body);
   return values.isSet("update") ? CellBodies::tr("Read the file of %1 again").arg(body)
-                                : CellBodies::tr("Forget the file of %1").arg(body);
+                                : CellBodies::tr("Unlink the file of %1").arg(body);
 }
 
 // A file name of this system as the operation takes it.

@@ -159,8 +159,8 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
   markSelected(isCovered);
   if (!isCovered || !isNew) return;
   emit message({Message::Weight::Info,
-                tr("%1 is inside something else").arg(QString::fromStdString(body->name)),
-                tr("It stands where its file says; all else is see-through while it is selected."),
+                tr("%1 is inside another object").arg(QString::fromStdString(body->name)),
+                tr("It is at the position given in its file; everything else is transparent while it is selected."),
                 tr("Type another position in the panel."),
                 {},
                 {},
@@ -173,7 +173,7 @@ std::vector<StartAction> RobotCellUi::startActions() const {
   return {{QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"),
            panelIcon(), QStringLiteral("robot-arm.urdf"),
            StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
-                     tr("An arm with six joints. Move it by hand within its limits.")}}};
+                     tr("Opens a sample arm with six joints. Drag its links within their limits.")}}};
 }
 
 std::vector<ToolDescriptor> RobotCellUi::tools() {
@@ -204,8 +204,8 @@ NextStep RobotCellUi::nextStep() {
   return {panelIcon(), themeColours(currentTheme()).accent,
           tr("Robot %1: %Ln joint(s) that move.", nullptr, static_cast<int>(robot.model.dofs.size()))
               .arg(QString::fromStdString(robot.model.name)),
-          tr("Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The panel adds "
-             "bodies beside the robot."),
+          tr("Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies "
+             "beside the robot in the panel."),
           panelActions()};
 }
 

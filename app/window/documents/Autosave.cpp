@@ -99,7 +99,7 @@ void Autosave::reportFailure(DocumentTab* document, const QString& name, const E
   emit message({Message::Weight::Warning,
                 title,
                 errorSentence(error),
-                tr("Save it yourself: if the program ended now, your last changes would be lost."),
+                tr("Save it now: if the program ended unexpectedly, your last changes would be lost."),
                 {},
                 {},
                 {},
@@ -124,7 +124,7 @@ void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
                 tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr,
                    static_cast<int>(names.size())),
                 names.join(QStringLiteral(", ")),
-                tr("They can be recovered as they were last autosaved, or discarded for good; otherwise they are "
+                tr("They can be recovered as they were last autosaved, or discarded permanently; otherwise they are "
                    "offered again at the next start."),
                 tr("Recover"),
                 [this, orphans] { recover(orphans); },
@@ -137,8 +137,8 @@ void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
 
 void Autosave::askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
   emit message({Message::Weight::Warning,
-                tr("Discard %Ln document(s) for good?", nullptr, static_cast<int>(orphans->found().size())),
-                tr("Their changes since they were last saved cannot be brought back."),
+                tr("Discard %Ln document(s) permanently?", nullptr, static_cast<int>(orphans->found().size())),
+                tr("Their changes since they were last saved cannot be recovered."),
                 {},
                 tr("Keep"),
                 [this, orphans] { offer(orphans); },
@@ -154,7 +154,7 @@ void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& orph
   const auto count = static_cast<int>(orphans->skipped().size());
   emit message({Message::Weight::Warning,
                 tr("%Ln autosave(s) of a session that ended unexpectedly cannot be read.", nullptr, count),
-                tr("The Log names the files."), tr("What is in them is lost; until they are discarded they stay."),
+                tr("The Log names the files."), tr("Their contents are lost. They are kept until you discard them."),
                 tr("Discard"), [this, orphans, count] {
                   orphans->discardSkipped();
                   m_log.add(tr("Discarded %Ln autosave(s)", nullptr, count));

@@ -24,7 +24,7 @@ void askBeforeClosing(QWidget* window, const QString& name, std::function<void(C
   box->setWindowTitle(ClosePromptWords::tr("Unsaved changes"));
   box->setIconPixmap(icon(QStringLiteral("save"), themeColours(currentTheme()).accent).pixmap(QSize(40, 40)));
   box->setText(ClosePromptWords::tr("Save the changes to %1?").arg(name));
-  box->setInformativeText(ClosePromptWords::tr("Without saving they are lost."));
+  box->setInformativeText(ClosePromptWords::tr("They will be lost if you do not save them."));
   box->setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box->setDefaultButton(QMessageBox::Save);
   QObject::connect(box, &QMessageBox::finished, window, [box, then = std::move(then)] {

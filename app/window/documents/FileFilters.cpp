@@ -70,7 +70,7 @@ QStringList openFilters(const DocumentKinds& kinds) {
     all << own;
     if (!own.isEmpty()) lines << titled(QCoreApplication::translate("DocumentKind", kind->title().c_str()), own);
   }
-  lines.prepend(titled(FileFiltersWords::tr("All that Handwheel opens"), all));
+  lines.prepend(titled(FileFiltersWords::tr("All supported files"), all));
   return lines << titled(FileFiltersWords::tr("All files"), {QStringLiteral("*")});
 }
 

@@ -130,7 +130,7 @@ void FileLoader::reportNotes(const Document& document) {
   }
   if (notes.size() > kDamageShown) lines << tr("…and %1 more, listed in the Log.").arg(notes.size() - kDamageShown);
   emit message({Message::Weight::Info,
-                tr("To be noted about %1").arg(document.name()),
+                tr("Notes on %1").arg(document.name()),
                 lines.join(QLatin1Char(' ')),
                 {},
                 {},
@@ -159,7 +159,8 @@ void FileLoader::reportLosses(const Document& document) {
   const QString name = document.name();
   QStringList lines;
   if (file.isNewer)
-    lines << tr("It was written by a newer version of Handwheel; what only that one knows is not shown.");
+    lines << tr(
+        "It was written by a newer version of Handwheel; contents that this version does not know are not shown.");
   for (std::size_t i = 0; i < std::min(file.damage.size(), kDamageShown); ++i)
     lines << errorSentence(withoutFile(file.damage[i]));
   if (file.damage.size() > kDamageShown)
@@ -175,7 +176,7 @@ void FileLoader::reportLosses(const Document& document) {
                 : damaged          ? tr("%1 is damaged").arg(name)
                 : file.isNewer     ? tr("%1 is opened for reading only").arg(name)
                 : isTriangulated   ? tr("%1 is opened as a mesh").arg(name)
-                                   : tr("%1 holds more than its surface").arg(name),
+                                   : tr("%1 contains more than a surface").arg(name),
                 lines.join(QLatin1Char(' ')),
                 tr("“Save” will ask for a new name, so the original stays as it is."),
                 {},

@@ -90,7 +90,7 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
     document->inFile = state.properties;
     saved.markSaved(state.path, !foreign, state.stamp);
   } else {
-    m_log.add(tr("%1 holds the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
+    m_log.add(tr("%1 contains the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
 }
 
@@ -104,27 +104,28 @@ bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const 
     losses << tr("The display unit is not in this file.");
   const QString all = losses.join(QLatin1Char(' '));
   if (std::exchange(document->reportedLosses, all) == all || losses.isEmpty()) return false;
-  emit incomplete(document, {Message::Weight::Info,
-                             tr("%1 does not hold all of the document").arg(QFileInfo(state.path).fileName()),
-                             all,
-                             tr("It stays open: save it as *%1, too, or do without.").arg(containerEnding()),
-                             {},
-                             {},
-                             {},
-                             {},
-                             &document->document});
+  emit incomplete(document,
+                  {Message::Weight::Info,
+                   tr("%1 does not contain the whole document").arg(QFileInfo(state.path).fileName()),
+                   all,
+                   tr("The document stays open. Save it as *%1, too, to keep all of it.").arg(containerEnding()),
+                   {},
+                   {},
+                   {},
+                   {},
+                   &document->document});
   return true;
 }
 
 void FileSaver::reportExport(const DocumentTab& document, const QString& name, QStringList losses) {
   const bool isModified = document.document.isModified();
   if (!isModified && losses.isEmpty()) return;
-  if (isModified) losses << tr("It holds the shape, but not all of the document, which is not saved yet.");
+  if (isModified) losses << tr("It contains the shape, but not the whole document, which is not saved yet.");
   emit message(
       {Message::Weight::Info,
        tr("%1 was written").arg(name),
        losses.join(QLatin1Char(' ')),
-       isModified ? tr("Save the document as *%1 to go on with it another day.").arg(containerEnding()) : QString(),
+       isModified ? tr("Save the document as *%1 to continue with it later.").arg(containerEnding()) : QString(),
        {},
        {},
        {},
@@ -135,11 +136,11 @@ void FileSaver::reportExport(const DocumentTab& document, const QString& name, Q
 void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {
   const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
   m_log.add(title, {}, LogEntry::Weight::Warning);
-  Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
+  Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is unchanged."), {}, {}, {}};
   if (m_tabs.contains(document)) {
     told.about = &document->document;
     told.topic = kSavingTopic;
-    told.advice = tr("The document is open, with all its changes.");
+    told.advice = tr("The document is still open, with all its changes.");
     told.actionText = tr("Save again");
     told.action = [this, document, path] {
       if (m_tabs.contains(document)) save(document, path);

@@ -53,10 +53,10 @@ void BenchmarkRunner::load(const std::filesystem::path& file) {
   if (!kept) {
     if (kept.error().code == ErrorCode::FileMissing) return;  // never measured
     const bool isDamaged = kept.error().code == ErrorCode::ElementMalformed;
-    m_problem = tr("What was measured on this machine cannot be used: %1")
+    m_problem = tr("The measurements of this machine cannot be used: %1")
                     .arg(isDamaged ? tr("the file is damaged.") : errorSentence(kept.error()));
   } else if (kept->machine != machineClass()) {
-    m_problem = tr("What was measured before is of another machine (%1).").arg(QString::fromStdString(kept->machine));
+    m_problem = tr("The stored measurements are from another machine (%1).").arg(QString::fromStdString(kept->machine));
   } else {
     m_choice.setCalibration(*kept);
   }
@@ -105,7 +105,7 @@ void BenchmarkRunner::next() {
 
 void BenchmarkRunner::measured(const Calibration& calibration, const Status& stored) {
   m_choice.setCalibration(calibration);
-  if (!stored) m_problem = tr("It could not be kept for the next time: %1").arg(errorSentence(stored.error()));
+  if (!stored) m_problem = tr("The measurements could not be saved: %1").arg(errorSentence(stored.error()));
   ++m_done;
   next();
 }

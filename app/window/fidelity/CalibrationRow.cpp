@@ -73,10 +73,11 @@ QString CalibrationRow::origin() const {
   const auto& own = m_choice.calibration().curves;
   const CurveFile& first = m_choice.measurement(entries.front()->setting.id);
   if (own.empty())
-    return tr("The curves came with the program: %1, %2.")
+    return tr("The curves were supplied with the program: %1, %2.")
         .arg(QString::fromStdString(first.machine), dateOf(first, locale()));
-  if (own.size() == entries.size()) return tr("The curves are of this machine, %1.").arg(dateOf(first, locale()));
-  return tr("%1 of %2 curves are of this machine.").arg(own.size()).arg(entries.size());
+  if (own.size() == entries.size())
+    return tr("The curves were measured on this machine, %1.").arg(dateOf(first, locale()));
+  return tr("%1 of %2 curves were measured on this machine.").arg(own.size()).arg(entries.size());
 }
 
 }  // namespace handwheel

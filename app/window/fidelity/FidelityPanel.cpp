@@ -171,11 +171,11 @@ void FidelityPanel::edit(const std::string& id, double value) {
 void FidelityPanel::refresh() {
   Property preset;
   preset.id = kPreset;
-  preset.group = QT_TRANSLATE_NOOP("Property", "Speed against accuracy");
+  preset.group = QT_TRANSLATE_NOOP("Property", "Speed and accuracy");
   preset.label = QT_TRANSLATE_NOOP("Property", "Preset");
   preset.choices = {QT_TRANSLATE_NOOP("Property", "Default"),  QT_TRANSLATE_NOOP("Property", "Draft"),
                     QT_TRANSLATE_NOOP("Property", "Balanced"), QT_TRANSLATE_NOOP("Property", "Exact"),
-                    QT_TRANSLATE_NOOP("Property", "Fit"),      QT_TRANSLATE_NOOP("Property", "Own values")};
+                    QT_TRANSLATE_NOOP("Property", "Fit"),      QT_TRANSLATE_NOOP("Property", "Custom")};
   preset.least = 0;
   preset.largest = static_cast<double>(preset.choices.size()) - 1;
   preset.value = static_cast<double>(presetOf(m_choice));

@@ -35,12 +35,12 @@ QString shareText(const FitShare& share, const QLocale& locale) {
 QString fitText(const FidelityFit& fit, const QLocale& locale) {
   QStringList shares;
   for (const FitShare& share : fit.shares) shares << shareText(share, locale);
-  QString text =
-      FitTextWords::tr("As accurate as leaves a third to spare. Takes %1.").arg(shares.join(QStringLiteral(", ")));
+  QString text = FitTextWords::tr("Most accurate value that leaves a third of the limit unused. Takes %1.")
+                     .arg(shares.join(QStringLiteral(", ")));
   for (const FittedSetting& s : fit.settings) {
     if (!s.isOver) continue;
     const QString label = QCoreApplication::translate("Fidelity", s.setting.label.c_str());
-    text += QLatin1Char(' ') + FitTextWords::tr("%1: no value is fast enough, the fastest is taken.").arg(label);
+    text += QLatin1Char(' ') + FitTextWords::tr("%1: no value is fast enough, the fastest is used.").arg(label);
   }
   return text;
 }

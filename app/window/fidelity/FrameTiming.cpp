@@ -57,7 +57,8 @@ QString FrameTiming::text() const {
   return tr("Display frame in use: %1 of %2 ms (%3 %)")
              .arg(locale().toString(usual, 'f', 1), locale().toString(limit, 'f', 1), share(usual)) +
          QLatin1Char('\n') +
-         tr("Predicted besides, after an edit: %1 ms (%2 %)").arg(locale().toString(besides, 'f', 1), share(besides));
+         tr("Predicted in addition, after an edit: %1 ms (%2 %)")
+             .arg(locale().toString(besides, 'f', 1), share(besides));
 }
 
 double FrameTiming::predicted() const {

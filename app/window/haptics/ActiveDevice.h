@@ -23,6 +23,7 @@ struct HapticSession::ActiveDevice {
   std::shared_ptr<ServoLoop> loop;
   std::unique_ptr<ForceRecorder> recorder;  // destroyed before its loop
   std::optional<ServoSample> sample;
+  std::optional<double> failedAt;            // s by the clock of the loop: since when it has failed
   bool isMoving = false;                     // the view is being changed, and
   std::unique_ptr<HapticScene> movedScene;   // this is the scene for the new one
   std::optional<std::uint64_t> jumpedAfter;  // tick: the tip was told to jump then, and may not have yet

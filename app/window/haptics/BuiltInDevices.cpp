@@ -21,7 +21,7 @@ constexpr const char* kMouse = "mouse";
 
 std::vector<DeviceInfo> builtInDevices() {
   return {{kSimulatedDriver, kSimulatedAddress, BuiltInDevicesWords::tr("Simulated hand").toStdString()},
-          {kMouse, "pointer", BuiltInDevicesWords::tr("Mouse").toStdString()}};
+          {kMouse, "pointer", BuiltInDevicesWords::tr("Mouse as device").toStdString()}};
 }
 
 std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock) {

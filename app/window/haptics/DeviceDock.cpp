@@ -33,6 +33,11 @@ DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(pa
   showChosen();
 }
 
+void DeviceDock::setSpaceMice(std::vector<std::string> names) {
+  m_spaceMice = std::move(names);
+  showChosen();
+}
+
 void DeviceDock::showEvent(QShowEvent* event) {
   m_session.setWatching(true);
   showChosen();
@@ -50,8 +55,8 @@ void DeviceDock::showChosen() {
   view.found.assign(found.begin(), found.end());
   if (const DeviceInfo chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
   view.capabilities = m_session.capabilities();
-  const ServoSample* const last = m_session.latest();
-  view.status = last ? last->device.status : DeviceStatus::Starting;
+  view.status = m_session.status();
+  view.spaceMice = m_spaceMice;
   view.isPointer = m_session.mouse() != nullptr;
   view.isLed = m_session.simulatedHand() != nullptr;
   view.isForceOn = m_session.isForceOn();
@@ -61,7 +66,8 @@ void DeviceDock::showChosen() {
 
 void DeviceDock::showTick() {
   if (!isVisible()) return;
-  if (const ServoSample* const last = m_session.latest()) showSample(*last);
+  if (const ServoSample* const last = m_session.latest())
+    showSample(*last, 1.0 / m_session.mappingInScene().sceneStiffness(1.0));
   if (m_sinceRun.isValid() && m_sinceRun.elapsed() < kRunMs) return;
   showRun();
 }

@@ -21,6 +21,9 @@ class DeviceDock : public DevicePanel {
  public:
   explicit DeviceDock(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
 
+  // The names of the devices that move the view.
+  void setSpaceMice(std::vector<std::string> names);
+
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -32,6 +35,7 @@ class DeviceDock : public DevicePanel {
   void showRun();
 
   HapticSession& m_session;
+  std::vector<std::string> m_spaceMice;
   QElapsedTimer m_sinceRun;        // since timings were last shown
   std::optional<HandPose> m_goal;  // of the simulated hand, on its way there
 };

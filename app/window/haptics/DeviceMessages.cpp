@@ -28,19 +28,19 @@ Message notOpenedMessage(const QString& name, const Error& error) {
 Message lostMessage(const QString& name, DeviceStatus status) {
   const bool isGone = status == DeviceStatus::Absent;
   return {Message::Weight::Warning,
-          isGone ? DeviceMessagesWords::tr("%1 is not there").arg(name)
+          isGone ? DeviceMessagesWords::tr("%1 is not connected").arg(name)
                  : DeviceMessagesWords::tr("%1 has failed").arg(name),
-          isGone ? DeviceMessagesWords::tr("It was unplugged, or is without power.")
-                 : DeviceMessagesWords::tr("It does not answer as it should."),
-          isGone ? DeviceMessagesWords::tr("Plug it in again: it is opened by itself.")
-                 : DeviceMessagesWords::tr("Plug it in again, and choose it once more in the panel “Device”."),
+          isGone ? DeviceMessagesWords::tr("It was unplugged, or has no power.")
+                 : DeviceMessagesWords::tr("It does not respond correctly."),
+          isGone ? DeviceMessagesWords::tr("Plug it in again: it is opened automatically.")
+                 : DeviceMessagesWords::tr("Unplug it and plug it in again: it is opened automatically."),
           {},
           {}};
 }
 
 Message unusedPluginMessage(const PluginInfo& plugin) {
   return {Message::Weight::Warning,
-          DeviceMessagesWords::tr("A device plugin is not used"),
+          DeviceMessagesWords::tr("A device plugin could not be loaded"),
           errorSentence(*plugin.error),
           errorAdvice(*plugin.error),
           {},

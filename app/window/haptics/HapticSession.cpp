@@ -56,18 +56,18 @@ QList<DeviceInfo> HapticSession::found() const {
 
 void HapticSession::setWatching(bool isOn) {
   m_isWatched = isOn;
-  m_finder.setWatching(m_isWatched || m_isLost);
+  m_finder.setWatching(m_isWatched || m_lost);
 }
 
-void HapticSession::setLost(bool isLost) {
-  m_isLost = isLost;
+void HapticSession::setLost(std::optional<DeviceStatus> how) {
+  m_lost = how;
   m_isMissed = false;
-  m_finder.setWatching(m_isWatched || m_isLost);
+  m_finder.setWatching(m_isWatched || m_lost);
 }
 
 // A device that was unplugged comes back under the same name, at another address perhaps.
 void HapticSession::takeUpReturned() {
-  if (!m_isLost) return;
+  if (!m_lost) return;
   const auto& all = m_finder.found();
   const auto back = std::find_if(all.begin(), all.end(), [this](const DeviceInfo& each) {
     return each.driver == m_chosen.driver && (each.address == m_chosen.address || each.name == m_chosen.name);
@@ -95,7 +95,7 @@ void HapticSession::choose(const std::string& driver, const std::string& address
 void HapticSession::close() {
   if (m_chosen.driver.empty()) return;
   m_parts.jobs.cancelOf(this);
-  setLost(false);
+  setLost({});
   closeLoop();
   m_chosen = {};
   QSettings().remove(kDriverKey);
@@ -111,6 +111,11 @@ void HapticSession::takeUp() {
     if (listing.driver == driver && listing.address == m_chosen.address) m_chosen = listing;
   }
   startOpening(true);
+}
+
+DeviceStatus HapticSession::status() const {
+  if (m_lost) return *m_lost;
+  return latest() ? latest()->device.status : DeviceStatus::Starting;
 }
 
 DeviceCapabilities HapticSession::capabilities() const {

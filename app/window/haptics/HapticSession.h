@@ -21,7 +21,8 @@ class MouseDevice;
 class WindowServices;
 
 // The chosen haptic device with the servo loop that drives it. The loop runs while the device is open: without one
-// there is no thread, no timer and no scene. The choice and its mapping are stored in the settings. Window thread.
+// there is no thread, no timer and no scene. A device that is unplugged, or has failed for some seconds, is closed, and
+// opened again when it is plugged in again. The choice and its mapping are stored in the settings. Window thread.
 class HapticSession : public QObject {
   Q_OBJECT
 
@@ -39,6 +40,7 @@ class HapticSession : public QObject {
 
   // The simulated device and the mouse, then the devices of the last search.
   QList<DeviceInfo> found() const;
+  DeviceFinder& finder() { return m_finder; }
   // Searches for devices every two seconds while a list of them is visible.
   void setWatching(bool isOn);
   const std::vector<PluginInfo>& plugins() const { return m_finder.plugins(); }
@@ -49,7 +51,8 @@ class HapticSession : public QObject {
   // Opens the device that was in use when the program ended. No message when it is not connected.
   void takeUp();
   bool isOpen() const { return m_open != nullptr; }
-  DeviceInfo chosen() const { return m_chosen; }  // being opened or open; all empty: none
+  DeviceInfo chosen() const { return m_chosen; }  // being opened, open, or waited for; all empty: none
+  DeviceStatus status() const;                    // of the chosen one
   DeviceCapabilities capabilities() const;        // of the open one
 
   // The latest tick at the last sampled(); null: no device is open, or no tick has passed. Valid until the next
@@ -136,8 +139,10 @@ class HapticSession : public QObject {
   void endForceTest();
   void measureRate();
   void reportStatus(DeviceStatus status);
+  bool isGone() const;
+  void lose(DeviceStatus status);
   void reportPlugins();
-  void setLost(bool isLost);
+  void setLost(std::optional<DeviceStatus> how);
   void takeUpReturned();
 
   Parts m_parts;
@@ -157,9 +162,9 @@ class HapticSession : public QObject {
   bool m_isForceOn = true;
   std::optional<double> m_testEnd;  // s, by the clock of the loop
   std::size_t m_pluginsTold = 0;
-  bool m_isWatched = false;  // a list of devices is visible
-  bool m_isLost = false;     // the open device was unplugged; waiting for its return
-  bool m_isMissed = false;   // and has been absent from the list since
+  bool m_isWatched = false;            // a list of devices is visible
+  std::optional<DeviceStatus> m_lost;  // how the chosen device was lost, whose return is waited for,
+  bool m_isMissed = false;             // and it has been absent from the list since
 };
 
 }  // namespace handwheel

@@ -17,6 +17,7 @@ constexpr int kRateMs = 500;           // over which the rate is measured
 constexpr double kTestTail = 0.2;      // s after the last pull, for what the safety chain has delayed
 constexpr double kLetGo = 0.02;        // N: a force that may break off unnoticed
 constexpr double kLongestWait = 0.25;  // s for it: what damps a moving hand may stay
+constexpr double kFailedTime = 2.0;    // s after which a device does not recover by itself
 constexpr const char* kTestNote = R"({"test":{}})";
 
 }  // namespace
@@ -174,6 +175,7 @@ void HapticSession::sample() {
   if (m_open->jumpedAfter && m_open->sample->tick > *m_open->jumpedAfter + 1) m_open->jumpedAfter.reset();
   measureRate();
   if (m_open->sample->device.status != before) reportStatus(m_open->sample->device.status);
+  if (isGone()) return lose(m_open->sample->device.status);
   if (m_open->recorder && m_open->recorder->isFull()) stopRecording();
   if (m_testEnd && m_open->sample->tip.time > *m_testEnd) endForceTest();
   if (m_open->isChangingSince) changeServo();
@@ -194,10 +196,24 @@ void HapticSession::measureRate() {
 }
 
 void HapticSession::reportStatus(DeviceStatus status) {
+  m_open->failedAt.reset();
   if (m_open->mouse) return;
-  if (status == DeviceStatus::Ready || status == DeviceStatus::Absent) setLost(status == DeviceStatus::Absent);
+  if (status == DeviceStatus::Failed) m_open->failedAt = m_open->sample->tip.time;
   if (status != DeviceStatus::Absent && status != DeviceStatus::Failed) return;
   emit message(lostMessage(nameOf(m_chosen), status));
+}
+
+// A line that was silent for a moment speaks again by itself. A mouse is absent while it is outside the view.
+bool HapticSession::isGone() const {
+  const ServoSample& last = *m_open->sample;
+  if (last.device.status == DeviceStatus::Absent) return !m_open->mouse;
+  return m_open->failedAt && last.tip.time > *m_open->failedAt + kFailedTime;
+}
+
+void HapticSession::lose(DeviceStatus status) {
+  closeLoop();
+  setLost(status);
+  emit chosenChanged();
 }
 
 }  // namespace handwheel

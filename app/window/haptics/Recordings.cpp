@@ -69,7 +69,8 @@ Recordings::Recordings(const Parts& parts, QObject* parent)
 void Recordings::prepareActions() {
   m_record.setCheckable(true);
   m_record.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
-  prepare(m_record, "recordDevice", "record", tr("Record where the device is and what it feels, until pressed again"));
+  prepare(m_record, "recordDevice", "record",
+          tr("Record the position and the force of the device until pressed again"));
   m_play.setCheckable(true);
   m_play.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
   prepare(m_play, "playRecording", "play", tr("Let the cursor follow the recording, or pause it"));

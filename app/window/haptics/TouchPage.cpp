@@ -12,7 +12,8 @@ TouchPage::TouchPage(HapticSession& session, QWidget* parent)
   setObjectName(QStringLiteral("touchPage"));
   m_snap.setCheckable(true);
   m_snap.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M));
-  prepare(m_snap, "snapDevice", "magnet", tr("Let what the tool in use takes by a click draw the tip of the device"));
+  prepare(m_snap, "snapDevice", "magnet",
+          tr("Attract the tip of the device to what a click of the active tool would choose"));
   m_snap.setIconVisibleInMenu(false);  // the check mark stands there
   connect(&m_snap, &QAction::triggered, this, [this](bool isOn) {
     TouchSettings touch = m_session.touch();

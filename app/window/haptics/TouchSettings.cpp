@@ -49,7 +49,8 @@ std::vector<Property> snapProperties(const TouchSettings& touch) {
   all.push_back(
       choiceSetting("snap_method", QT_TRANSLATE_NOOP("Property", "Method"), numberOf(touch.snapMethod), kSnapMethods));
   all.push_back(numberSetting("snap_stiffness", kStiffness, touch.snapStiffness, Quantity::Number, kSnapStiffness));
-  all.push_back(switchSetting("snap_rims", QT_TRANSLATE_NOOP("Property", "Rims as curves"), touch.hasRimCurves));
+  all.push_back(
+      switchSetting("snap_rims", QT_TRANSLATE_NOOP("Property", "Hole boundaries as curves"), touch.hasRimCurves));
   for (Property& property : all) property.group = kSnapping;
   return all;
 }

@@ -14,7 +14,7 @@ struct TouchSettings {
   double damping = 0.0;    // N·s/mm, along the normal
   double friction = 0.0;   // Coulomb's µ
 
-  // The features that the active tool can pick attract the tip (He 2008, section 3.1).
+  // The features that the active tool can pick attract the tip (He 2008, section 3.1.1).
   bool isSnapping = true;
   SnapShape snapShape = SnapShape::Quadratic;
   SnapMethod snapMethod = SnapMethod::Proxy;

@@ -39,7 +39,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   prepare(m_thickenSheet, "thickenSheet", "sheet-back",
           tr("Turn open sheets into thin closed bodies: the selected one, or all"));
   prepare(m_cutAndClose, "cutAndClose", "fill-hole",
-          tr("Close the hole across the part, and cut the part where the patch crosses it"));
+          tr("Close the hole across the part, and cut the part where the patch intersects it"));
   connect(&m_fix, &QAction::triggered, this, [this] {
     if (auto wanted = change()) m_jobs.change(m_document, std::move(*wanted));
   });

@@ -103,7 +103,7 @@ void HolePreview::start() {
     emit changed();
     return;
   }
-  if (!m_fillerCache) thickenSheet(m_document, std::make_shared<HoleFillerCache>(m_document->document.mesh()));
+  if (!m_fillerCache) returnCache(m_document, std::make_shared<HoleFillerCache>(m_document->document.mesh()));
   m_state.kind = PreviewState::Kind::Working;
   emit changed();
   const MeshDocument& document = m_document->document;
@@ -117,17 +117,21 @@ void HolePreview::start() {
     HoleFiller* filler = bench->filler(progress.part(0.0, 0.5));
     if (!filler) return {};
     auto attempt = std::make_shared<FillAttempt>(filler->propose(loop, options, progress.part(0.5, 1.0)));
-    return [this, attempt, request] { finished(request, std::move(*attempt)); };
+    const PatchComparison shape = attempt->failure == FillFailure::None
+                                      ? handwheel::compared(filler->mesh(), loop, attempt->patch)
+                                      : PatchComparison();
+    return [this, attempt, shape, request] { finished(request, std::move(*attempt), shape); };
   };
   m_runner.start(std::move(job));
 }
 
-void HolePreview::finished(std::uint64_t request, FillAttempt attempt) {
+void HolePreview::finished(std::uint64_t request, FillAttempt attempt, const PatchComparison& shape) {
   if (request != m_request) return;
   m_state.kind = attempt.failure == FillFailure::None ? PreviewState::Kind::Ready : PreviewState::Kind::Failed;
   m_state.triangles = attempt.patch.triangles.size();
   m_state.method = attempt.patch.method;
   m_state.failure = attempt.failure;
+  m_state.shape = shape;
   m_attempt = std::move(attempt);
   emit changed();
 }
@@ -173,7 +177,7 @@ void HolePreview::forget() {
   clear();
 }
 
-void HolePreview::thickenSheet(MeshTab* document, std::shared_ptr<HoleFillerCache> bench) {
+void HolePreview::returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> bench) {
   m_fillerCache = std::move(bench);
   m_fillerCacheDocument = document;
   m_fillerCacheRevision = document->document.revision();

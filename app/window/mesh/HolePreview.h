@@ -55,9 +55,9 @@ class HolePreview : public QObject {
   const std::vector<MethodTrial>& trials() const { return m_trials; }
 
   // Hands over the options and the results for a hole; the fill uses the filler cache exclusively. The next request
-  // starts over, unless thickenSheet() returns the cache, updated to the document with the patch.
+  // starts over, unless returnCache() returns the cache, updated to the document with the patch.
   PreparedFill take(Vertex key);
-  void thickenSheet(MeshTab* document, std::shared_ptr<HoleFillerCache> bench);
+  void returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> bench);
 
  signals:
   void changed();
@@ -67,7 +67,7 @@ class HolePreview : public QObject {
   FillOptions optionsFor(Vertex key) const;
   void followFidelity();
   void start();
-  void finished(std::uint64_t request, FillAttempt attempt);
+  void finished(std::uint64_t request, FillAttempt attempt, const PatchComparison& shape);
 
   WindowServices& m_services;
   const FidelityChoice& m_fidelity;

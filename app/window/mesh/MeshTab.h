@@ -23,10 +23,10 @@ struct MeshTab : DocumentTab {
 
   MeshDocument& document;
   Inspection inspection;
-  const HalfEdgeMesh asOpened;               // shares unchanged pages with the present mesh
-  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null for none
-  Vertex selected = kNone;                   // Inspection::keyOf() of the selected loop
-  bool repaired = false;                     // "Repair all" ran at least once
+  const HalfEdgeMesh asOpened;                    // shares unchanged pages with the present mesh
+  std::shared_ptr<MeshDeviation> deviation;       // the comparison that is shown; null for none
+  Vertex selected = kNone;                        // Inspection::keyOf() of the selected loop
+  std::optional<std::uint64_t> repairedRevision;  // of the document, after "Repair all" ran last
 
   std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
   FaceSelection newest;                                 // the faces added by the last change, usually those of a patch

@@ -204,8 +204,8 @@ QList<QAction*> MeshUi::toolBar() {
 std::vector<StartAction> MeshUi::startActions() const {
   return {{QStringLiteral("openSample"), tr("Open the &sample scan"), tr("Open the sample scan"),
            QStringLiteral("repair"), kScanSample,
-           StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a scan"),
-                     tr("A scanned part with holes. Close the first one with Enter.")}}};
+           StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a sample scan"),
+                     tr("Opens a sample scan with holes. Press Enter to close the first one.")}}};
 }
 
 std::vector<ToolDescriptor> MeshUi::tools() {
@@ -222,25 +222,25 @@ std::vector<ToolDescriptor> MeshUi::tools() {
           {QStringLiteral("selectTool"), tr("&Select faces"),
            tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
            QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }, "select", SelectTool::keys()},
-          {QStringLiteral("boundaryTool"), tr("Hole &edges"),
-           tr("Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas"),
+          {QStringLiteral("boundaryTool"), tr("Hole &boundaries"),
+           tr("Move, join and bridge boundary vertices; smooth a boundary; remove islands and peninsulas"),
            QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }, "boundary",
            BoundaryTool::keys()},
-          {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three points of open edges"),
+          {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three vertices of open edges"),
            QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }, "face",
            MakeFaceTool::keys()},
           {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
-           tr("Make a mesh of fewer triangles that stays near the surface"), QStringLiteral("decimate"),
+           tr("Reduce the number of triangles while staying close to the surface"), QStringLiteral("decimate"),
            QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
           {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
            tr("Make a whole mesh finer by a subdivision scheme, open edges too"), QStringLiteral("subdivide"),
            QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
           {QStringLiteral("transformTool"), tr("&Place"),
-           tr("Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin"),
+           tr("Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin"),
            QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",
            TransformTool::keys()},
           {QStringLiteral("sculptTool"), tr("Sc&ulpt"),
-           tr("Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
+           tr("Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
            QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }, "sculpt",
            SculptTool::keys()},
           measureToolDescriptor([this] { return m_tools.measureTool(); })};

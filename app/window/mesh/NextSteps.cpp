@@ -28,14 +28,15 @@ QString otherFindings(const Inspection& inspection) {
     if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
   };
   add(DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); });
-  add(DefectKind::NonManifoldVertex, [](int n) { return NextStepsWords::tr("%Ln non-manifold point(s)", nullptr, n); });
-  add(DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln edge(s) with one side", nullptr, n); });
+  add(DefectKind::NonManifoldVertex,
+      [](int n) { return NextStepsWords::tr("%Ln non-manifold vertex(ices)", nullptr, n); });
+  add(DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln one-sided edge(s)", nullptr, n); });
   add(DefectKind::InsideOut, [](int n) { return NextStepsWords::tr("%Ln body(ies) inside out", nullptr, n); });
   add(DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); });
-  add(DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln triangle(s) without area", nullptr, n); });
+  add(DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln degenerate triangle(s)", nullptr, n); });
   add(DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); });
   add(DefectKind::SelfIntersection, [](int n) { return NextStepsWords::tr("%Ln self-intersection(s)", nullptr, n); });
-  add(DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln loose piece(s)", nullptr, n); });
+  add(DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln piece(s) of debris", nullptr, n); });
   return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
 }
 
@@ -66,10 +67,10 @@ QString openTitle(const Inspection& inspection) {
   const auto& open = inspection.keptOpen();
   const bool sheet = std::all_of(open.begin(), open.end(), [&](int id) { return inspection.loop(id).rim; });
   return sheet ? NextStepsWords::tr("No holes. This is an open sheet.")
-               : NextStepsWords::tr("No holes are left except those kept open.");
+               : NextStepsWords::tr("No holes remain except those kept open.");
 }
 
-// False again once a repair is undone.
+// A hole that the repair opened itself was not.
 bool wasTriedOnAll(const Inspection& inspection) {
   const auto& holes = inspection.holes();
   return std::all_of(holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) != FillFailure::None; });
@@ -95,14 +96,14 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     step.icon = QStringLiteral("warning");
     step.colour = colours.warning;
     if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
-    step.detail =
-        NextStepsWords::tr("%Ln pair(s) of triangles cross. The list of defects cuts them apart.", nullptr, crossings);
+    step.detail = NextStepsWords::tr("%Ln pair(s) of triangles intersect. They can be fixed in the list of defects.",
+                                     nullptr, crossings);
     if (actions.showDefects) step.actions.push_back(actions.showDefects);
     if (isWorthSaving(document)) step.actions.push_back(actions.saveAs);
   } else if (isWorthSaving(document)) {
     step.actions = {actions.saveAs};
     if (const auto turned = static_cast<int>(document.document.reversedFaces().size()); turned > 0) {
-      step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were reversed.", nullptr, turned);
+      step.detail = NextStepsWords::tr("%Ln triangle(s) had the wrong orientation and were reversed.", nullptr, turned);
     }
   } else {
     step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())
@@ -120,7 +121,7 @@ NextStep leftStep(const Inspection& inspection, const NextStepActions& actions) 
   NextStep left{QStringLiteral("warning"),
                 themeColours(currentTheme()).warning,
                 holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
-                          : NextStepsWords::tr("Some defects are left."),
+                          : NextStepsWords::tr("Some defects remain."),
                 what.join(QLatin1Char(' ')).trimmed(),
                 {}};
   if (holes > 0) left.actions.push_back(actions.oneByOne);
@@ -135,7 +136,9 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
   if (document.cardDismissed) return {};
   if (inspection.isClean()) return cleanStep(document, actions);
-  if (document.repaired && wasTriedOnAll(inspection)) return leftStep(inspection, actions);
+  // Not once that is undone, or anything else was changed: then it may do something.
+  if (document.repairedRevision == document.document.revision() && wasTriedOnAll(inspection))
+    return leftStep(inspection, actions);
   const bool holes = !inspection.holes().empty();
   NextStep step{holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
                 holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,

@@ -43,14 +43,14 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
       m_previous(tr("Pre&vious hole"), this),
       m_deselect(tr("&Clear selection"), this) {
   prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
-          tr("Fill all holes except those kept open, and mend the other defects, as one step"));
+          tr("Fill all holes except those kept open, and repair the other defects, as one step"));
   prepare(m_removeDebris, "removeDebris", "debris", {},
           tr("Remove the small pieces that are not connected with the model"));
   prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
   prepare(m_fill, "fillHole", "fill-hole", {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
           tr("Fill the selected hole"));
   prepare(m_keepOpen, "keepOpen", "keep-open", {QKeySequence(Qt::Key_K)},
-          tr("This opening is meant to be there: “Repair all” leaves it"));
+          tr("Mark this opening as intended: “Repair all” does not close it"));
   prepare(m_showPreview, "showPreview", "preview", {QKeySequence(Qt::Key_P)},
           tr("Show the patch of the selected hole before it is filled"));
   prepare(m_next, "nextHole", "next", {QKeySequence(Qt::Key_N)}, tr("Go to the next hole"));
@@ -90,7 +90,7 @@ void RepairActions::connectActions() {
   connect(&m_jobs, &RepairJobs::filled, this,
           [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
             if (document != m_document) return;
-            m_preview.thickenSheet(document, bench);
+            m_preview.returnCache(document, bench);
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);

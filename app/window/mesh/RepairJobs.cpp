@@ -169,7 +169,7 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
 void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {
   const int pairs = static_cast<int>(std::min(crossings.fresh, kMaxTrianglePairs));
   m_log.add(
-      tr("%1: %n more pair(s) of triangles cross; undo takes that back", nullptr, pairs).arg(document.document.name()),
+      tr("%1: %n more pair(s) of triangles intersect; undo reverts this", nullptr, pairs).arg(document.document.name()),
       {}, LogEntry::Weight::Warning);
 }
 
@@ -208,14 +208,13 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   Inspection& inspection = document->inspection;
   const auto failures = failuresOf(inspection, done.report);
   logRepair(*document, done);
-  document->repaired = true;
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
+  document->repairedRevision = document->document.revision();
   inspection.setFailures(failures);
   if (isChanged) return;
-  emit changedNothing(
-      document, tr("Repair all"),
-      tr("What is left could not be mended without harm; the list of defects names it, and the log says "
-         "why holes stay open."));
+  emit changedNothing(document, tr("Repair all"),
+                      tr("The remaining defects could not be repaired without damage. The list of defects shows them, "
+                         "and the log says why holes stay open."));
 }
 
 void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
@@ -229,8 +228,12 @@ void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
       tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
       document.isAsInFile() ? repairCommand(document.document.path(), done.options) : stepCommand(document, done.step));
   for (const LoopResult& loop : report.loops) {
+    const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
+    if (loop.id >= 0 && !warning.isEmpty())
+      m_log.add(tr("Look at the patch of %1: %2").arg(document.inspection.loopName(loop.id), warning), {},
+                LogEntry::Weight::Warning);
     if (loop.outcome != LoopOutcome::Failed) continue;
-    const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");
+    const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole opened by the repair");
     m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
   }
 }
@@ -245,7 +248,7 @@ bool RepairJobs::isStale(MeshTab* document, std::uint64_t revision) const {
 
 void RepairJobs::reportStale(const MeshTab& document, Round round) {
   const QString name = document.document.name();
-  m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs once more").arg(name)
+  m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs again").arg(name)
                                   : tr("%1 was changed again; the result was discarded").arg(name),
             {}, LogEntry::Weight::Warning);
 }

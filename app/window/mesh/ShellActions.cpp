@@ -48,8 +48,8 @@ ShellActions::ShellActions(const WindowContext& parts, MeshKind& kind, MeshUi& u
       m_add(icon(QStringLiteral("add-mesh")), tr("&Add a mesh…"), this) {
   m_split.setObjectName(QStringLiteral("splitShells"));
   m_add.setObjectName(QStringLiteral("addMesh"));
-  setActionToolTip(m_split, tr("Open each shell, what hangs together across edges, as a document of its own"));
-  setActionToolTip(m_add, tr("Put the mesh of another file into this one, where it stands"));
+  setActionToolTip(m_split, tr("Open each shell (triangles connected across edges) as a separate document"));
+  setActionToolTip(m_add, tr("Add the mesh of another file to this one, at its own position"));
   connect(&m_split, &QAction::triggered, this, &ShellActions::split);
   connect(&m_add, &QAction::triggered, this, &ShellActions::askForMesh);
   setDocument(nullptr);
@@ -100,15 +100,16 @@ void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells
 void ShellActions::reportCount(const MeshTab* document, std::size_t shells) {
   if (!m_parts.tabs.contains(document)) return;
   const bool isOne = shells < 2;
-  emit message({Message::Weight::Info,
-                isOne ? tr("The mesh is one shell") : tr("There are %Ln shell(s)", nullptr, static_cast<int>(shells)),
-                {},
-                isOne ? QString() : tr("“handwheel split” writes so many into a folder. Debris can be removed before."),
-                {},
-                {},
-                {},
-                {},
-                &document->document});
+  emit message(
+      {Message::Weight::Info,
+       isOne ? tr("The mesh is one shell") : tr("There are %Ln shell(s)", nullptr, static_cast<int>(shells)),
+       {},
+       isOne ? QString() : tr("“handwheel split” writes that many into a folder. Debris can be removed first."),
+       {},
+       {},
+       {},
+       {},
+       &document->document});
 }
 
 void ShellActions::reportFailed(const MeshTab* document, const QString& title, const Error& error) {

@@ -54,8 +54,8 @@ void StepsFile::write(const MeshTab& document, const QString& path) {
   if (!way) {
     emit message({Message::Weight::Warning,
                   tr("%1 was not written").arg(name),
-                  tr("There is no file from which the steps lead to the present state."),
-                  tr("Save the document as *.handwheel, and go on from there."),
+                  tr("There is no file from which the steps reproduce the current state."),
+                  tr("Save the document as *.handwheel, and continue from there."),
                   {},
                   {},
                   {},

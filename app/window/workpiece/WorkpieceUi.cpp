@@ -71,8 +71,8 @@ std::vector<StartAction> WorkpieceUi::startActions() const {
   return {{QStringLiteral("newWorkpiece"), tr("&New workpiece"), tr("Start with a cylinder to be turned"), panelIcon()},
           {QStringLiteral("openShaftSample"), tr("Open the sample s&haft"), tr("Open the sample shaft for the lathe"),
            panelIcon(), QStringLiteral("shaft-stock.handwheel"),
-           StartTile{QStringLiteral("latheTile"), panelIcon(), tr("Lathe exercise"),
-                     tr("A shaft for the lathe. Give it its size, save it as STEP.")}}};
+           StartTile{QStringLiteral("latheTile"), panelIcon(), tr("Turn a sample bar"),
+                     tr("Opens a sample bar. Cut it to a shaft by hand, save it as STEP.")}}};
 }
 
 std::vector<ToolDescriptor> WorkpieceUi::tools() {

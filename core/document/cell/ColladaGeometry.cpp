@@ -90,7 +90,7 @@ TriangleSoup ColladaGeometry::read(const XmlElement& geometry) {
   m_basePoints.clear();
   const XmlElement* mesh = geometry.child("mesh");
   if (!mesh) {
-    note({ErrorCode::Unsupported, {"a geometry that is no mesh"}, InputPosition::line(geometry.line), {}});
+    note({ErrorCode::Unsupported, {"a geometry that is not a mesh"}, InputPosition::line(geometry.line), {}});
     return soup;
   }
   for (const XmlElement& child : mesh->children) {
@@ -155,7 +155,7 @@ void ColladaGeometry::readPrimitive(const XmlElement& primitive, TriangleSoup& s
     if (list.name != "p") continue;
     corners.clear();
     if (!readIndices(list.text, layout->stride, layout->vertex, corners))
-      note(malformed(list, "one of its indices is no number"));
+      note(malformed(list, "one of its indices is not a number"));
     for (std::uint32_t& corner : corners) corner = corner < kNone - *base ? corner + *base : kNone;
     addList(primitive, counts, corners, soup);
   }

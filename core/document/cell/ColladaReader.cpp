@@ -76,7 +76,7 @@ class Scene {
     if (!metres) return 1.0;
     double value = 0.0;
     if (parseNumbers(*metres, {&value, 1}) && value > 0.0) return value;
-    m_geometry.note(malformed(*unit, "it is no length; metres are assumed"));
+    m_geometry.note(malformed(*unit, "it is not a length; metres are assumed"));
     return 1.0;
   }
 
@@ -89,7 +89,7 @@ class Scene {
       if (const auto step = stepOf(child))
         placement = placement * *step;
       else
-        m_geometry.note(malformed(child, "its transformation is not understood"));
+        m_geometry.note(malformed(child, "its transformation is not valid"));
     }
     addChildren(node, placement, depth);
   }
@@ -128,7 +128,7 @@ class Scene {
   }
 
   void giveUp(const XmlElement& where) {
-    if (!m_gaveUp) m_geometry.note(malformed(where, "it is placed too often, or within itself"));
+    if (!m_gaveUp) m_geometry.note(malformed(where, "it is instanced too often, or within itself"));
     m_gaveUp = true;
   }
 

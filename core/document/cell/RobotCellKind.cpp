@@ -128,8 +128,8 @@ Result<WrittenFile> RobotCellKind::exportTo(const Snapshot& content, const std::
   if (!bytes) return bytes.error();
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();
-  std::vector<Note> notes{
-      {QT_TRANSLATE_NOOP("Note", "The file holds the robot and the bodies as they stand now; it has no joints.")}};
+  std::vector<Note> notes{{QT_TRANSLATE_NOOP(
+      "Note", "The file contains the robot and the bodies in their current position; it has no joints.")}};
   if (auto hidden = noteOnHidden(cellOf(content).bodies)) notes.push_back(std::move(*hidden));
   return WrittenFile{bytes->size(), std::move(notes)};
 }
@@ -185,7 +185,7 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
 
 GeometryPointer RobotCellKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {
   notes.push_back({QT_TRANSLATE_NOOP(
-      "Note", "The robot is added as it stands, as one mesh: it has no joints and no colours of its own.")});
+      "Note", "The robot is added in its current position, as one mesh: it has no joints and no colours of its own.")});
   return DocumentKind::bodyGeometry(content, notes);
 }
 

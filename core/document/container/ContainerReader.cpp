@@ -44,7 +44,7 @@ Result<std::uint64_t> versionOf(const json& manifest) {
     if (format != program->end() && format->is_number_unsigned() && format->get<std::uint64_t>() >= 1)
       return format->get<std::uint64_t>();
   }
-  return Error{ErrorCode::ElementMalformed, {"handwheel", "it does not say the version of the format"}, {}, {}};
+  return Error{ErrorCode::ElementMalformed, {"handwheel", "the version of the format is missing"}, {}, {}};
 }
 
 bool matches(const json& entry, std::string_view bytes) {

@@ -7,6 +7,7 @@
 #include "document/formats/RoundingCollisions.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/Weld.h"
+#include "proximity/SelfIntersection.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -37,8 +38,8 @@ std::vector<Note> stateOf(const MeshReport& report) {
   std::vector<Note> notes{{QT_TRANSLATE_NOOP("Note", "The file: %1."), {}, false, report}};
   if (report.isSound()) return notes;
   notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                     "It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces "
-                                     "disagree and %4 points at which faces touch that share no edge."),
+                                     "It has %1 open edges, %2 edges with more than two triangles, %3 edges with "
+                                     "inconsistent orientation and %4 non-manifold vertices."),
                    {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
                     std::to_string(report.inconsistentEdges), std::to_string(report.nonManifoldVertices)}});
   return notes;
@@ -52,6 +53,13 @@ std::vector<FileFormat> meshFileFormats() {
 
 std::vector<Note> notesOn(const ExportReport& report) {
   std::vector<Note> notes = stateOf(report.inFile);
+  if (report.roundingPairs > 0) {
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "Rounded to the numbers of this format, %1 more pairs of triangles intersect. "
+                                       "3MF, PLY, OBJ and OFF keep all digits."),
+                     {std::to_string(report.roundingPairs)},
+                     true});
+  }
   if (!report.parted.empty()) {
     notes.push_back({QT_TRANSLATE_NOOP("Note",
                                        "Vertices moved by the smallest possible amount, so that the file does not weld "
@@ -108,7 +116,13 @@ Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumb
     error.subject = path.string();
     return error;
   }
-  encoded.report.inFile = reportOn(forFile, SelfIntersections::Skip, progress.part(0.8, 1.0));
+  // Thin places may lose their thickness.
+  const auto choice = encoded.report.roundingMove > 0.0 ? SelfIntersections::Count : SelfIntersections::Skip;
+  encoded.report.inFile = reportOn(forFile, choice, progress.part(0.8, 0.95));
+  if (const std::size_t pairs = encoded.report.inFile.selfIntersectingPairs.value_or(0); pairs > 0) {
+    const auto before = selfIntersections(compact.soup.points, compact.soup.triangles, progress.part(0.95, 1.0));
+    if (before && before->size() < pairs) encoded.report.roundingPairs = pairs - before->size();
+  }
   if (progress.cancelled()) return cancelledExport();
   encoded.report.bytes = bytes->size();
   encoded.bytes = std::move(bytes.value());

@@ -21,8 +21,10 @@ struct ExportReport {
   std::vector<Vertex> parted;
   double roundingMove = 0.0;  // mm; the largest move of a vertex by rounding to the file's number type
   std::size_t bytes = 0;
-  // The file's triangles after welding equal positions, as another program will see them; self-intersections left out.
+  // The file's triangles after welding equal positions, as another program will see them. Self-intersections are
+  // counted where a vertex was rounded.
   MeshReport inFile;
+  std::size_t roundingPairs = 0;  // of triangles that intersect in the file only
 };
 
 // The messages about a file that was written.

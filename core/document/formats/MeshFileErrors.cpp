@@ -18,7 +18,7 @@ const ErrorDescription MeshFileError::TokenUnexpected{
     .id = "TokenUnexpected",
     .sentences = {translatable("ErrorText", "%1 was expected, '%2' was found"),
                   translatable("ErrorText", "%1 was expected, but nothing follows"),
-                  translatable("ErrorText", "'%2' makes no sense here")},
+                  translatable("ErrorText", "'%2' is not valid here")},
     .advice = {kOpenReadableAdvice},
     .mayBePartlyReadable = true};
 
@@ -48,7 +48,7 @@ const ErrorDescription MeshFileError::PolygonTooSmall{
 
 const ErrorDescription MeshFileError::PolygonTooComplex{
     .id = "PolygonTooComplex",
-    .sentences = {translatable("ErrorText", "a face with %1 corners was cut into triangles as if it were convex")},
+    .sentences = {translatable("ErrorText", "a face with %1 corners was triangulated as if it were convex")},
     .advice = {translatable("ErrorText", "Check the shape of that face, or export the model as triangles.")}};
 
 }  // namespace handwheel

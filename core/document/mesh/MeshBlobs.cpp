@@ -94,7 +94,7 @@ TriangleSoup readableTriangles(const std::vector<double>& positions, const std::
 
 // What is to be said of a mesh that was built anew.
 Error rebuilt(std::size_t read, std::size_t lost) {
-  if (lost == 0) return {ErrorCode::ElementMalformed, {"mesh", "its triangles contradict each other"}, {}, {}};
+  if (lost == 0) return {ErrorCode::ElementMalformed, {"mesh", "its triangles are inconsistent"}, {}, {}};
   return {ErrorCode::DataTruncated, {"triangles", std::to_string(read + lost), std::to_string(read)}, {}, {}};
 }
 

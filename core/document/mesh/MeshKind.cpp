@@ -36,7 +36,7 @@ std::vector<Note> lossesOf(const MeshSnapshot& mesh) {
     return mesh.keptOpen.contains(keyOf(mesh.mesh.mesh, loop));
   });
   if (kept > 0) {
-    losses.push_back({QT_TRANSLATE_NOOP("Note", "Which holes are to stay open is not in this file (%1 marked)."),
+    losses.push_back({QT_TRANSLATE_NOOP("Note", "The marks of holes to keep open are not in this file (%1 marked)."),
                       {std::to_string(kept)},
                       true});
   }
@@ -152,7 +152,7 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
     snapshot->keptOpen = keptOpenOf(*found, loaded->mesh.vertexSlots());
     report.reversedFaces = reversedFacesOf(*found, container, loaded->mesh);
   } else if (!keptOpenOf(*found, kNone).empty()) {
-    damage.push_back({ErrorCode::ElementMalformed, {"kept_open", "its loops cannot be told any more"}, {}, {}});
+    damage.push_back({ErrorCode::ElementMalformed, {"kept_open", "its loops cannot be identified any more"}, {}, {}});
   }
   snapshot->levels =
       readLevelBlobs(*found, container, loaded->isWhole ? &loaded->mesh : nullptr, damage, progress.part(0.4, 0.5));

@@ -99,7 +99,7 @@ class BodyReading {
       progress.set(static_cast<double>(done++) / static_cast<double>(list.size()));
       const BodyId id = idOf(key);
       if (key.find('/') != std::string::npos)  // its folder could hold that of others
-        note(key, "its key is no number");
+        note(key, "its key is not a number");
       else if (id == 0 || m_bodies.withId(id))
         others.emplace_back(key, &entry);
       else
@@ -118,7 +118,7 @@ class BodyReading {
   }
 
   void add(BodyId id, const std::string& key, const json& entry) {
-    if (!entry.is_object()) return note(key, "it is no object");
+    if (!entry.is_object()) return note(key, "it is not an object");
     if (m_bodies.size() >= BodySet::kMost) {
       ++m_leftOut;
       return;
@@ -198,7 +198,7 @@ Result<BodySet> readBodies(const Container& container, const std::string& folder
   const auto list = document->find(kBodyList);
   if (list == document->end() || list->is_null()) return BodySet();
   if (!list->is_object()) {
-    damage.push_back({ErrorCode::ElementMalformed, {kBodyList, "it is no object"}, {}, {}});
+    damage.push_back({ErrorCode::ElementMalformed, {kBodyList, "it is not an object"}, {}, {}});
     return BodySet();
   }
   return BodyReading(container, folder, damage, own).read(*list, countAt(*document, kNextBody), progress);

@@ -31,7 +31,7 @@ Status checkPose(const Pose& pose) {
                  {},
                  {}};
   }
-  if (!isRigid(pose)) return Error{ErrorCode::ElementMalformed, {"pose", "its matrix is no rotation"}, {}, {}};
+  if (!isRigid(pose)) return Error{ErrorCode::ElementMalformed, {"pose", "its matrix is not a rotation"}, {}, {}};
   return Done{};
 }
 

@@ -7,7 +7,7 @@ namespace handwheel {
 const ErrorDescription BodyError::BodyMissing{
     .id = "BodyMissing",
     .sentences = {translatable("ErrorText", "the document has no body '%1'")},
-    .advice = {translatable("ErrorText", "Give the name or number of one that it has; 'inspect' lists them.")}};
+    .advice = {translatable("ErrorText", "Give the name or number of an existing body; 'inspect' lists them.")}};
 
 const ErrorDescription BodyError::Ambiguous{
     .id = "BodyAmbiguous",
@@ -26,22 +26,21 @@ const ErrorDescription BodyError::LinkedFileGone{
 
 const ErrorDescription BodyError::TooManyBodies{
     .id = "TooManyBodies",
-    .sentences = {translatable("ErrorText", "a document has room for at most %1 bodies")},
+    .sentences = {translatable("ErrorText", "a document can contain at most %1 bodies")},
     .advice = {translatable("ErrorText", "Remove bodies, or add several as one file.")}};
 
 const ErrorDescription BodyError::TooManyTriangles{
     .id = "TooManyTriangles",
-    .sentences = {translatable("ErrorText", "the bodies would have %1 triangles, and a document has room for %2")},
+    .sentences = {translatable("ErrorText", "the bodies would have %1 triangles, and a document can contain %2")},
     .advice = {translatable("ErrorText", "Reduce the mesh before adding it ('handwheel decimate').")}};
 
-const ErrorDescription BodyError::NameTaken{
-    .id = "NameTaken",
-    .sentences = {translatable("ErrorText", "something else has the name '%1'")},
-    .advice = {translatable("ErrorText", "Choose another name.")}};
+const ErrorDescription BodyError::NameTaken{.id = "NameTaken",
+                                            .sentences = {translatable("ErrorText", "the name '%1' is already in use")},
+                                            .advice = {translatable("ErrorText", "Choose another name.")}};
 
 const ErrorDescription BodyError::NameUnusable{
     .id = "NameUnusable",
-    .sentences = {translatable("ErrorText", "'%1' cannot be a name: it needs one line of 1 to %2 bytes")},
+    .sentences = {translatable("ErrorText", "'%1' is not a valid name: a name is one line of 1 to %2 bytes")},
     .advice = {translatable("ErrorText", "Choose another name.")}};
 
 }  // namespace handwheel

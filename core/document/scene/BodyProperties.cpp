@@ -94,9 +94,9 @@ void addPose(const Pose& pose, PropertiesOfBody& all) {
   all.addLength("x", QT_TRANSLATE_NOOP("Property", "X"), at.x());
   all.addLength("y", QT_TRANSLATE_NOOP("Property", "Y"), at.y());
   all.addLength("z", QT_TRANSLATE_NOOP("Property", "Z"), at.z());
-  all.addAngle("rx", QT_TRANSLATE_NOOP("Property", "Turn about X"), angles.x(), kPi);
-  all.addAngle("ry", QT_TRANSLATE_NOOP("Property", "Turn about Y"), angles.y(), 0.5 * kPi);
-  all.addAngle("rz", QT_TRANSLATE_NOOP("Property", "Turn about Z"), angles.z(), kPi);
+  all.addAngle("rx", QT_TRANSLATE_NOOP("Property", "Rotate about X"), angles.x(), kPi);
+  all.addAngle("ry", QT_TRANSLATE_NOOP("Property", "Rotate about Y"), angles.y(), 0.5 * kPi);
+  all.addAngle("rz", QT_TRANSLATE_NOOP("Property", "Rotate about Z"), angles.z(), kPi);
 }
 
 void addShape(const BodyGeometry& geometry, PropertiesOfBody& all) {

@@ -137,7 +137,7 @@ nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& fo
 GeometryPointer readGeometry(const nlohmann::json& described, const std::string& folder, const Container& container,
                              std::vector<Error>& damage, std::span<const GeometryFormat> own) {
   const std::string kind = stringAt(described, "kind");
-  if (kind.empty()) damage.push_back({ErrorCode::ElementMalformed, {folder, "its geometry has no kind"}, {}, {}});
+  if (kind.empty()) damage.push_back({ErrorCode::ElementMalformed, {folder, "its geometry has no type"}, {}, {}});
   const GeometryFormat* format = formatOf(kind, own);
   if (!format) return keptAsItIs(described, folder, container, kind.empty());
   Result<GeometryPointer> read = format->read(described, folder, container, damage);

@@ -137,7 +137,7 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     profile = cutOnceMore(passes, stock, samples, progress);
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!profile) {
-      damage.push_back({ErrorCode::ElementMalformed, {"passes", "to cut them once more would take too long"}, {}, {}});
+      damage.push_back({ErrorCode::ElementMalformed, {"passes", "cutting them again would take too long"}, {}, {}});
       return std::shared_ptr<const TurnedPart>();
     }
   }

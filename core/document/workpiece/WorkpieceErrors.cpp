@@ -11,7 +11,7 @@ const ErrorDescription WorkpieceError::SizeFixed{
 
 const ErrorDescription WorkpieceError::SeveralPieces{
     .id = "SeveralPieces",
-    .sentences = {translatable("ErrorText", "the part is in %1 pieces, and the file would hold one solid")},
-    .advice = {translatable("ErrorText", "Undo the pass that parted it, or export triangles, for example STL.")}};
+    .sentences = {translatable("ErrorText", "the part is in %1 pieces, and the file can contain only one solid")},
+    .advice = {translatable("ErrorText", "Undo the pass that separated it, or export triangles, for example STL.")}};
 
 }  // namespace handwheel

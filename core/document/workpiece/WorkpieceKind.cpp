@@ -66,7 +66,7 @@ Result<std::string> checkedStep(const ProfileCurve& profile, Progress progress) 
   const Result<StepFileReport> back = inspectStep(*bytes, progress.part(0.5, 1.0));
   if (!back && back.error().code != ErrorCode::LibraryFailed) return back.error();
   if (!back) return notAsMeant("it cannot be opened");
-  if (back->solids != 1 || !back->isValid) return notAsMeant("it holds no valid solid");
+  if (back->solids != 1 || !back->isValid) return notAsMeant("it contains no valid solid");
   if (!(std::abs(back->volume / volumeOf(profile) - 1.0) < tolerance::kWrittenVolume))
     return notAsMeant("its volume differs");
   return bytes;
@@ -86,7 +86,7 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   }
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
-  return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file holds one valid solid.")}}};
+  return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file contains one valid solid.")}}};
 }
 
 Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progress progress) {

@@ -39,6 +39,7 @@ class ContactPlanes {
   void keepBelow(double skin);
 
  private:
+  // No trade: three planes carry a point, and one that was let go is met again by the next sweep.
   static constexpr std::size_t kCapacity = 8;
 
   void letFirstGo();

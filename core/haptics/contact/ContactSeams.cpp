@@ -216,6 +216,8 @@ class Strips {
     passed.push_back(corner);
   }
 
+  // No setting, but a bound: so the time stays in proportion to the open edges, where a border does not lead from one
+  // place to the other, too. A seam stays open along an edge that has more corners than these on its other side.
   static constexpr int kMostCorners = 64;
 
   std::vector<Vec3>& m_points;

@@ -14,7 +14,7 @@ namespace handwheel {
 // sweep to sweep, and a misprediction costs more than the arithmetic. Servo thread; fixed memory.
 class FaceBoxes {
  public:
-  static constexpr std::size_t kCapacity = 64;  // as bits in meeting()
+  static constexpr std::size_t kCapacity = 64;  // as bits in meeting(); of more, each is tested: the same result
 
   FaceBoxes();
 

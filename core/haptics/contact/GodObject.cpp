@@ -13,9 +13,10 @@ namespace {
 
 constexpr std::size_t kCornerPlanes = 3;  // that hold a point in space
 constexpr double kLift = 16.0;            // skins, out of the hollows that they make at a corner
-constexpr std::size_t kMaxWays = 8;       // out of a corner that are tried,
-constexpr std::size_t kMaxAround = 64;    // and triangles there that are looked at
-constexpr int kMaxParts = 32;             // of the way up after an edit
+// No trades, but bounds of a tick: which corners are got out of, GodObjectCornerTest says against an exact walk.
+constexpr std::size_t kMaxWays = 8;     // out of a corner that are tried,
+constexpr std::size_t kMaxAround = 64;  // and triangles there that are looked at
+constexpr int kMaxParts = 32;           // of the way up after an edit; mostly one
 
 // Coulomb: what holds the proxy back is at most µ times what presses it on, so it stays within µ times the depth of
 // where it would rest without friction.

@@ -12,7 +12,7 @@ struct ContactOptions {
   // A proxy that would move less than this share of the surface's diagonal is at rest: fidelity setting
   // proxy.tolerance.
   double tolerance = 1e-9;
-  int maxSteps = 64;  // in one tick; what is not reached by then is reached in the next
+  int maxSteps = 64;  // in one tick, the rest in the next: no trade, as no hand needs as many (GodObjectAccuracyTest)
 };
 
 // State of the contact between the device tip and a surface.

@@ -7,12 +7,13 @@ namespace handwheel {
 const ErrorDescription DeviceError::Unreachable{
     .id = "DeviceUnreachable",
     .sentences = {translatable("ErrorText", "the device cannot be reached (%1)")},
-    .advice = {translatable("ErrorText",
-                            "Check that it is plugged in, that no other program uses it and that you may use it.")}};
+    .advice = {translatable(
+        "ErrorText",
+        "Check that it is plugged in, that no other program uses it and that you have permission to use it.")}};
 
 const ErrorDescription DeviceError::NotResponding{
     .id = "DeviceNotResponding",
-    .sentences = {translatable("ErrorText", "the device does not answer as it should (%1)")},
+    .sentences = {translatable("ErrorText", "the device does not respond correctly (%1)")},
     .advice = {translatable("ErrorText", "Switch it off and on again, or try another port.")}};
 
 const ErrorDescription DeviceError::PluginVersion{

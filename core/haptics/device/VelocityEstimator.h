@@ -15,7 +15,7 @@ namespace handwheel {
 // allocate.
 class VelocityEstimator {
  public:
-  // window: s. If it holds more readings than the buffer, the newest are used.
+  // window: s. If it holds more than kCapacity readings, the newest are used.
   explicit VelocityEstimator(double window = kStandardWindow) : m_window(window) {}
 
   // Adds a reading, mm, `period` seconds (> 0) after the previous one. Returns mm/s; zero for the first.
@@ -23,7 +23,8 @@ class VelocityEstimator {
   void reset() { m_count = 0; }
 
   static constexpr double kStandardWindow = 0.01;
-  static constexpr std::size_t kCapacity = 128;  // 15 ms at 8 kHz
+  // More than the largest of servo.velocity_window needs at the largest rate: 400 readings.
+  static constexpr std::size_t kCapacity = 512;
 
  private:
   struct Reading {

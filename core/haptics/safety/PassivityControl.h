@@ -32,7 +32,7 @@ class PassivityControl {
   double energy() const { return m_energy; }
 
  private:
-  static constexpr std::size_t kLongest = 512;  // ticks of delay: 64 ms at 8 kHz
+  static constexpr std::size_t kLongest = 512;  // ticks of delay: 64 ms at 8 kHz, more than any device states
   // What was sent so many ticks ago.
   const Vec3& sentBefore(std::size_t ticks) const { return m_sent[(m_newest + kLongest - ticks) % kLongest]; }
   Vec3 acting() const;

@@ -38,6 +38,7 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   const double most = tip.stiffnessLimit * room;
   const double share = all.stiffness > most ? most / all.stiffness : 1.0;
   out.stiffness = share * all.stiffness;
+  out.asked = all.stiffness;
   out.isSoftened = share < 1.0 || damping < all.damping;
   const double kept = all.damping > 0.0 ? damping / all.damping : 1.0;
 

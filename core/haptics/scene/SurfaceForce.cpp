@@ -18,7 +18,7 @@ void SurfaceForce::follow(const ForceSource& previous) noexcept {
 
 ForceBounds SurfaceForce::advance(const TipState& tip, ForceOut& out) noexcept {
   if (tip.isRestart || !m_isPlaced) m_god.place(entryOf(tip.position));
-  m_isPlaced = true;
+  m_isPlaced = m_god.contact().proxy.allFinite();  // else at the next tip that is a place
   const Contact& contact = m_god.follow(m_touched.surface, tip.position, m_touched.contact);
   if (!contact.touching) return {};
   out.isContact = true;

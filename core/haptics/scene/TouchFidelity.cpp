@@ -16,7 +16,7 @@ FidelitySetting proxyToleranceSetting() {
   s.largest = 1e-4;  // a hundredth of a millimetre of what fills a hand; beyond, it feels steps
   s.standard = ContactOptions().tolerance;
   s.presets = {s.standard, s.standard, s.standard};
-  s.error = {translatable("Fidelity", "RMS distance from where it comes to rest"), "mm"};
+  s.error = {translatable("Fidelity", "RMS distance from its final position"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a tick"), "us"};
   s.budget = FidelityBudget::Tick;
   return s;
@@ -33,7 +33,7 @@ FidelitySetting servoRateSetting() {
   s.whole = true;
   s.standard = DeviceCapabilities().nominalRate;
   s.presets = {500.0, 1000.0, 1000.0};
-  s.error = {translatable("Fidelity", "how far 2 N push into a wall as stiff as the rate allows"), "mm"};
+  s.error = {translatable("Fidelity", "penetration at 2 N into the stiffest wall that the rate allows"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a second of touch"), "us/s"};
   s.budget = FidelityBudget::Core;
   return s;
@@ -49,7 +49,7 @@ FidelitySetting contactStiffnessSetting() {
   s.largest = 10.0;
   s.standard = TouchedSurface().stiffness;
   s.presets = {0.5, 1.0, 2.2};
-  s.error = {translatable("Fidelity", "how far 2 N push into the surface"), "mm"};
+  s.error = {translatable("Fidelity", "penetration at 2 N into the surface"), "mm"};
   s.cost = {translatable("Fidelity", "rate of the servo loop that keeps it stable"), "Hz"};
   s.budget = FidelityBudget::Rate;
   return s;
@@ -66,7 +66,7 @@ FidelitySetting velocityWindowSetting() {
   s.standard = VelocityEstimator::kStandardWindow;
   s.presets = {0.0011, 0.0034, 0.01};
   s.error = {translatable("Fidelity", "RMS error of the velocity"), "mm/s"};
-  s.cost = {translatable("Fidelity", "how late the velocity is"), "s"};
+  s.cost = {translatable("Fidelity", "delay of the velocity"), "s"};
   return s;
 }
 

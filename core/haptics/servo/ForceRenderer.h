@@ -35,8 +35,9 @@ struct ForceOut {
   Vec3 proxy = Vec3::Zero();   // mm: where the tip is shown
   bool isContact = false;
   bool isFresh = true;       // false: nothing new since the last tick; the watchdog counts
-  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all that acted, after the limit
-  bool isSoftened = false;   // it was more before the limit
+  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all that acted, after the limit,
+  double asked = 0.0;        // and before it; not recorded
+  bool isSoftened = false;   // stiffness or damping was more before the limit
   bool isHeld = false;       // a point or an edge attracts the tip,
   Vec3 held = Vec3::Zero();  // to here; mm
 };

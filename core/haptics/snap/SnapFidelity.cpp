@@ -17,7 +17,7 @@ FidelitySetting snapRadiusSetting() {
   s.largest = 3.0;
   s.standard = 0.4;
   s.presets = {0.4, 0.4, 0.4};
-  s.error = {translatable("Fidelity", "features that a trembling hand missed"), "%"};
+  s.error = {translatable("Fidelity", "features missed by a trembling hand"), "%"};
   s.cost = {translatable("Fidelity", "CPU time of a tick"), "us"};
   s.budget = FidelityBudget::Tick;
   return s;
@@ -26,7 +26,7 @@ FidelitySetting snapRadiusSetting() {
 FidelitySetting snapFeaturesSetting() {
   FidelitySetting s;
   s.id = "snap.features";
-  s.label = translatable("Fidelity", "Features that pull at once");
+  s.label = translatable("Fidelity", "Features that attract at the same time");
   s.scale = FidelityScale::Logarithmic;
   s.least = 16.0;  // a corner of a mesh, its edges and its faces are 13
   s.largest = static_cast<double>(SnapSum::kLargest);

@@ -38,7 +38,8 @@ class SnapBound {
 // end after kMostItems items, having begun with the nearest boxes.
 class SnapLayer {
  public:
-  // Most items visited by a query, which takes a fraction of a millisecond.
+  // Most items visited by a query, which takes a fraction of a millisecond. No setting, but the guard of a tick: what
+  // it cuts short says so. How many features count is the fidelity setting snap.features.
   static constexpr std::uint32_t kMostItems = 4096;
 
   // Result of a nearest-item query.

@@ -7,7 +7,8 @@
 namespace handwheel {
 namespace {
 
-// Features that a proxy passes in one tick: more follow in the next.
+// Features that a proxy passes in one tick: more follow in the next. No trade, but a bound of a tick: each is passed
+// exactly, so a proxy is late by ticks, and not elsewhere.
 constexpr int kMostHops = 8;
 
 }  // namespace

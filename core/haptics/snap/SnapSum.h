@@ -25,14 +25,14 @@ namespace handwheel {
 // Servo thread only; no allocation.
 class SnapSum {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 64;  // standard of the fidelity setting snap.features
 
   explicit SnapSum(std::size_t most = kMost) : m_most(std::clamp<std::size_t>(most, 1, kLargest)) {}
 
   // The pull on the device tip at `hand` (mm) in this tick. Nothing if it is not finite.
   SnapResult step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
 
-  static constexpr std::size_t kLargest = 1024;
+  static constexpr std::size_t kLargest = 1024;  // largest value of that setting, for which there is memory
 
  private:
   struct Term {

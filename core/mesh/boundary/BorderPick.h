@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The distance within which a point of a boundary loop attracts the pointer (He 2008, section 4.2); logical pixels.
+// The distance within which a point of a boundary loop attracts the pointer (He 2008, section 3.1.1); logical pixels.
 inline constexpr double kBorderPickRadius = 12.0;
 
 // A point of a boundary loop.

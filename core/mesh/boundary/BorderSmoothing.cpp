@@ -69,7 +69,8 @@ std::vector<Vec3> targets(const std::vector<Vec3>& points, const SmoothingOption
 // The points of a loop on their ways, each cut short where a face would turn over.
 class HeldWays {
  public:
-  HeldWays(const FaceLocator& near, const BoundaryLoop& loop) : m_near(near), m_places(loopPoints(near.mesh(), loop)) {
+  HeldWays(const FaceLocator& near, const BoundaryLoop& loop, NumberType numbers)
+      : m_near(near), m_numbers(numbers), m_places(loopPoints(near.mesh(), loop)) {
     for (const HalfEdge h : loop.halfEdges) {
       const Vertex v = near.mesh().from(h);
       m_index[v] = m_vertices.size();
@@ -111,7 +112,9 @@ class HeldWays {
 
  private:
   Vec3 place(std::size_t i) const {
-    return m_share[i] > 0.0 ? Vec3(m_places[i] + m_share[i] * (m_to[i] - m_places[i])) : m_places[i];
+    if (m_share[i] == 0.0) return m_places[i];
+    const Vec3 place = rounded(m_places[i] + m_share[i] * (m_to[i] - m_places[i]), m_numbers);
+    return place == rounded(m_places[i], m_numbers) ? m_places[i] : place;  // rounding alone is no move
   }
 
   // Without any further step all faces are as they may be, so this ends.
@@ -141,6 +144,7 @@ class HeldWays {
   }
 
   const FaceLocator& m_near;
+  NumberType m_numbers;
   std::vector<Vertex> m_vertices;
   std::map<Vertex, std::size_t> m_index;
   std::vector<Face> m_faces;
@@ -154,10 +158,10 @@ class HeldWays {
 
 SmoothedBorder smoothBorder(const FaceLocator& near, const BoundaryLoop& loop, const SmoothingOptions& options) {
   if (loop.halfEdges.size() < 3) return {};
-  HeldWays ways(near, loop);
+  HeldWays ways(near, loop, options.numbers);
   std::size_t held = ways.draw(targets(ways.places(), options));
   // Spreading takes points the longest way. Those that it left behind are drawn onto the curve where they are.
-  const SmoothingOptions here{options.wavelength, false};
+  const SmoothingOptions here{options.wavelength, false, options.numbers};
   for (int pass = 0; pass < kPasses && held > 0; ++pass) held = ways.draw(targets(ways.places(), here));
   return {ways.moves(), held};
 }

@@ -15,6 +15,7 @@ struct SmoothingOptions {
 
   double wavelength = 8.0;  // in edges: shorter waves are removed, longer ones stay; below 2 only the spacing changes
   bool evenly = true;       // spread the points evenly along the curve
+  NumberType numbers = NumberType::Float64;  // of the file, which must be able to hold the new positions
 };
 
 // A vertex with its old and new position.

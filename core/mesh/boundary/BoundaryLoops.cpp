@@ -57,6 +57,10 @@ void measure(const HalfEdgeMesh& mesh, BoundaryLoop& loop) {
     loop.box.extend(points[i]);
     loop.borderEdges += mesh.isBorder(loop.halfEdges[i]);
   }
+  Vec3 twice = Vec3::Zero();  // the vector area (Newell)
+  for (std::size_t i = 0; i < points.size(); ++i)
+    twice += (points[i] - loop.centre).cross(points[(i + 1) % points.size()] - loop.centre);
+  loop.area = 0.5 * twice.norm();
   loop.planarity = loop.length > 0.0 ? rmsFromBestPlane(points, loop.centre) / loop.length : 0.0;
 }
 

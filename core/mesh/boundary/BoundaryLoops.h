@@ -17,6 +17,8 @@ struct BoundaryLoop {
   std::size_t borderEdges = 0;      // the rest are seams: edges that other faces share in the file
   double length = 0.0;              // mm
   double planarity = 0.0;           // RMS distance to the best plane / length
+  double area = 0.0;                // mm², that it encloses as seen where that is largest
+  std::size_t islands = 0;          // pieces of surface that lie in it; countIslands() sets it
   bool rim = false;                 // the outer edge of an open sheet rather than a hole in a surface
   bool picture = false;             // a rim of a drawing or single-view scan rather than of a body
   Vec3 centre = Vec3::Zero();

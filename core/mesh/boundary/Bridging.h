@@ -28,9 +28,9 @@ struct Bridge {
 };
 
 // Finds two triangles that bridge a hole between two border points. Each has a border edge at one of the points, and
-// the line between the points is one of their edges (He 2008, section 4.2): the surface stays manifold, the hole falls
-// into two, or an island is connected to the rim. Of the possible pairs the one whose triangles are best shaped and
-// bend least against their neighbours is taken. near: of this very mesh. The problem is that of the last pair tried
+// the line between the points is one of their edges (He 2008, section 4.1.4): the surface stays manifold, the hole
+// falls into two, or an island is connected to the rim. Of the possible pairs the one whose triangles are best shaped
+// and bend least against their neighbours is taken. near: of this very mesh. The problem is that of the last pair tried
 // when none is free.
 Bridge findBridge(const FaceLocator& near, const BorderPair& ends);
 

@@ -11,6 +11,8 @@
 namespace handwheel {
 namespace {
 
+constexpr std::size_t kMostCountedLoops = 2000;  // each is compared with each
+
 constexpr double kBulge = 0.25;  // of the hole's width, above and below its points
 
 // The space over and under a hole, within its outline.
@@ -67,11 +69,14 @@ bool liesIn(const HoleSpace& space, const HalfEdgeMesh& mesh, const FaceSelectio
   return all;
 }
 
-}  // namespace
+struct Islands {
+  FaceSelection faces;
+  std::size_t count = 0;
+};
 
-FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
-                          Progress progress) {
-  FaceSelection islands;
+Islands islandsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
+                  Progress progress) {
+  Islands islands;
   if (hole.rim) return islands;
   const HoleSpace space(mesh, hole);
   for (const BoundaryLoop& loop : loops) {
@@ -80,14 +85,28 @@ FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, st
     const bool lies = std::all_of(loop.halfEdges.begin(), loop.halfEdges.end(),
                                   [&](HalfEdge h) { return space.contains(mesh.position(mesh.from(h))); });
     const Face seed = HalfEdgeMesh::face(loop.halfEdges.front());
-    if (!lies || islands.contains(seed)) continue;
+    if (!lies || islands.faces.contains(seed)) continue;
     const auto piece = connectedFaces(mesh, {&seed, 1}, {.progress = progress});
     if (!piece || piece->contains(HalfEdgeMesh::face(hole.halfEdges.front())) || !liesIn(space, mesh, *piece)) continue;
     const Face own = HalfEdgeMesh::face(hole.halfEdges.front());
     const auto around = connectedFaces(mesh, {&own, 1}, {.faces = piece->count() + 1, .progress = progress});
-    if (around && around->count() > piece->count()) islands.add(*piece);
+    if (!around || around->count() <= piece->count()) continue;
+    islands.faces.add(*piece);
+    ++islands.count;
   }
   return islands;
+}
+
+}  // namespace
+
+FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
+                          Progress progress) {
+  return islandsOf(mesh, hole, loops, progress).faces;
+}
+
+void countIslands(const HalfEdgeMesh& mesh, std::span<BoundaryLoop> loops, Progress progress) {
+  if (loops.size() < 2 || loops.size() > kMostCountedLoops) return;
+  for (BoundaryLoop& loop : loops) loop.islands = islandsOf(mesh, loop, loops, progress).count;
 }
 
 }  // namespace handwheel

@@ -20,4 +20,7 @@ namespace handwheel {
 FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
                           Progress progress = {});
 
+// Counts the islands of each loop. Nothing is counted where there are too many loops to compare each with each.
+void countIslands(const HalfEdgeMesh& mesh, std::span<BoundaryLoop> loops, Progress progress = {});
+
 }  // namespace handwheel

@@ -64,10 +64,11 @@ bool VertexPull::crosses(const Vec3& place, const FaceLocator& near) const {
   return !forEachNewCrossing(near, {m_faces, shapes(place)}, [](std::size_t) { return false; });
 }
 
-VertexPull::Place VertexPull::towards(const Vec3& target) const {
+VertexPull::Place VertexPull::towards(const Vec3& target, NumberType numbers) const {
   if (!target.allFinite() || m_faces.empty()) return {m_start, JoinProblem::NoBorder};
   const auto at = [&](double share) -> Vec3 {
-    return share < 1.0 ? Vec3(m_start + share * (target - m_start)) : target;
+    if (share == 0.0) return m_start;
+    return rounded(share < 1.0 ? Vec3(m_start + share * (target - m_start)) : target, numbers);
   };
   const double unturned = furthest(1.0, kTurnPlaces, [&](double share) { return !turnsAFace(at(share)); });
   const double free = furthest(unturned, kCrossPlaces, [&](double share) { return !crosses(at(share), *m_near); });

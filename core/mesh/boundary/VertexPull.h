@@ -24,7 +24,8 @@ class VertexPull {
     Vec3 point;
     JoinProblem problem = JoinProblem::None;
   };
-  Place towards(const Vec3& target) const;
+  // numbers: of the file; the point is one that it can hold.
+  Place towards(const Vec3& target, NumberType numbers = NumberType::Float64) const;
   // The faces that change, as they would be.
   std::vector<TrianglePoints> shapes(const Vec3& place) const;
 

@@ -3,6 +3,7 @@
 #include "mesh/defects/Defects.h"
 
 #include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/Islands.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/defects/InsideOutShells.h"
 #include "mesh/defects/NonManifoldVertices.h"
@@ -97,6 +98,9 @@ Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress
       [&](Progress p) { defects.insideOut = findInsideOutShells(mesh, p); },
       [&](Progress p) { defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld, p); },
       [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
+      [&](Progress p) {
+        if (defects.components.size() > 1) countIslands(mesh, defects.loops, p);
+      },
   };
   const double share = 1.0 / static_cast<double>(std::size(steps));
   double done = 0.0;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/defects/MeshReport.h"
 
+#include "mesh/boundary/BorderVertices.h"
 #include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/boundary/Islands.h"
+#include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/defects/InsideOutShells.h"
 #include "mesh/defects/NonManifoldVertices.h"
@@ -65,12 +68,22 @@ std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells
   return volumes;
 }
 
+// What is no defect of the file by itself, or takes longer to find.
+void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport& report, Progress progress) {
+  report.reversedFaces = built.report.reversedFaces.size();
+  report.nearVertices = nearBorderVertices(built.mesh, {}, tolerance::kNearWeld, progress).size();
+  const std::vector<Component> components = findComponents(built.mesh, progress);
+  report.debris = static_cast<std::size_t>(
+      std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; }));
+  if (components.size() > 1) countIslands(built.mesh, loops, progress);
+}
+
 }  // namespace
 
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
   std::vector<LoopReport> reports;
   for (const BoundaryLoop& loop : loops) {
-    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity, loop.rim});
+    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity, loop.area, loop.islands, loop.rim});
   }
   return reports;
 }
@@ -97,9 +110,14 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   const std::vector<double> volumes = signedVolumes(welded, shells, report.box.center());
   const bool mayBeInsideOut =
       report.oriented && std::any_of(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; });
-  if (report.boundaryEdges > 0 || mayBeInsideOut) {
-    const HalfEdgeMesh mesh = buildMesh(welded, progress.part(0.1, 0.2)).mesh;
-    report.loops = reportOn(findBoundaryLoops(mesh, progress.part(0.2, 0.25)));
+  const bool isWhole = choice == SelfIntersections::Count;
+  if (report.boundaryEdges > 0 || mayBeInsideOut ||
+      (isWhole && (report.inconsistentEdges > 0 || report.components > 1))) {
+    const BuiltMesh built = buildMesh(welded, progress.part(0.1, 0.2));
+    const HalfEdgeMesh& mesh = built.mesh;
+    std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.2, 0.23));
+    if (isWhole) countMore(built, loops, report, progress.part(0.23, 0.25));
+    report.loops = reportOn(loops);
     if (mayBeInsideOut) report.insideOutBodies = findInsideOutShells(mesh, progress.part(0.25, 0.3)).size();
     report.oriented &= report.insideOutBodies == 0;
     if (progress.cancelled()) return report;

@@ -18,6 +18,8 @@ struct LoopReport {
   std::size_t edges = 0;
   double lengthMm = 0.0;
   double planarity = 0.0;
+  double areaMm2 = 0.0;
+  std::size_t islands = 0;
   bool rim = false;  // the outer edge of an open sheet
 };
 
@@ -32,6 +34,10 @@ struct MeshReport : MeshState {
   std::size_t nonManifoldVertices = 0;
   std::size_t inconsistentEdges = 0;
   std::size_t insideOutBodies = 0;  // counted where all edges are consistent
+  // Counted with the self-intersections only.
+  std::size_t reversedFaces = 0;  // that face the other way than most of their neighbours
+  std::size_t nearVertices = 0;   // pairs on open borders within the near weld
+  std::size_t debris = 0;         // pieces
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
   std::optional<double> volumeMm3;  // only when closed

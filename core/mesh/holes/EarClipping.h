@@ -20,7 +20,7 @@ struct EarWeights {
   double lid = 2.0;
 };
 
-// Triangulates a hole by ear clipping, the best ear first (He 2008, section 4.3). With a heap: O(n log n) and one
+// Triangulates a hole by ear clipping, the best ear first (He 2008, section 4.1.5). With a heap: O(n log n) and one
 // obstacle query per ear examined. An ear that would intersect the surface or double an edge is skipped. None when no
 // ear is left to clip.
 std::optional<Patch> clipEars(const HoleContext& hole, const Obstacles& obstacles, const EarWeights& weights,

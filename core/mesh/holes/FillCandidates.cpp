@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/FillCandidates.h"
 
+#include "mesh/holes/FlatTriangulation.h"
 #include "mesh/holes/MinimalTriangulation.h"
 #include "mesh/holes/RidgeFill.h"
 
@@ -14,6 +15,8 @@ namespace {
 // One ear cutting may get stuck where another does not: a spread of tastes for flat loops and for loops that wind
 // through space, after the user's own, with and without a lid.
 constexpr EarWeights kTastes[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
+
+constexpr std::size_t kLeastBendEdges = 100;  // it is cubic in them
 
 constexpr double kChordPart = 0.5;  // of the progress: the search for the chords that cut a loop into pieces
 
@@ -45,11 +48,14 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
   for (std::size_t i = 0; i < kBalanced; ++i) m_starts.emplace_back([this, i] { return ears(m_hole, i, m_progress); });
 
   add(options.method);
+  m_own = m_makers.size();
   if (!options.tryOthers) return;
   for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
     const bool isAdded = m == options.method || (m == FillMethod::Fair && options.method == FillMethod::Ridge);
     if (!isAdded) add(m);
   }
+  // Least bend is what the choice among these goes by, but it takes long.
+  if (hole.loopSize <= kLeastBendEdges && options.method != FillMethod::Dihedral) add(FillMethod::Dihedral);
   if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
   for (std::size_t i = 0; i < std::size(kTastes); ++i) {
     m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i, m_progress); });
@@ -78,6 +84,9 @@ void FillCandidates::add(FillMethod method) {
     case FillMethod::Area:
     case FillMethod::Dihedral:
       m_makers.push_back([this, method] { return m_isCut ? inPieces(method) : piece(m_hole, method, m_progress); });
+      break;
+    case FillMethod::Flat:
+      m_makers.push_back([this] { return triangulateFlat(m_hole, m_progress); });
       break;
     case FillMethod::Ridge:
       for (Continuity continuity : continuities()) {

@@ -20,6 +20,8 @@ class FillCandidates {
   FillCandidates& operator=(const FillCandidates&) = delete;
 
   std::size_t size() const { return m_makers.size(); }
+  // The first so many are of the chosen method, the others what may take its place.
+  std::size_t ownCount() const { return m_own; }
   std::optional<Patch> make(std::size_t i, Progress progress) {
     m_progress = progress;
     return m_makers[i]();
@@ -57,6 +59,7 @@ class FillCandidates {
   std::optional<std::vector<LoopChord>> m_bridges;  // once needed
   std::vector<Start> m_starts;                      // for refining, the best first
   std::vector<std::function<Made()>> m_makers;
+  std::size_t m_own = 0;
 };
 
 }  // namespace handwheel

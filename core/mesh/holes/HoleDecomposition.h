@@ -13,10 +13,10 @@
 namespace handwheel {
 
 // Finds bridges that divide a boundary loop into pieces of at most pieceEdges edges. They are short relative to the
-// border that they separate (He 2008, section 4.2), never leave fewer than a quarter of the edges on one side, and run
-// neither along an edge of the surface nor through it. Across a slot they connect its two sides. A piece that no bridge
-// can divide stays long. At least 4 edges a piece. O(n) memory; time about n per bridge beside the obstacle queries. If
-// cancelled, those found so far.
+// border that they separate (He 2008, section 4.1.4), never leave fewer than a quarter of the edges on one side, and
+// run neither along an edge of the surface nor through it. Across a slot they connect its two sides. A piece that no
+// bridge can divide stays long. At least 4 edges a piece. O(n) memory; time about n per bridge beside the obstacle
+// queries. If cancelled, those found so far.
 std::vector<LoopChord> proposeLoopChords(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
                                          Progress progress = {});
 

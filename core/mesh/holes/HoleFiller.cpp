@@ -3,11 +3,13 @@
 #include "mesh/holes/HoleFiller.h"
 
 #include "mesh/holes/FillCandidates.h"
+#include "mesh/holes/PatchStatistics.h"
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/Weld.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -15,6 +17,9 @@ namespace {
 // Steps of Effort that it takes to make a patch, for each edge of its loop, and to judge it, for each triangle.
 constexpr std::size_t kCandidateEffort = 10;
 constexpr std::size_t kJudgeEffort = 4;
+
+// Of a longer loop the first patch is taken that fits, for a user waits for it.
+constexpr std::size_t kComparedEdges = 500;
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
 
@@ -128,6 +133,9 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   const HoleContext hole = holeContext(m_state->mesh, loop);
   const Edges existing = m_state->obstacles.edgesAmong(hole.loop());
   FillCandidates candidates(hole, m_state->obstacles, options);
+  constexpr double kNoBend = std::numeric_limits<double>::infinity();
+  double leastBend = kNoBend;  // radian
+  FillAttempt best;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     // The first that are made are the slowest: they cut the loop into pieces.
@@ -140,10 +148,17 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
     progress.spend(kJudgeEffort * patch->triangles.size());
     const FillFailure failure = m_state->judge(hole, existing, *patch, options, span.part(0.7, 1.0));
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
-    if (failure == FillFailure::None) return {failure, std::move(*patch)};
-    attempt.failure = std::max(attempt.failure, failure);
+    if (failure != FillFailure::None) {
+      attempt.failure = std::max(attempt.failure, failure);
+      continue;
+    }
+    if (i < candidates.ownCount() || hole.loopSize > kComparedEdges) return {failure, std::move(*patch)};
+    // What takes the place of the chosen method is that which bends least.
+    const double bend = statisticsOf(m_state->mesh, loop, *patch).largestBend;
+    if (bend < leastBend) best = {failure, std::move(*patch)};
+    leastBend = std::min(leastBend, bend);
   }
-  return attempt;
+  return leastBend < kNoBend ? best : attempt;
 }
 
 std::vector<LoopChord> HoleFiller::proposeLoopChords(const BoundaryLoop& loop, std::size_t pieceEdges,

@@ -12,11 +12,12 @@ namespace handwheel {
 enum class FillMethod {
   Fair,            // refined to the density of the surroundings and faired to continue them (CGAL)
   Refined,         // refined, not faired
-  Ear,             // best-first ear clipping (He 2008, section 4.3; spec step 4), no new vertices
+  Ear,             // best-first ear clipping (He 2008, section 4.1.5), no new vertices
   Minimal,         // CGAL's triangulation by dihedral angle and area, no new vertices
   Area,            // the triangulation of least area, no new vertices
   Dihedral,        // the triangulation whose largest bend is least, then of least area, no new vertices
   Ridge,           // as Fair, with the creases that end at the hole continued through it
+  Flat,            // triangulated in the best plane of the loop, no new vertices (triangulateFlat())
   Cone,            // triangles to one point before or behind the loop; only a repair does this
   ThickenedSheet,  // its sheet was thickened (thickenSheet()); only a repair does this
   Stitched,        // the borders were stitched together; only a repair does this

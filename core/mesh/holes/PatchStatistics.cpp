@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/PatchStatistics.h"
 
+#include "mesh/holes/HoleContext.h"
 #include "mesh/structure/AngleBetween.h"
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/FaceNormal.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 PatchStatistics statisticsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
@@ -39,6 +41,35 @@ PatchStatistics statisticsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop,
   });
   if (length > 0.0) statistics.meanBend = std::sqrt(squares / length);
   return statistics;
+}
+
+PatchComparison compared(const HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
+  PatchComparison result;
+  result.bend = statisticsOf(mesh, loop, patch).largestBend;
+  result.size = loop.box.diagonal().norm();
+  const HoleContext hole = holeContext(mesh, loop);
+  const EdgeTable edges(hole.ring, hole.points.size());
+  const auto normalOf = [&](std::uint32_t halfEdge) {
+    const Triangle& t = hole.ring[halfEdge / 3];
+    return unitNormal({hole.points[t[0]], hole.points[t[1]], hole.points[t[2]]});
+  };
+  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    if (run.size() != 2) return;
+    const Vec3 one = normalOf(run[0].halfEdge), other = normalOf(run[1].halfEdge);
+    if (!one.isZero() && !other.isZero()) result.bendAround = std::max(result.bendAround, angleBetween(one, other));
+  });
+  const Vec3 normal = hole.outward().stableNormalized();
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec3& p : hole.points) {
+    const double height = (p - loop.centre).dot(normal);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
+    const double height = (patch.points[i] - loop.centre).dot(normal);
+    result.rise = std::max({result.rise, height - high, low - height});
+  }
+  return result;
 }
 
 }  // namespace handwheel

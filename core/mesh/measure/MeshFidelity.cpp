@@ -12,22 +12,22 @@ namespace handwheel {
 namespace {
 
 constexpr FillMethod kMethods[] = {FillMethod::Ear,  FillMethod::Minimal,  FillMethod::Refined, FillMethod::Fair,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge,   FillMethod::Flat};
 
 }  // namespace
 
 FidelitySetting nearWeldSetting() {
   FidelitySetting s;
   s.id = "mesh.near_weld";
-  s.label = translatable("Fidelity", "Distance below which torn border vertices are one");
+  s.label = translatable("Fidelity", "Distance below which boundary vertices are merged");
   s.unit = translatable("Fidelity", "share of the diagonal");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-8;
   s.largest = 1e-2;
   s.standard = RepairOptions().nearWeld;
   s.presets = {1e-5, 1e-5, 1e-5};
-  s.error = {translatable("Fidelity", "border vertices left torn or merged wrongly"), "%"};
-  s.cost = {translatable("Fidelity", "CPU time to stitch the borders"), "ms"};
+  s.error = {translatable("Fidelity", "boundary vertices left unmerged or merged wrongly"), "%"};
+  s.cost = {translatable("Fidelity", "CPU time to merge the boundary vertices"), "ms"};
   s.budget = FidelityBudget::Wait;
   return s;
 }
@@ -39,7 +39,7 @@ FidelitySetting fillMethodSetting() {
   setChoices(s,
              {translatable("Fidelity", "ear"), translatable("Fidelity", "minimal"), translatable("Fidelity", "refined"),
               translatable("Fidelity", "fair"), translatable("Fidelity", "area"), translatable("Fidelity", "dihedral"),
-              translatable("Fidelity", "ridge")});  // as kMethods
+              translatable("Fidelity", "ridge"), translatable("Fidelity", "flat")});  // as kMethods
   s.standard = 3.0;
   s.presets = {3.0, 3.0, 3.0};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
@@ -52,7 +52,7 @@ FidelitySetting fillMethodSetting() {
 FidelitySetting fillContinuitySetting() {
   FidelitySetting s;
   s.id = "mesh.fill_continuity";
-  s.label = translatable("Fidelity", "What fair patches continue of their surroundings");
+  s.label = translatable("Fidelity", "Continuity of fair patches with their surroundings");
   setChoices(s, {translatable("Fidelity", "position"), translatable("Fidelity", "tangent"),
                  translatable("Fidelity", "curvature")});  // as Continuity
   s.standard = static_cast<double>(FillOptions().continuity);
@@ -67,7 +67,7 @@ FidelitySetting fillContinuitySetting() {
 FidelitySetting patchDensitySetting() {
   FidelitySetting s;
   s.id = "mesh.patch_density";
-  s.label = translatable("Fidelity", "Density of patches, in that of their surroundings");
+  s.label = translatable("Fidelity", "Density of patches, relative to their surroundings");
   s.scale = FidelityScale::Logarithmic;
   s.least = 0.35;
   s.largest = 2.0;  // beyond, larger patches are at the limit of their vertices
@@ -100,7 +100,7 @@ FidelitySetting pieceEdgesSetting() {
 FidelitySetting decimationErrorSetting() {
   FidelitySetting s;
   s.id = "mesh.decimation_error";
-  s.label = translatable("Fidelity", "Largest distance that removing triangles may leave");
+  s.label = translatable("Fidelity", "Largest distance from the original when triangles are reduced");
   s.unit = translatable("Fidelity", "share of the diagonal");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-4;
@@ -108,14 +108,14 @@ FidelitySetting decimationErrorSetting() {
   s.standard = 1e-3;  // hardly seen
   s.presets = {0.01, 0.0022, 1e-4};
   s.error = {translatable("Fidelity", "largest distance from the mesh, in diagonals"), "%"};
-  s.cost = {translatable("Fidelity", "triangles that are left"), "%"};
+  s.cost = {translatable("Fidelity", "remaining triangles"), "%"};
   return s;
 }
 
 FidelitySetting undoGranularitySetting() {
   FidelitySetting s;
   s.id = "document.undo_granularity";
-  s.label = translatable("Fidelity", "Vertices or faces that an undo step keeps together");
+  s.label = translatable("Fidelity", "Vertices or triangles in a block of an undo step");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1.0;
   s.largest = 4096.0;

@@ -10,7 +10,7 @@
 #include <span>
 
 // The only place where meshes go to OpenMesh and come back. Included by sources only, never by headers, so that nothing
-// else sees its types (docs/adr/0027-openmesh.md).
+// else sees its types (docs/adr/0028-openmesh.md).
 namespace handwheel {
 
 struct OpenMeshTraits : OpenMesh::DefaultTraits {

@@ -52,7 +52,9 @@ class Repairer {
         m_separationBudget(most(tolerance::kSeparationShare, tolerance::kObstructedHoleBudget), m_closeEffort),
         m_tangleEffort(most(tolerance::kFoldedRegionShare, tolerance::kFoldedRegionBudget), m_closeEffort) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
-      if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
+      const FillFailure reason = reasonToLeave(loop, {loop.id});
+      // What folds around a hole is replaced although a sheet that nobody marked is part of it.
+      if (mayClose(reason) || reason == FillFailure::Rim) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
     }
   }
@@ -135,6 +137,7 @@ class Repairer {
       loops.push_back(std::move(loop));
       owners.push_back(std::move(of));
     }
+    const HalfEdgeMesh before = m_mesh;
     const std::vector<HoleFill> fills =
         fillHoles(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_fillEffort));
     for (std::size_t i = 0; i < fills.size(); ++i) {
@@ -145,6 +148,7 @@ class Repairer {
         result.outcome = LoopOutcome::Filled;
         result.method = fills[i].attempt.patch.method;
         result.newFaces = fills[i].attempt.patch.triangles.size();
+        result.shape = compared(before, loops[i], fills[i].attempt.patch);
       }
       result.milliseconds = fills[i].milliseconds;
       m_results.record(result, owners[i]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/holes/HoleFiller.h"
+#include "mesh/holes/PatchStatistics.h"
 
 #include <set>
 
@@ -40,6 +41,7 @@ struct LoopResult {
   FillFailure reason = FillFailure::None;  // when not filled
   std::size_t newFaces = 0;                // of its patches; one patch over several loops counts for each
   double milliseconds = 0.0;
+  PatchComparison shape = {};  // of a patch of its own
 };
 
 // The report of a repair.

@@ -71,8 +71,8 @@ struct SubdivisionStep {
   std::size_t heldBack = 0;  // vertices placed nearer to the middle of their edge than Loop's place
 };
 
-// Subdivides a patch by Loop subdivision, modified as in He 2008, section 4.5. An edge on its outline gets no point, a
-// triangle with two of them is split in two, one with one in three, along the shorter diagonal, any other in four.
+// Subdivides a patch by Loop subdivision, modified as in He 2008, section 4.1.6. An edge on its outline gets no point,
+// a triangle with two of them is split in two, one with one in three, along the shorter diagonal, any other in four.
 // Vertices on the outline and all outside stay, bit for bit; no face gets a vertex in an edge. Where Loop's place would
 // flip a face, the vertex stays nearer to where linear subdivision has it. Faces of the patch keep their number for one
 // of their parts. A failure leaves the mesh as it was. O(patch).

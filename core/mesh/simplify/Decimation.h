@@ -57,7 +57,7 @@ struct DecimationReport {
 // "Fast and memory efficient polygonal simplification", 1998). Vertices at seams and at positions that several vertices
 // share stay. Face and vertex numbers that remain mean what they did before, though vertices move. The mesh is valid
 // afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. By Quadric, the quadrics are
-// sums (docs/adr/0027-openmesh.md); all else holds.
+// sums (docs/adr/0028-openmesh.md); all else holds.
 DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress = {});
 
 }  // namespace handwheel

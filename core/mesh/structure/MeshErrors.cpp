@@ -6,7 +6,7 @@ namespace handwheel {
 
 const ErrorDescription MeshError::NoTriangles{
     .id = "NoTriangles",
-    .sentences = {translatable("ErrorText", "the file holds no triangle")},
+    .sentences = {translatable("ErrorText", "the file contains no triangles")},
     .advice = {translatable(
         "ErrorText", "Export the model as a surface of triangles; points and curves alone cannot be repaired.")}};
 

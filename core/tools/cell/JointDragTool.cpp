@@ -17,7 +17,7 @@ namespace {
 
 constexpr ToolKey kJointDragKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "cancel the move")},
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 constexpr double kFewestFaces = 4.0;   // of a solid
 constexpr double kUsualCrease = 0.52;  // radian
 constexpr ToolKey kDecimateKeys[] = {
-    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "remove triangles")},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "reduce triangles")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
 };
 
@@ -86,13 +86,13 @@ std::vector<ToolAction> DecimateTool::actions() const {
 std::vector<Property> DecimateTool::settings() const {
   std::vector<Property> all = {settingOf(m_values, "method")};
   if (!isQuadric())
-    all.push_back(
-        choiceSetting("goal", QT_TRANSLATE_NOOP("Property", "Go down to"), static_cast<int>(m_goal),
-                      {QT_TRANSLATE_NOOP("Property", "A number"), QT_TRANSLATE_NOOP("Property", "A distance")}));
+    all.push_back(choiceSetting(
+        "goal", QT_TRANSLATE_NOOP("Property", "Target"), static_cast<int>(m_goal),
+        {QT_TRANSLATE_NOOP("Property", "Number of triangles"), QT_TRANSLATE_NOOP("Property", "Largest distance")}));
   all.push_back(settingOf(m_values, goal() == Goal::Count ? "faces" : "error"));
   if (goal() == Goal::Count) all.back().least = kFewestFaces;
   all.push_back(settingOf(m_values, "keep_borders"));
-  all.push_back(switchSetting("has_creases", QT_TRANSLATE_NOOP("Property", "Keep sharp edges"), m_keepsCreases));
+  all.push_back(switchSetting("has_creases", QT_TRANSLATE_NOOP("Property", "Preserve sharp edges"), m_keepsCreases));
   if (m_keepsCreases) all.push_back(settingOf(m_values, "keep_creases"));
   if (!isQuadric()) all.push_back(settingOf(m_values, "no_crossings"));
   return all;

@@ -97,7 +97,7 @@ MeshChange degenerateFix() {
 MeshChange duplicateFix() {
   return withStep({meshOperation("duplicates").title,
                    [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); },
-                   QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate without thickness, closed as it is")},
+                   QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed")},
                   "duplicates");
 }
 
@@ -123,7 +123,7 @@ MeshChange nonManifoldFix(NumberType numbers) {
       counted(
           meshOperation("split-nonmanifold").title,
           [numbers](HalfEdgeMesh& mesh, Progress progress) { return partNonManifold(mesh, numbers, progress); },
-          QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")),
+          QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself")),
       StepWriter("split-nonmanifold").options(rounding("split-nonmanifold", numbers)).text());
 }
 
@@ -138,23 +138,22 @@ MeshChange nonOrientableFix(const FillOptions& options) {
                                            progress.within(effort));
                         return !effort.isSpent();
                       },
-                      QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")),
+                      QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part")),
                   step.text());
 }
 
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
-  return withStep(
-      counted(
-          meshOperation("cut-crossings").title,
-          [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-            WorkBudget effort = progress.share(mostEffort(mesh));
-            return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
-          },
-          QT_TRANSLATE_NOOP("Tool",
-                            "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")),
-      step.text());
+  return withStep(counted(
+                      meshOperation("cut-crossings").title,
+                      [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+                        WorkBudget effort = progress.share(mostEffort(mesh));
+                        return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
+                      },
+                      QT_TRANSLATE_NOOP(
+                          "Tool", "the triangles are coplanar, overlap others, or intersect too much to be separated")),
+                  step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {
@@ -203,15 +202,16 @@ MeshChange reverseChange(const FaceSelection& faces) {
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {
   StepWriter step("back");
   step.word(loopsText(loops)).options(filling("back", options));
-  return withStep(counted(
-                      meshOperation("back").title,
-                      [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
-                        const bool closed = closeHard(mesh, loops, true, options, progress);
-                        const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, progress);
-                        return closed && parted;
-                      },
-                      QT_TRANSLATE_NOOP("Tool", "a back would cross the part, or close a hole that is kept open")),
-                  step.text());
+  return withStep(
+      counted(
+          meshOperation("back").title,
+          [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
+            const bool closed = closeHard(mesh, loops, true, options, progress);
+            const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, progress);
+            return closed && parted;
+          },
+          QT_TRANSLATE_NOOP("Tool", "thickening would intersect the part, or close a hole that is kept open")),
+      step.text());
 }
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
@@ -227,7 +227,7 @@ MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
                           done = partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0)) && done;
                         return done;
                       },
-                      QT_TRANSLATE_NOOP("Tool", "what would be cut is folded too much")),
+                      QT_TRANSLATE_NOOP("Tool", "the region to be cut is folded too much")),
                   step.text());
 }
 

@@ -20,7 +20,7 @@ constexpr ToolKey kFillHoleKeys[] = {
     {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), "previousHole"},
     {"keep", "K", QT_TRANSLATE_NOOP("Tool", "keep open"), "keepOpen"},
     {"automatic", "", QT_TRANSLATE_NOOP("Tool", "choose the bridges again")},
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose none")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "deselect the hole")},
 };
 constexpr const char* kWeightIds[] = {"ears_length", "ears_angles", "ears_normal"};
 constexpr double kLargestWeight = 5.0;  // of the sliders
@@ -32,17 +32,17 @@ const char* problemOf(FillFailure failure) {
     case FillFailure::Cancelled:
       return QT_TRANSLATE_NOOP("Property", "It was cancelled.");
     case FillFailure::Rim:
-      return QT_TRANSLATE_NOOP("Property", "It is the outer edge of an open sheet.");
+      return QT_TRANSLATE_NOOP("Property", "It is the outer boundary of an open sheet.");
     case FillFailure::KeptOpen:
       return QT_TRANSLATE_NOOP("Property", "It is kept open.");
     case FillFailure::TooLong:
       return QT_TRANSLATE_NOOP("Property", "It has more edges than allowed.");
     case FillFailure::NoPatch:
-      return QT_TRANSLATE_NOOP("Property", "No surface fits its edge.");
+      return QT_TRANSLATE_NOOP("Property", "No valid patch fits its boundary.");
     case FillFailure::SelfIntersecting:
-      return QT_TRANSLATE_NOOP("Property", "Every patch would cross the part.");
+      return QT_TRANSLATE_NOOP("Property", "Every patch would intersect the part.");
     case FillFailure::Bulging:
-      return QT_TRANSLATE_NOOP("Property", "Every patch would bulge far out.");
+      return QT_TRANSLATE_NOOP("Property", "Every patch would bulge out too far.");
     case FillFailure::TooMuchEffort:
       return QT_TRANSLATE_NOOP("Property", "It would take too long for a mesh of this size.");
   }
@@ -230,7 +230,7 @@ std::vector<ToolAction> FillHoleTool::actions() const {
       actionOf(kFillHoleKeys, "previous", any),
       actionOf(kFillHoleKeys, "keep", chosen != nullptr,
                kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : nullptr),
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "bridge the hole from point to point"),
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "bridge the hole from vertex to vertex"),
        chosen != nullptr},
       actionOf(kFillHoleKeys, "automatic", !m_bridges.own().empty()),
       actionOf(kFillHoleKeys, "revert", true, chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),

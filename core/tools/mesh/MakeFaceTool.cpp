@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kCornerMark = 6.0;  // pixels, radius of the mark on a point
 constexpr ToolKey kMakeFaceKeys[] = {
-    {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "take the last corner back")},
+    {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "undo the last corner")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
 };
@@ -113,7 +113,7 @@ std::vector<ToolAction> MakeFaceTool::actions() const {
   const char* effect = QT_TRANSLATE_NOOP("Tool", "first corner, on an open edge");
   if (m_corners.size() == 1) effect = QT_TRANSLATE_NOOP("Tool", "second corner, counter-clockwise");
   if (m_corners.size() == 2) {
-    effect = QT_TRANSLATE_NOOP("Tool", "third corner: makes the face");
+    effect = QT_TRANSLATE_NOOP("Tool", "third corner: creates the face");
     if (m_hovered) effect = hintOf(m_problem, effect);
   }
   return {

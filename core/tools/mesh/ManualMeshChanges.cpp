@@ -49,7 +49,7 @@ MeshChange deleteChange(FaceSelection faces, const char* text, const char* reaso
 MeshChange decimateChange(const DecimationOptions& options) {
   MeshChange change;
   change.text = meshOperation("decimate").title;
-  change.reason = QT_TRANSLATE_NOOP("Tool", "no triangle can go within what is to be kept");
+  change.reason = QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits");
   change.refusal = std::make_shared<std::atomic<const char*>>(nullptr);
   change.apply = [options, refusal = change.refusal](HalfEdgeMesh& mesh, Progress p) {
     *refusal = reasonOf(decimate(mesh, options, p).refusal);

@@ -63,13 +63,13 @@ MeshChange readDecimate(StepReader& reader, const OperationValues& values, const
 
 BorderPair readEnds(StepReader& reader, const MeshDocument& document) {
   const auto ends = reader.indices(reader.word("H,H"), "half-edge", document.mesh().halfEdgeSlots());
-  if (reader.isGood() && ends.size() != 2) reader.complain("two half-edges are wanted: H,H");
+  if (reader.isGood() && ends.size() != 2) reader.complain("two half-edges are required: H,H");
   return reader.isGood() ? BorderPair{ends[0], ends[1]} : BorderPair();
 }
 
 MeshChange readFace(StepReader& reader, const OperationValues&, const MeshDocument& document) {
   const auto corners = reader.indices(reader.word("V,V,V"), "vertex", document.mesh().vertexSlots());
-  if (reader.isGood() && corners.size() != 3) reader.complain("three vertices are wanted: V,V,V");
+  if (reader.isGood() && corners.size() != 3) reader.complain("three vertices are required: V,V,V");
   return faceChange(reader.isGood() ? Triangle{corners[0], corners[1], corners[2]} : Triangle{kNone, kNone, kNone});
 }
 
@@ -80,13 +80,15 @@ MeshChange readPull(StepReader& reader, const OperationValues&, const MeshDocume
 
 Vertex readOneLoop(StepReader& reader, const MeshDocument& document) {
   const std::vector<Vertex> keys = readLoops(reader, reader.word("a loop"), document);
-  if (reader.isGood() && keys.size() != 1) reader.complain("one loop is wanted");
+  if (reader.isGood() && keys.size() != 1) reader.complain("one loop is required");
   return reader.isGood() ? keys.front() : kNone;
 }
 
 MeshChange readSmoothEdge(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
   const Vertex key = readOneLoop(reader, document);
-  return smoothEdgeChange(key, smoothingOptionsOf(values));
+  SmoothingOptions options = smoothingOptionsOf(values);
+  options.numbers = numbersFor(document, values);
+  return smoothEdgeChange(key, options);
 }
 
 MeshChange readRepair(StepReader&, const OperationValues& values, const MeshDocument& document) {
@@ -116,7 +118,7 @@ StepOutcome fillLoop(StepReader& reader, const OperationValues& values, MeshDocu
   const std::size_t size = loop == loops.end() ? 0 : loop->halfEdges.size();
   FillOptions options = fillOptionsFor(document, values);
   if (values.isSet("bridges")) {
-    for (const auto& [a, b] : reader.pairs(values.text("bridges"), "point of the loop", size))
+    for (const auto& [a, b] : reader.pairs(values.text("bridges"), "vertex of the loop", size))
       options.bridges.push_back({a, b});
   }
   if (!reader.status()) return {};
@@ -229,7 +231,7 @@ constexpr Verb kVerbs[] = {
 
 // In a window the edge has changed while the change was on its way; here it never was so.
 constexpr const char* kImpossible =
-    "nothing is open there, or a triangle would turn over, cross another or double an edge";
+    "there is no open edge, or a triangle would flip, intersect another or double an edge";
 
 Result<StepOutcome> applyChange(MeshDocument& document, const MeshChange& change, Progress progress) {
   const bool changed = commitChange(document, change, progress);

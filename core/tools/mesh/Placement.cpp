@@ -18,18 +18,19 @@ void place(HalfEdgeMesh& mesh, const Eigen::Affine3d& by) {
   [[maybe_unused]] const Status placed = transform(mesh, by);
 }
 
-constexpr const char* kNoArea = QT_TRANSLATE_NOOP("Tool", "it is there already, has no area, or is too large to tell");
+constexpr const char* kNoArea = QT_TRANSLATE_NOOP("Tool", "it is already in place, has no area, or is too large");
 constexpr StandardPlace kStandards[] = {
-    {"flat", QT_TRANSLATE_NOOP("Tool", "put onto the largest flat face"),
-     QT_TRANSLATE_NOOP("Tool", "Put onto the largest flat face"),
+    {"flat", QT_TRANSLATE_NOOP("Tool", "place on the largest flat face"),
+     QT_TRANSLATE_NOOP("Tool", "Place on the largest flat face"),
      QT_TRANSLATE_NOOP("Tool", "there is no flat face that the part can stand on, or it stands on it already"),
      [](const HalfEdgeMesh& mesh, Progress p) { return ontoLargestFlatFace(mesh, {}, p); }},
-    {"axes", QT_TRANSLATE_NOOP("Tool", "align the main axes"), QT_TRANSLATE_NOOP("Tool", "Align the main axes"),
-     kNoArea, [](const HalfEdgeMesh& mesh, Progress) { return ontoPrincipalAxes(mesh); }},
+    {"axes", QT_TRANSLATE_NOOP("Tool", "align the principal axes"),
+     QT_TRANSLATE_NOOP("Tool", "Align the principal axes"), kNoArea,
+     [](const HalfEdgeMesh& mesh, Progress) { return ontoPrincipalAxes(mesh); }},
     {"centre", QT_TRANSLATE_NOOP("Tool", "centre on the origin"), QT_TRANSLATE_NOOP("Tool", "Centre on the origin"),
      kNoArea, [](const HalfEdgeMesh& mesh, Progress) { return boxToOrigin(mesh, Vec3::Constant(0.5)); }},
-    {"corner", QT_TRANSLATE_NOOP("Tool", "put the low corner into the origin"),
-     QT_TRANSLATE_NOOP("Tool", "Put the low corner into the origin"), kNoArea,
+    {"corner", QT_TRANSLATE_NOOP("Tool", "move the minimum corner to the origin"),
+     QT_TRANSLATE_NOOP("Tool", "Move the minimum corner to the origin"), kNoArea,
      [](const HalfEdgeMesh& mesh, Progress) { return boxToOrigin(mesh, Vec3::Zero()); }}};
 
 }  // namespace

@@ -19,15 +19,15 @@ constexpr ToolKey kSelectKeys[] = {
     {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
     {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
     {"all", "Ctrl+A", QT_TRANSLATE_NOOP("Tool", "select all")},
-    {"invert", "Ctrl+I", QT_TRANSLATE_NOOP("Tool", "select the rest")},
+    {"invert", "Ctrl+I", QT_TRANSLATE_NOOP("Tool", "invert the selection")},
     {"grow", "Ctrl++", QT_TRANSLATE_NOOP("Tool", "grow by one ring")},
     {"shrink", "Ctrl+-", QT_TRANSLATE_NOOP("Tool", "shrink by one ring")},
     {"previous", "Backspace", QT_TRANSLATE_NOOP("Tool", "previous selection")},
     {"next", "Shift+Backspace", QT_TRANSLATE_NOOP("Tool", "next selection")},
     {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "delete the faces")},
-    {"reverse", "Shift+F", QT_TRANSLATE_NOOP("Tool", "reverse the shells of the faces")},
+    {"reverse", "Shift+F", QT_TRANSLATE_NOOP("Tool", "reverse the shells of the selected faces")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "select nothing")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "clear the selection")},
 };
 
 struct PointerHints {
@@ -51,9 +51,9 @@ PointerHints hintsOf(SelectSettings::Mode mode) {
     case Mode::Lasso:
       return with(byDrag, QT_TRANSLATE_NOOP("Tool", "draw a line around faces"));
     case Mode::Connected:
-      return with(byClick, QT_TRANSLATE_NOOP("Tool", "select all that hangs together"));
+      return with(byClick, QT_TRANSLATE_NOOP("Tool", "select connected faces"));
     case Mode::Angle:
-      return with(byClick, QT_TRANSLATE_NOOP("Tool", "select up to the next edge"));
+      return with(byClick, QT_TRANSLATE_NOOP("Tool", "select up to the next sharp edge"));
     case Mode::Click:
       break;
   }
@@ -72,7 +72,7 @@ void SelectTool::selectTarget(const Target& target, Combine how) {
   if (m_settings.mode == Mode::Connected) return selectConnected(seed, how);
   if (m_settings.mode != Mode::Angle) return combine({{seed}, {}}, how);
   selectLater(
-      QT_TRANSLATE_NOOP("Tool", "Selecting up to the next edge"),
+      QT_TRANSLATE_NOOP("Tool", "Selecting up to the next sharp edge"),
       [mesh = mesh(), seed, angle = m_settings.angle](Progress p) {
         return facesWithinAngle(mesh, {&seed, 1}, angle, {.progress = p});
       },
@@ -81,7 +81,7 @@ void SelectTool::selectTarget(const Target& target, Combine how) {
 
 void SelectTool::selectConnected(Face seed, Combine how) {
   selectLater(
-      QT_TRANSLATE_NOOP("Tool", "Selecting what hangs together"),
+      QT_TRANSLATE_NOOP("Tool", "Selecting connected faces"),
       [mesh = mesh(), seed](Progress p) {
         return connectedFaces(mesh, {&seed, 1}, {.progress = p});
       },
@@ -191,7 +191,7 @@ std::vector<ToolAction> SelectTool::actions() const {
   std::vector<ToolAction> all = {
       {"", hints.click, hints.effect},
       {"", hints.add, QT_TRANSLATE_NOOP("Tool", "add to the selection")},
-      {"", hints.remove, QT_TRANSLATE_NOOP("Tool", "take out of the selection")},
+      {"", hints.remove, QT_TRANSLATE_NOOP("Tool", "remove from the selection")},
   };
   if (m_settings.mode == Mode::Click)
     all.push_back({"", QT_TRANSLATE_NOOP("ToolInput", "Double-click"), hintsOf(Mode::Connected).effect});

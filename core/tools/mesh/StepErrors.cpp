@@ -8,6 +8,6 @@ const ErrorDescription StepError::Malformed{
     .id = "StepMalformed",
     .sentences = {translatable("ErrorText", "the step cannot be done: %1")},
     .advice = {translatable("ErrorText",
-                            "'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.")}};
+                            "'handwheel help edit' lists the steps; loops are numbered as in 'handwheel inspect'.")}};
 
 }  // namespace handwheel

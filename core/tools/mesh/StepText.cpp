@@ -190,7 +190,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> StepReader::pairs(std::stri
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const std::string_view part : parted(list, ',')) {
     const std::size_t colon = part.find(':');
-    if (colon == std::string_view::npos) complain(inQuotes(part) + " is no pair such as 3:7");
+    if (colon == std::string_view::npos) complain(inQuotes(part) + " is not a pair such as 3:7");
     if (!isGood()) return {};
     all.emplace_back(index(part.substr(0, colon), what, count), index(part.substr(colon + 1), what, count));
   }

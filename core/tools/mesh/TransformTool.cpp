@@ -39,7 +39,7 @@ ToolReply TransformTool::perform(std::string_view action) {
 
 std::span<const ToolKey> TransformTool::keys() {
   static const std::vector<ToolKey> all = [] {
-    std::vector<ToolKey> keys = {{"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place so")}};
+    std::vector<ToolKey> keys = {{"commit", "Return", QT_TRANSLATE_NOOP("Tool", "apply the placement")}};
     for (const StandardPlace& standard : standardPlaces()) keys.push_back({standard.id, "", standard.effect});
     keys.push_back({"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "reset")});
     return keys;

@@ -19,7 +19,7 @@ namespace handwheel {
 namespace {
 
 constexpr ToolKey kBodyKeys[] = {
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "cancel the move")},
     {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "remove the body")},
 };
 

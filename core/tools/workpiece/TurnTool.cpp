@@ -69,7 +69,7 @@ TurnTool::TurnTool(WorkpieceDocument& document, const SimulationServices& servic
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {}
 
 std::span<const ToolKey> TurnTool::keys() {
-  static const ToolKey kKeys[] = {{"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "drop the pass")}};
+  static const ToolKey kKeys[] = {{"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass")}};
   return kKeys;
 }
 
@@ -160,10 +160,10 @@ ToolReply TurnTool::perform(std::string_view action) {
 
 std::vector<ToolAction> TurnTool::actions() const {
   const bool isFull = m_gesture.isOn() && state()->isFull;
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
-           isFull ? QT_TRANSLATE_NOOP("Tool", "nothing more: the pass is full, release it")
-                  : QT_TRANSLATE_NOOP("Tool", "cut a pass")},
-          {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "drop the pass"), m_gesture.isOn()}};
+  return {
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
+       isFull ? QT_TRANSLATE_NOOP("Tool", "the pass is full: release it") : QT_TRANSLATE_NOOP("Tool", "cut a pass")},
+      {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
 }
 
 // Diameter and height at the innermost point of the nose, and how deep that is below the surface before the pass.

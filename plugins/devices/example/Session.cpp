@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "example/Session.h"
 
+#include "io/Capabilities.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@ namespace {
 
 using Packet = std::array<std::uint8_t, 6>;
 
+constexpr double kExchange = 0.001;  // s
 constexpr double kMillinewton = 1e-3;
 constexpr double kStep = 0.01;         // mm
 constexpr double kAnswerTime = 0.005;  // s
@@ -34,8 +37,8 @@ DeviceCapabilities ExampleSession::capabilities() const {
   all.maxStiffness = 1.0;
   all.maxDamping = 0.005;
   all.workspaceRadius = 100.0;
-  all.inherentDamping = 0.0005;
-  all.latency = 0.001;
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate, kExchange);
+  all.latency = kExchange + kHandOver;
   return all;
 }
 

@@ -9,6 +9,9 @@ namespace handwheel::falcon {
 
 namespace {
 
+// s: of one exchange, a packet out and one in. libnifalcon and other programs reach 1 kHz, in which the frames of a
+// full-speed bus are the limit.
+constexpr double kExchange = 0.001;
 constexpr double kMillimetre = 1e-3;   // m
 constexpr double kAnswerTime = 0.004;  // s; it answers within one or two frames of the bus
 constexpr double kLateTime = 0.001;    // s that one that was missed is waited for
@@ -21,11 +24,11 @@ DeviceCapabilities Session::capabilities() const {
   DeviceCapabilities all;
   all.buttons = 4;
   all.maxForce = 8.0;
-  all.maxStiffness = 3.0;
+  all.maxStiffness = 3.0;  // CHAI3D 3.3.0, for a loop of 1 kHz that makes one exchange in each tick
   all.maxDamping = 0.020;
   all.workspaceRadius = 40.0;
-  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
-  all.latency = 0.002;  // a packet out and one in, each in a frame of the bus
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate, kExchange);
+  all.latency = kExchange + kHandOver;
   return all;
 }
 

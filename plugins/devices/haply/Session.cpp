@@ -9,6 +9,9 @@ namespace handwheel::haply {
 
 namespace {
 
+// s: of one exchange. Inverse3 devices answer at 1 kHz and more, as their maker recommends, through the library and
+// through the service.
+constexpr double kExchange = 0.001;
 constexpr double kAnswerTime = 0.01;    // s
 constexpr double kInventoryTime = 2.0;  // s
 constexpr double kSilence = 0.1;        // s without a frame that makes sense, and it has failed
@@ -20,11 +23,11 @@ DeviceCapabilities Session::capabilities() const {
   all.inputs = m_hasGrip ? 6 : 3;
   all.buttons = 3;
   all.maxForce = 10.0;
-  all.maxStiffness = 1.0;
+  all.maxStiffness = 1.0;  // CHAI3D with the maker's library (chai3d_haply): one exchange for each force, at 1 kHz
   all.maxDamping = 0.006;
   all.workspaceRadius = 150.0;
-  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
-  all.latency = 0.002;
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate, kExchange);
+  all.latency = kExchange + kHandOver;
   return all;
 }
 

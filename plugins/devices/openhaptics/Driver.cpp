@@ -13,16 +13,22 @@
 
 namespace handwheel::openhaptics {
 
+// The stiffness is stated for the maker's scheduler of 1 kHz. A position of one of its ticks is answered in the next:
+// so in CHAI3D, whose loop only exchanges values with a callback.
+double touchDamping(double stiffness, double rate) {
+  return inherentDampingFor(stiffness, rate, 1.0 / rate);
+}
+
 DeviceCapabilities touchCapabilities() {
   DeviceCapabilities all;
   all.inputs = 6;
   all.buttons = 2;
   all.maxForce = 3.3;
-  all.maxStiffness = 0.4;
+  all.maxStiffness = 0.4;  // CHAI3D 3.3.0
   all.maxDamping = 0.004;
   all.workspaceRadius = 75.0;
-  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
-  all.latency = 0.002;  // a tick of the maker's loop for the reading, and one for the force
+  all.inherentDamping = touchDamping(all.maxStiffness, all.nominalRate);
+  all.latency = 1.0 / all.nominalRate + kHandOver;
   return all;
 }
 

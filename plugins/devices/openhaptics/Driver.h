@@ -26,6 +26,9 @@ class Driver final : public DeviceDriver {
 
 inline constexpr const char* kDefaultDevice = "default";
 
+// The inherent damping, N·s/mm, for the stiffness (N/mm) and the rate (Hz) that are stated for a device.
+double touchDamping(double stiffness, double rate);
+
 // The capabilities of a Touch, until the device itself was queried.
 DeviceCapabilities touchCapabilities();
 

@@ -3,7 +3,6 @@
 #include "openhaptics/HdSession.h"
 
 #include "haptics/device/DeviceErrors.h"
-#include "io/Capabilities.h"
 #include "openhaptics/Driver.h"
 
 #include <algorithm>
@@ -23,6 +22,17 @@ double number(HDenum what) {
   HDdouble value = 0.0;
   hdGetDoublev(what, &value);
   return std::isfinite(value) && value > 0.0 ? value : 0.0;
+}
+
+// A device says which styles it knows, as bits; a calibration is of one. What the maker advises: first what needs
+// nobody, then the inkwell, then the reset of the encoders.
+HDenum calibrationStyle() {
+  HDint known = 0;
+  hdGetIntegerv(HD_CALIBRATION_STYLE, &known);
+  for (const HDenum style : {HD_CALIBRATION_AUTO, HD_CALIBRATION_INKWELL, HD_CALIBRATION_ENCODER_RESET}) {
+    if (known & static_cast<HDint>(style)) return style;
+  }
+  return HD_CALIBRATION_AUTO;
 }
 
 // Column after column.
@@ -76,7 +86,7 @@ void HdSession::askCapabilities() {
   HDint outputs = 3;
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
   all.outputs = outputs >= 6 ? 6 : 3;
-  hdGetIntegerv(HD_CALIBRATION_STYLE, &m_calibrationStyle);
+  m_calibrationStyle = calibrationStyle();
   HDdouble box[6] = {};  // the least corner, then the largest
   hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
   const Vec3 least(box[0], box[1], box[2]), most(box[3], box[4], box[5]);
@@ -84,7 +94,7 @@ void HdSession::askCapabilities() {
   const bool isBox = least.allFinite() && most.allFinite() && reach > 1.0 && reach < 1e3;
   if (isBox) all.workspaceRadius = reach;
   m_centre = isBox ? Vec3(0.5 * (least + most)) : Vec3(Vec3::Zero());
-  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = touchDamping(all.maxStiffness, all.nominalRate);
   m_capabilities = all;
 }
 
@@ -140,7 +150,7 @@ DeviceState HdSession::exchange(const DeviceForce& force) noexcept {
   if (m_device == HD_INVALID_HANDLE) return {};
   const std::uint32_t before = m_ticks.load(std::memory_order_acquire);
   m_forces.write({force, m_clock->now()});
-  if (m_canCalibrate.exchange(false)) hdUpdateCalibration(static_cast<HDenum>(m_calibrationStyle));
+  if (m_canCalibrate.exchange(false)) hdUpdateCalibration(m_calibrationStyle);
   if (waitForTick(before)) {
     m_lastTick = m_clock->now();
     const std::uint32_t number = m_last.reading + 1;

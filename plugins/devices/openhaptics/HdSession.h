@@ -42,7 +42,7 @@ class HdSession final : public Session {
   Vec3 m_centre = Vec3::Zero();  // of its workspace, mm in the manufacturer's frame
   HHD m_device = HD_INVALID_HANDLE;
   HDSchedulerHandle m_callback = 0;
-  HDint m_calibrationStyle = 0;
+  HDenum m_calibrationStyle = 0;
   // Between the manufacturer's thread and ours.
   struct TimedForce {
     DeviceForce force;

@@ -11,6 +11,8 @@ namespace handwheel::polhem {
 
 namespace {
 
+// s: of one exchange, a line out and one in, in a frame of a full-speed bus.
+constexpr double kExchange = 0.001;
 constexpr double kAnswerTime = 0.005;  // s
 constexpr double kSilence = 0.1;       // s without a reading, and it has failed
 constexpr double kWakeTime = 0.1;      // s for one try to wake it: opening the line may have reset its board
@@ -28,11 +30,11 @@ DeviceCapabilities Session::capabilities() const {
   DeviceCapabilities all;
   all.inputs = 6;
   all.maxForce = 5.0;
-  all.maxStiffness = 1.5;
+  all.maxStiffness = 1.5;  // the maker's CHAI3D, whose loop of 1 kHz waits for a line and answers it
   all.maxDamping = 0.003;
   all.workspaceRadius = 100.0;
-  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
-  all.latency = 0.002;
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate, kExchange);
+  all.latency = kExchange + kHandOver;
   return all;
 }
 
@@ -47,7 +49,7 @@ Status Session::open(Progress progress) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (send(Vec3::Zero()) && receive(kWakeTime)) return Done{};
   }
-  if (m_stream) return Error{DeviceError::NotResponding, {"where it is"}, {}, "Polhem"};
+  if (m_stream) return Error{DeviceError::NotResponding, {"its position"}, {}, "Polhem"};
   return Error{DeviceError::Unreachable, {"unplugged"}, {}, "Polhem"};
 }
 

@@ -45,7 +45,7 @@ Result<std::string> readStep(std::string_view bytes, std::span<char* const> opti
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure&) {
-    return Error{ErrorCode::LibraryFailed, {"it contradicts itself"}, {}, {}};
+    return Error{ErrorCode::LibraryFailed, {"it is inconsistent"}, {}, {}};
   }
 }
 

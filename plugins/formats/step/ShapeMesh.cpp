@@ -104,11 +104,11 @@ double diagonalOf(const TopoDS_Shape& shape) {
 Result<ShapeMesh> meshOf(const TopoDS_Shape& shape, double chordShare, Progress progress) {
   ShapeMesh mesh;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) ++mesh.faces;
-  if (mesh.faces == 0) return notMeshed("the file holds no surface");
+  if (mesh.faces == 0) return notMeshed("the file contains no surface");
   IMeshTools_Parameters parameters;
   parameters.Deflection = mesh.chord = chordShare * diagonalOf(shape);
   parameters.Angle = kAngle;
-  if (!(mesh.chord > 0.0 && std::isfinite(mesh.chord))) return notMeshed("its surfaces have no size");
+  if (!(mesh.chord > 0.0 && std::isfinite(mesh.chord))) return notMeshed("its surfaces have zero size");
   const Handle(LibraryProgress) indicator = new LibraryProgress(progress.part(0.0, 0.9));
   const BRepMesh_IncrementalMesh mesher(shape, parameters, indicator->Start());
 
@@ -118,7 +118,7 @@ Result<ShapeMesh> meshOf(const TopoDS_Shape& shape, double chordShare, Progress 
     if (all.corners.size() > kMostTriangles)
       return notMeshed("it takes more than " + std::to_string(kMostTriangles) + " triangles");
   }
-  if (all.corners.empty()) return notMeshed("none of its surfaces can be cut into triangles");
+  if (all.corners.empty()) return notMeshed("none of its surfaces can be triangulated");
   mesh.ply = plyOf(all);
   progress.set(1.0);
   return mesh;

@@ -80,7 +80,7 @@ Result<StepShape> readShape(std::string_view bytes, Progress progress) {
   read.parts = reader.NbRootsForTransfer();
   read.partsRead = reader.TransferRoots(scope.Next());
   const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull()) return notReadable("the file holds no shape");
+  if (shape.IsNull()) return notReadable("the file contains no shape");
   read.unit = lengthUnit(reader);
   read.solids = count(shape, TopAbs_SOLID);
   read.openShells = count(shape, TopAbs_SHELL, TopAbs_SOLID) + count(shape, TopAbs_FACE, TopAbs_SHELL);

@@ -113,13 +113,13 @@ class IsolatedReaderTest : public QObject {
     QTest::newRow("recurses") << "recurse"
                               << "A Library: it crashed on this file";
     QTest::newRow("is killed") << "kill"
-                               << "A Library: the system ended it; memory may have run out";
+                               << "A Library: the system ended it; it may have run out of memory";
     QTest::newRow("exits") << "exit"
-                           << "A Library: its answer makes no sense";
+                           << "A Library: its answer is not valid";
     QTest::newRow("garbage") << "garbage"
-                             << "A Library: its answer makes no sense";
+                             << "A Library: its answer is not valid";
     QTest::newRow("a long reason") << "babble"
-                                   << "A Library: its answer makes no sense";
+                                   << "A Library: its answer is not valid";
   }
   void failuresAreErrors() {
     QFETCH(QString, how);

@@ -93,7 +93,9 @@ void KinematicsTest::posesAreProductsOfExponentials() {
 void KinematicsTest::posesAreRigid() {
   const RobotModel robot = readOrThrow(planarArm(std::vector<double>(200, 1.0))).robot;
   for (double angle : {0.0, 1e-9, 0.7, 1e6}) {
-    for (const Pose& pose : linkPoses(robot, JointValues::Constant(200, angle))) {
+    const std::vector<Pose> poses = linkPoses(robot, JointValues::Constant(200, angle));
+    QCOMPARE(poses.size(), std::size_t{202});  // the base, and the tool
+    for (const Pose& pose : poses) {
       QVERIFY(pose.matrix().allFinite());
       QVERIFY((pose.linear() * pose.linear().transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
     }
@@ -110,7 +112,9 @@ void KinematicsTest::posesAreFinite() {
             .robot;
     for (double value : {0.0, 1e300, -1e308}) {
       const JointValues values = withinLimits(robot, JointValues::Constant(1, value));
-      for (const Pose& pose : linkPoses(robot, values)) QVERIFY(pose.matrix().allFinite());
+      const std::vector<Pose> poses = linkPoses(robot, values);
+      QCOMPARE(poses.size(), std::size_t{3});
+      for (const Pose& pose : poses) QVERIFY(pose.matrix().allFinite());
     }
   }
 }

@@ -134,10 +134,11 @@ inline QPixmap samplePicture(const QString& path) {
 
 inline std::unique_ptr<StartPage> sampleStartPage() {
   auto page = std::make_unique<StartPage>();
-  page->setTiles(
-      {{"sampleTile", "repair", "Repair a scan", "A scanned part with holes. Close the first one with Enter."},
-       {"latheTile", "kind-workpiece", "Lathe exercise", "A shaft for the lathe.", false},
-       {"cellTile", "kind-cell", "Robot cell", "An arm with six joints. Move it by hand within its limits."}});
+  page->setTiles({{"sampleTile", "repair", "Repair a sample scan",
+                   "Opens a sample scan with holes. Press Enter to close the first one."},
+                  {"latheTile", "kind-workpiece", "Turn a sample bar", "Opens a sample bar.", false},
+                  {"cellTile", "kind-cell", "Robot cell",
+                   "Opens a sample arm with six joints. Drag its links within their limits."}});
   page->setPictures(samplePicture, [](const QString&) { return QStringLiteral("kind-mesh"); });
   page->setRecentFiles({"/home/a/scans/bunny.stl", "/home/a/a-very-long-name-of-a-scan-from-tuesday-afternoon-2.stl",
                         "/home/a/robots/ur5.urdf", "/home/a/parts/shaft.step", "/home/a/cells/welding.handwheel",

@@ -24,6 +24,7 @@ class DeviceLiveTest : public QObject {
   void aHandAtRestPaintsNothing();
   void hiddenPanelLetsSamplesPass();
   void safetyInWords();
+  void softeningInWords();
 };
 
 namespace {
@@ -143,11 +144,40 @@ void DeviceLiveTest::safetyInWords() {
   sample.actions.add(SafetyAction::Slew);
   bench.panel.showSample(sample);
   const QString words = bench.text("safetyText");
-  QVERIFY(words.indexOf("more energy") >= 0 && words.indexOf("more energy") < words.indexOf("no faster"));
+  QVERIFY(words.indexOf("more energy") >= 0 && words.indexOf("more energy") < words.indexOf("rate of change"));
   bench.panel.showSample(sampleAt(1.1, Vec3::Zero(), Vec3::Zero()));
   QCOMPARE(bench.text("safetyText"), words);  // long enough to be read
   bench.panel.showSample(sampleAt(9.0, Vec3::Zero(), Vec3::Zero()));
-  QCOMPARE(bench.text("safetyText"), QString("Safety: nothing is held back."));
+  QCOMPARE(bench.text("safetyText"), QString("Safety: the force is not limited."));
+}
+
+// A surface of 0.5 N/mm at the hand, which is 0.25 in a scene of twice the size, of which the loop can carry 0.2.
+void DeviceLiveTest::softeningInWords() {
+  DevicePanelBench bench;
+  DeviceInUse view = falconView();
+  view.capabilities.latency = 0.0022;
+  bench.panel.showDevice(view);
+  bench.panel.showLoop({1003.0, 0, RealTimeState::RealTime});
+  ServoSample sample = sampleAt(1.0, {1, 0, 0}, {1, 0, 0});
+  sample.felt.stiffness = 0.2;
+  sample.felt.asked = 0.25;
+  sample.felt.isSoftened = true;
+  bench.panel.showSample(sample, 2.0);
+  const QString words("Softer than set: 0.40 of 0.50 N/mm; limit of the Novint Falcon at 1 kHz and 2.2 ms of delay");
+  QCOMPARE(bench.text("safetyText"), words);
+  bench.panel.showSample(sampleAt(1.5, {0, 0, 0}, {0, 0, 0}), 2.0);
+  QCOMPARE(bench.text("safetyText"), words);  // long enough to be read
+  bench.panel.showSample(sampleAt(9.0, {0, 0, 0}, {0, 0, 0}), 2.0);
+  QCOMPARE(bench.text("safetyText"), QString("Safety: the force is not limited."));
+  sample.felt.stiffness = 1.5;
+  sample.felt.asked = 5.0;
+  sample.tip.time = 10.0;
+  bench.panel.showSample(sample, 2.0);
+  QCOMPARE(bench.text("safetyText"),
+           QString("Softer than set: 3.00 of 10.00 N/mm; limit specified for the Novint Falcon"));
+  bench.panel.hide();
+  bench.panel.show();
+  QVERIFY(!bench.text("safetyText").contains("Softer"));
 }
 
 HANDWHEEL_CONTROLS_TEST(DeviceLiveTest)

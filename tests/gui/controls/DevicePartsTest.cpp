@@ -28,6 +28,7 @@ class DevicePartsTest : public QObject {
   void traceStartsAnew();
   void safetyIsHeld();
   void everySafetyActionHasWords();
+  void homingIsTheDevicesOwn();
   void dataSheetLeavesOutWhatIsNot();
   void barsOfEveryTick();
   void lateTicksAreToldOf();
@@ -131,9 +132,21 @@ void DevicePartsTest::everySafetyActionHasWords() {
   for (const DeviceStatus status : {DeviceStatus::Absent, DeviceStatus::Starting, DeviceStatus::NeedsHoming,
                                     DeviceStatus::Ready, DeviceStatus::Failed}) {
     states.insert(DeviceText::status(status));
-    QCOMPARE(DeviceText::advice(status).isEmpty(), status == DeviceStatus::Ready);
+    QCOMPARE(DeviceText::advice(status, "any").isEmpty(), status == DeviceStatus::Ready);
   }
   QCOMPARE(states.size(), std::size_t(5));
+}
+
+// Only a Falcon finds its place at the ends of its travel.
+void DevicePartsTest::homingIsTheDevicesOwn() {
+  std::set<QString> ways;
+  for (const char* const driver : {"falcon", "openhaptics", "haply"}) {
+    const QString advice = DeviceText::advice(DeviceStatus::NeedsHoming, driver);
+    ways.insert(advice);
+    QCOMPARE(advice.contains("all the way"), QString(driver) == "falcon");
+    QVERIFY(advice.contains("no force until then"));
+  }
+  QCOMPARE(ways.size(), std::size_t(3));
 }
 
 void DevicePartsTest::dataSheetLeavesOutWhatIsNot() {
@@ -141,8 +154,8 @@ void DevicePartsTest::dataSheetLeavesOutWhatIsNot() {
   for (const auto& line : DeviceText::dataSheet(falconView().capabilities, QLocale::c())) {
     lines << line.name + ": " + line.value;
   }
-  QCOMPARE(lines, QStringList({"Axes measured: 3", "Axes driven: 3", "Buttons: 4", "Largest force: 8 N",
-                               "Stiffness: 3 N/mm", "Damping: 0.02 N·s/mm", "Damping of its own: 0.002 N·s/mm",
+  QCOMPARE(lines, QStringList({"Measured axes: 3", "Actuated axes: 3", "Buttons: 4", "Largest force: 8 N",
+                               "Stiffness: 3 N/mm", "Damping: 0.02 N·s/mm", "Internal damping: 0.002 N·s/mm",
                                "Radius of the workspace: 40 mm", "Servo rate: 1000 Hz", "Delay: 1 ms"}));
   const auto mouse = DeviceText::dataSheet(spaceMouseView().capabilities, QLocale::c());
   QCOMPARE(mouse[1].value, QString("none"));

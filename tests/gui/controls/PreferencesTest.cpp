@@ -28,7 +28,7 @@ void PreferencesTest::storedAndLoaded() {
   QVERIFY(loadPreferences() == Preferences());
   for (LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
     for (int seconds : {0, 5, 77, 600}) {
-      const Preferences preferences{"blender", unit, "de", seconds};
+      const Preferences preferences{"blender", unit, "de", seconds, seconds > 0, 100 + seconds / 2};
       storePreferences(preferences);
       QVERIFY(loadPreferences() == preferences);
     }
@@ -46,6 +46,10 @@ void PreferencesTest::nonsenseCountsAsNotSet() {
   QCOMPARE(loadPreferences().autosaveSeconds, kShortestAutosave);
   settings.setValue("autosaveSeconds", 100000);
   QCOMPARE(loadPreferences().autosaveSeconds, kLongestAutosave);
+  settings.setValue("view/space_mouse_speed", 0);
+  QCOMPARE(loadPreferences().spaceMouseSpeed, kLeastSpaceMouseSpeed);
+  settings.setValue("view/space_mouse_speed", "fast");
+  QCOMPARE(loadPreferences().spaceMouseSpeed, 100);
 }
 
 void PreferencesTest::dialogAppliesAtOnce() {
@@ -74,6 +78,12 @@ void PreferencesTest::dialogAppliesAtOnce() {
   QTest::mouseClick(dialog.findChild<QCheckBox*>("autosaveOn"), Qt::LeftButton, {}, QPoint(8, 8));
   QCOMPARE(loadPreferences().autosaveSeconds, 0);
   QVERIFY(!seconds->isEnabled());
+  pages->setCurrentRow(1);
+  auto* speed = dialog.findChild<QSpinBox*>("spaceMouseSpeed");
+  speed->setValue(250);
+  QCOMPARE(said.spaceMouseSpeed, 250);
+  dialog.findChild<QCheckBox*>("spaceMouseOn")->click();
+  QVERIFY(!said.hasSpaceMouse && !speed->isEnabled());
   // A second dialog shows what the first has stored.
   PreferencesDialog again(&keys, sampleNavigation());
   QCOMPARE(again.findChild<QComboBox*>("lengthUnitChoice")->currentIndex(), 3);

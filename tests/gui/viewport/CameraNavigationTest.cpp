@@ -49,6 +49,27 @@ Vec3 anyPointBefore(const CameraState& c) {
 class CameraNavigationTest : public QObject {
   Q_OBJECT
  private slots:
+  // What the model does on the screen when it is carried: a point moves as a point of a body does.
+  void carriesTheModel() {
+    const bool ok = rc::check([] {
+      const CameraState c = anyCameraOfBoth();
+      const Vec3 pivot = anyPointBefore(c);
+      const Vec2 shift(cameraNavigationNumber(0.5), cameraNavigationNumber(0.5));
+      const Vec3 turn(cameraNavigationNumber(1), cameraNavigationNumber(1), cameraNavigationNumber(1));
+      const Vec3 point = anyPointBefore(c);
+      const auto inView = [](const CameraState& camera, const Vec3& p) -> Vec3 {
+        return camera.orientation.conjugate() * (p - camera.centre);
+      };
+      const CameraState carried = CameraNavigation(c, kCameraNavigationSize).movedByHand(pivot, shift, turn);
+      const Eigen::AngleAxisd turned(turn.norm(), turn.norm() > 0 ? Vec3(turn.normalized()) : Vec3(Vec3::UnitX()));
+      const Vec3 move = c.height * Vec3(shift.x(), shift.y(), 0);
+      const Vec3 wanted = turned * (inView(c, point) - inView(c, pivot)) + inView(c, pivot) + move;
+      RC_ASSERT((inView(carried, point) - wanted).norm() < 1e-9 * c.height);
+      RC_ASSERT(carried.height == c.height);
+    });
+    QVERIFY(ok);
+  }
+
   void screenAxes() {
     CameraState c;  // x right, y up, looks down z
     c.height = 60;  // a tenth of a unit to the pixel

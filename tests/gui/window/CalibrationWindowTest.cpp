@@ -76,7 +76,7 @@ class CalibrationWindowTest : public QObject {
       WindowDriver driver;
       raisePanel(driver);
       auto& choice = *driver.window().findChild<FidelityChoice*>();
-      QVERIFY(driver.text("calibrationText").contains("came with the program"));
+      QVERIFY(driver.text("calibrationText").contains("supplied with the program"));
       driver.click("calibrateButton");
       QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
@@ -85,7 +85,7 @@ class CalibrationWindowTest : public QObject {
       driver.click("calibrateButton");
       QVERIFY(!driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
-      QVERIFY(driver.text("calibrationText").contains("are of this machine"));
+      QVERIFY(driver.text("calibrationText").contains("measured on this machine"));
     }
     Bench b;
     QVERIFY(b.choice.calibration().curves.contains("servo.rate"));
@@ -187,14 +187,14 @@ class CalibrationWindowTest : public QObject {
       emit box->activated(box->currentIndex());
       QCOMPARE(box->currentText(), QString("Fit"));
       QVERIFY(choice.values() == choice.fit().values);
-      QVERIFY(words->isVisible() && words->text().contains("a third to spare"));
+      QVERIFY(words->isVisible() && words->text().contains("a third of the limit unused"));
       for (const FitShare& share : choice.fit().shares) {
         const bool isOver = std::any_of(choice.fit().settings.begin(), choice.fit().settings.end(),
                                         [&](const auto& s) { return s.isOver && s.setting.budget == share.budget; });
         QVERIFY(isOver || share.used <= kBudgetShare * share.limit * (1.0 + 1e-12));
       }
       driver.edit("nurbs.chord_mm", "0.125");
-      QCOMPARE(box->currentText(), QString("Own values"));
+      QCOMPARE(box->currentText(), QString("Custom"));
       QVERIFY(!words->isVisible());
       choice.use(choice.fit().values);
     }

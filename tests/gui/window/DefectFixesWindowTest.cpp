@@ -151,7 +151,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("fixDefectButton");
     QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
     QVERIFY(driver.settle());
-    QVERIFY(driver.text("messageText").contains("in one plane"));
+    QVERIFY(driver.text("messageText").contains("coplanar"));
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
   }
 };

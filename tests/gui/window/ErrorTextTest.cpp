@@ -44,7 +44,7 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorSentence(tooLarge), "The file is too large (more than 100 facets).");
     QCOMPARE(errorSentence({MeshFileError::TokenUnexpected, {"a number", ""}, {}, {}}),
              "A number was expected, but nothing follows.");
-    QCOMPARE(errorSentence({MeshFileError::TokenUnexpected, {"", "x"}, {}, {}}), "'x' makes no sense here.");
+    QCOMPARE(errorSentence({MeshFileError::TokenUnexpected, {"", "x"}, {}, {}}), "'x' is not valid here.");
     QCOMPARE(errorSentence({ErrorCode::FileEmpty, {}, {}, {}}), "The file is empty.");
   }
 
@@ -59,10 +59,9 @@ class ErrorTextTest : public QObject {
   void namesOfFilesAreWhole() {
     const std::string mesh = "package://ur_description/meshes/ur5e/collision/base_link_inertia.stl";
     QCOMPARE(errorSentence({ErrorCode::ReferenceMissing, {"the mesh", mesh}, {}, {}}),
-             QString::fromStdString("The mesh '" + mesh + "' is named, but cannot be found."));
+             QString::fromStdString("The mesh '" + mesh + "' is referenced, but cannot be found."));
     const Error package{ErrorCode::ReferenceMissing, {"the package", "ur", "/home/a"}, {}, {}};
-    QCOMPARE(errorSentence(package),
-             "The package 'ur' was looked for in the folder '/home/a' and in those above it, in vain.");
+    QCOMPARE(errorSentence(package), "The package 'ur' was not found in the folder '/home/a' or in those above it.");
     QCOMPARE(errorAdvice(package), "Put the folder 'ur' into '/home/a' or a folder above it, and open the file again.");
   }
 
@@ -91,10 +90,10 @@ class ErrorTextTest : public QObject {
     report.cutClusters = 3;
     const QStringList summary = repairSummary(report);
     QCOMPARE(summary.size(), 11);
-    QVERIFY(summary.contains("1 loosely hanging triangle removed"));
-    QVERIFY(summary.contains("2 near points merged"));
-    QVERIFY(summary.contains("2 tangled triangles replaced around holes"));
-    QVERIFY(summary.contains("1 hole to be kept open gone with triangles that were removed"));
+    QVERIFY(summary.contains("1 dangling triangle removed"));
+    QVERIFY(summary.contains("2 near vertices merged"));
+    QVERIFY(summary.contains("2 folded triangles replaced around holes"));
+    QVERIFY(summary.contains("1 hole to be kept open lost with removed triangles"));
   }
 
   // Each property in the same place, whether it holds or not; nothing is said of what was not looked for.
@@ -122,6 +121,8 @@ class ErrorTextTest : public QObject {
     QCOMPARE(english.translate("", "%n hole(s)", nullptr, 2), "%n holes");
     QCOMPARE(english.translate("", "%n body(ies)", nullptr, 1), "%n body");
     QCOMPARE(english.translate("", "%n body(ies)", nullptr, 2), "%n bodies");
+    QCOMPARE(english.translate("", "%n vertex(ices)", nullptr, 1), "%n vertex");
+    QCOMPARE(english.translate("", "%n vertex(ices)", nullptr, 2), "%n vertices");
     QVERIFY(english.translate("", "Open", nullptr, -1).isNull());
   }
 };

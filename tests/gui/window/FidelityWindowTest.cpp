@@ -269,7 +269,7 @@ class FidelityWindowTest : public QObject {
       QCOMPARE(box->currentIndex(), i);
     }
     driver.edit("view.block_faces", "5000");
-    QCOMPARE(box->currentText(), QString("Own values"));
+    QCOMPARE(box->currentText(), QString("Custom"));
   }
 
   // Measured points are met, and nothing is predicted beyond its neighbours.

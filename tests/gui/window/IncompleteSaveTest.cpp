@@ -44,7 +44,7 @@ class IncompleteSaveTest : public QObject {
     QVERIFY(save(driver));
     QCOMPARE(openEdges(readStl(path)), 8);
     QVERIFY(isTold(driver));
-    QVERIFY2(driver.text("messageText").contains("stay open"), qPrintable(driver.text("messageText")));
+    QVERIFY2(driver.text("messageText").contains("keep open"), qPrintable(driver.text("messageText")));
     driver.click("messageAction");
     const QString container = m_folder.filePath("marked.handwheel");
     QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));

@@ -201,9 +201,9 @@ class LogCommandTest : public QObject {
     const std::pair<const char*, const char*> choices[] = {
         {"", nullptr},
         {"mesh.near_weld=1e-3,mesh.patch_density=0.5,mesh.fill_method=refined",
-         " --fill refined --density 0.5 --near-weld 0.001 "},
-        {"mesh.fill_continuity=position", " --continuity position "},
-        {"draft", " --density 0.54 "}};
+         " --fill refined --density 0.5 --near-weld 0.001"},
+        {"mesh.fill_continuity=position", " --continuity position"},
+        {"draft", " --density 0.54"}};
     for (const auto& [chosen, written] : choices) {
       QSettings().setValue("fidelity", chosen);
       WindowDriver driver;

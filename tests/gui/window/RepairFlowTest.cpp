@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "haptics/SoupCorners.h"
 
 #include <QComboBox>
 #include <QMessageBox>
@@ -46,15 +48,15 @@ class RepairFlowTest : public QObject {
 
     driver.click("compareMethods");
     auto* table = driver.find<QTreeWidget>("methodTable");
-    QTRY_COMPARE_WITH_TIMEOUT(table->topLevelItemCount(), 7, kPatienceMs);
-    for (int i = 0; i < 7; ++i) {
-      if (table->topLevelItem(i)->text(0) != "Ear cutting") continue;
+    QTRY_COMPARE_WITH_TIMEOUT(table->topLevelItemCount(), 8, kPatienceMs);
+    for (int i = 0; i < 8; ++i) {
+      if (table->topLevelItem(i)->text(0) != "Ear clipping") continue;
       QVERIFY(table->topLevelItem(i)->text(1).toInt() > 0);
       table->scrollToItem(table->topLevelItem(i));
       QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->topLevelItem(i)).center());
       break;
     }
-    QCOMPARE(driver.find<QComboBox>("fillMethod")->currentText(), "Ear cutting");
+    QCOMPARE(driver.find<QComboBox>("fillMethod")->currentText(), "Ear clipping");
     driver.click("compareMethods");
     QVERIFY(driver.settle());
 
@@ -147,7 +149,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.open(fileWithHoles("method.stl")));
     driver.clickDefect(DefectKind::Hole, 0);
     auto* methods = driver.find<QComboBox>("fillMethod");
-    methods->setCurrentIndex(methods->findText("Ear cutting"));
+    methods->setCurrentIndex(methods->findText("Ear clipping"));
     // A quad without new vertices takes two triangles.
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("previewStatus"), "2 new triangles", kPatienceMs);
     driver.click("fillHoleButton");
@@ -163,6 +165,22 @@ class RepairFlowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(driver.text("nextStepTitle"), "3 holes found.");
     QVERIFY(driver.settle());
+  }
+
+  // A cube that is inside out has no hole of which it would be known that it was tried.
+  void aRepairWithoutHolesIsOfferedAgain() {
+    WindowDriver driver;
+    const QString path = m_folder.filePath("inside-out.stl");
+    writeStl(path, cornersOf(turnedOver(cube(20.0))));
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.count(DefectKind::InsideOut), 1);
+    driver.click("nextStep/repairAll");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::InsideOut), 1);
+    driver.click("nextStep/repairAll");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
   }
 
   void aDismissedCardStaysAway() {

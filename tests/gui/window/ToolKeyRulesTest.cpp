@@ -38,7 +38,7 @@ void ToolKeyRulesTest::conflictsBothWays() {
     page.press(kSmaller, Qt::Key_7);  // is that of a view
     QCOMPARE(page.conflicts(kSmaller), QStringList{"Isometric"});
     QCOMPARE(page.conflicts("viewIsometric"), QStringList{"Select faces › Smaller brush"});
-    QVERIFY2(page.status().contains("Isometric") && page.status().contains("tool in use"), qPrintable(page.status()));
+    QVERIFY2(page.status().contains("Isometric") && page.status().contains("active tool"), qPrintable(page.status()));
     QVERIFY(driver.find<QPushButton>("shortcutTake")->isVisible());
   }
   view->setStandardView(StandardView::Front);

@@ -120,12 +120,12 @@ void ToolKeysTest::anActionWithoutAKeyGetsOne() {
   bench.press(Qt::Key_E);
   QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());  // all are selected
   driver.find<QAction>("transformTool")->trigger();
-  QVERIFY(bench.hints("E: put the low corner into the origin"));
+  QVERIFY(bench.hints("E: move the minimum corner to the origin"));
   auto* undo = driver.find<QAction>("undo");
   QVERIFY(!undo->isEnabled());
   bench.press(Qt::Key_E);
   QVERIFY(driver.settle());
-  QTRY_VERIFY2(undo->text().contains("Put the low corner into the origin"), qPrintable(undo->text()));
+  QTRY_VERIFY2(undo->text().contains("Move the minimum corner to the origin"), qPrintable(undo->text()));
 }
 
 // Space goes to the next hole, Ctrl+Z takes back: unless one wants them otherwise.

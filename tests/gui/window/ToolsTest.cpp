@@ -79,7 +79,8 @@ class ToolsTest : public QObject {
     QVERIFY(!driver.find<QAction>("undo")->isEnabled());
     QTRY_VERIFY(driver.find<QAction>("fillHole")->isEnabled());
     driver.find<QAbstractButton>("toolAction/smooth")->click();
-    QTRY_COMPARE(driver.find<QAbstractButton>("toolAction/commit")->text(), QStringLiteral("Take the smooth edge"));
+    QTRY_COMPARE(driver.find<QAbstractButton>("toolAction/commit")->text(),
+                 QStringLiteral("Apply the smoothed boundary"));
     QVERIFY(!driver.find<QAction>("fillHole")->isEnabled());
     driver.find<QAbstractButton>("toolAction/commit")->click();
     QTRY_VERIFY(driver.find<QAction>("undo")->isEnabled());
@@ -143,14 +144,14 @@ class ToolsTest : public QObject {
     };
     QVERIFY(is(QStringLiteral("Fair"), QStringLiteral("Fair")));
     const QString fine = driver.text("previewStatus");
-    choose(choice(driver, "fill"), QStringLiteral("Ear cutting"));
-    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Fair")));
+    choose(choice(driver, "fill"), QStringLiteral("Ear clipping"));
+    QVERIFY(is(QStringLiteral("Ear clipping"), QStringLiteral("Fair")));
     QVERIFY(driver.settle());
     QVERIFY2(driver.text("previewStatus") != fine, qPrintable(fine));
     for (const char* another : {"nextHole", "measureTool", "fillTool"}) driver.find<QAction>(another)->trigger();
-    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Fair")));
+    QVERIFY(is(QStringLiteral("Ear clipping"), QStringLiteral("Fair")));
     choose(inSettings("fill_method"), QStringLiteral("Refined"));
-    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Refined")));
+    QVERIFY(is(QStringLiteral("Ear clipping"), QStringLiteral("Refined")));
     choose(withHole, QStringLiteral("Refined"));
     QVERIFY(is(QStringLiteral("Refined"), QStringLiteral("Refined")));
     choose(inSettings("fill_method"), QStringLiteral("Fair"));

@@ -30,8 +30,8 @@ constexpr int kPatienceMs = 20000;
 
 class WindowDriver {
  public:
-  explicit WindowDriver(std::vector<KindRegistration> kinds = registeredKinds())
-      : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds.set) {
+  explicit WindowDriver(std::vector<KindRegistration> kinds = registeredKinds(), MainWindow::Drivers drivers = {})
+      : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds.set, std::move(drivers)) {
     m_window.resize(1280, 800);
     m_window.show();
     if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");

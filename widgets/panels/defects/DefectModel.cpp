@@ -129,8 +129,10 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
     case NoteRole:
       return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : QString();
     case Qt::ToolTipRole: {
+      if (loop < 0) return {};
       const QString reason = data(createIndex(row, 0, static_cast<quintptr>(kind) + 1), NoteRole).toString();
-      return reason.isEmpty() ? QVariant() : tr("Stayed open: %1.").arg(reason);
+      const QString measures = m_inspection->loopMeasures(loop);
+      return reason.isEmpty() ? measures : tr("Stayed open: %1.").arg(reason) + QLatin1Char('\n') + measures;
     }
     default:
       return {};
@@ -243,7 +245,7 @@ QString defectKindName(DefectKind kind) {
     case DefectKind::NonManifoldVertex:
       return DefectModel::tr("Non-manifold vertices");
     case DefectKind::OneSided:
-      return DefectModel::tr("Edges with one side");
+      return DefectModel::tr("One-sided edges");
     case DefectKind::InsideOut:
       return DefectModel::tr("Inside out");
     case DefectKind::NearVertex:
@@ -268,28 +270,28 @@ QString defectKindHint(DefectKind kind) {
       return DefectModel::tr("Places where the surface is missing. (A tunnel through the part is not a hole.)");
     case DefectKind::KeptOpen:
       return DefectModel::tr(
-          "Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.");
+          "Openings that are intended, and outer boundaries of open sheets. “Repair all” does not close them.");
     case DefectKind::NonManifoldEdge:
       return DefectModel::tr("Edges at which more than two triangles meet.");
     case DefectKind::NonManifoldVertex:
-      return DefectModel::tr("Points at which parts of the surface touch only with a tip.");
+      return DefectModel::tr("Vertices at which parts of the surface touch without sharing an edge.");
     case DefectKind::OneSided:
       return DefectModel::tr(
-          "Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.");
+          "Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.");
     case DefectKind::NearVertex:
-      return DefectModel::tr("Vertices on open borders that the file has rounded apart. A repair merges them.");
+      return DefectModel::tr("Vertices on open edges that differ only by rounding in the file. A repair merges them.");
     case DefectKind::InsideOut:
-      return DefectModel::tr("Closed surfaces whose triangles face inwards, so that solid and empty are exchanged.");
+      return DefectModel::tr("Closed surfaces whose triangles face inwards, so that inside and outside are swapped.");
     case DefectKind::Flipped:
       return DefectModel::tr(
-          "No defect any more: triangles that faced the other way than their neighbours in the file were reversed on "
-          "opening. “Reverse faces” turns their whole shell, where the others were wrong.");
+          "No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were "
+          "reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.");
     case DefectKind::Degenerate:
       return DefectModel::tr("Triangles without area.");
     case DefectKind::Duplicate:
       return DefectModel::tr("Triangles that lie exactly on another one.");
     case DefectKind::SelfIntersection:
-      return DefectModel::tr("Pairs of triangles that pass through each other. “Repair all” leaves them as they are.");
+      return DefectModel::tr("Pairs of triangles that intersect. “Repair all” leaves them unchanged.");
     case DefectKind::Debris:
       return DefectModel::tr("Small pieces that are not connected with the model.");
   }

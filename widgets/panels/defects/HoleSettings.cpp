@@ -18,8 +18,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,   FillMethod::Minimal,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge, FillMethod::Flat};
 
 QComboBox* methodBox(QWidget* parent) {
   auto* box = new QComboBox(parent);
@@ -108,7 +108,7 @@ QToolButton* HoleSettings::compareButton() {
   auto* button = new QToolButton(this);
   button->setObjectName(QStringLiteral("compareMethods"));
   button->setText(tr("Compare"));
-  button->setToolTip(tr("Show what each method makes of this hole"));
+  button->setToolTip(tr("Show the result of each method for this hole"));
   button->setCheckable(true);
   m_trials->hide();
   connect(button, &QToolButton::toggled, this, [this](bool on) {
@@ -158,10 +158,12 @@ void HoleSettings::showPreview(const PreviewState& state) {
       break;
   }
   const QString size = tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles));
+  const QString warning = patchWarning(state.shape);
+  const QString more = warning.isEmpty() ? QString() : QLatin1Char('\n') + tr("Look at it: %1.").arg(warning);
   m_status->setText(
       state.method == method()
-          ? size
-          : tr("%1, by “%2”: the chosen method finds no valid patch").arg(size, fillMethodName(state.method)));
+          ? size + more
+          : tr("%1, by “%2”: the chosen method finds no valid patch").arg(size, fillMethodName(state.method)) + more);
 }
 
 }  // namespace handwheel

@@ -22,6 +22,7 @@ struct PreviewState {
   std::size_t triangles = 0;                // when ready
   FillMethod method = FillMethod::Fair;     // the method of the patch; differs from the chosen one when that failed
   FillFailure failure = FillFailure::None;  // when failed
+  PatchComparison shape = {};               // when ready
 };
 
 // The settings and buttons for filling the selected hole. Changes apply to the preview at once.

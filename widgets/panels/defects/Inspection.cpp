@@ -106,13 +106,24 @@ int Inspection::loopNumber(int id) const {
 
 QString Inspection::loopName(int id) const {
   const int n = loopNumber(id);
-  return loop(id).rim ? tr("Outer edge %1").arg(n) : tr("Hole %1").arg(n);
+  return loop(id).rim ? tr("Outer boundary %1").arg(n) : tr("Hole %1").arg(n);
 }
 
 QString Inspection::loopDetail(int id) const {
   const BoundaryLoop& l = loop(id);
   return tr("%Ln edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size()))
       .arg(lengthText(l.length, m_document.displayUnit()));
+}
+
+QString Inspection::loopMeasures(int id) const {
+  const BoundaryLoop& l = loop(id);
+  const LengthUnit unit = m_document.displayUnit();
+  QStringList parts{tr("Area %1.").arg(areaText(l.area, unit)),
+                    tr("%1 from the best-fitting plane (RMS).").arg(lengthText(l.planarity * l.length, unit))};
+  if (l.islands > 0)
+    parts << tr("%Ln island(s) inside: remove them first (Hole boundaries tool).", nullptr,
+                static_cast<int>(l.islands));
+  return parts.join(QLatin1Char(' '));
 }
 
 QString Inspection::loopTitle(int id) const {

@@ -52,6 +52,8 @@ class Inspection : public QObject {
   // "Hole 3 — 42 edges, 31.2 mm"
   QString loopTitle(int id) const;
   QString loopDetail(int id) const;
+  // "Area 12 mm². 0.3 mm off the plane that fits best (RMS). 2 islands in it."
+  QString loopMeasures(int id) const;
 
   FillFailure failure(int id) const;
   void setFailure(int id, FillFailure failure);

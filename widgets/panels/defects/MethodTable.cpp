@@ -49,7 +49,7 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   setIndentation(0);
   setUniformRowHeights(true);
   setColumnCount(kColumns);
-  setHeaderLabels({tr("Method"), tr("Faces"), tr("mm²"), tr("Bend")});
+  setHeaderLabels({tr("Method"), tr("Triangles"), tr("mm²"), tr("Bending")});
   headerItem()->setToolTip(kArea, tr("Area of the patch"));
   headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
   // All in view, however narrow the panel.

@@ -87,7 +87,7 @@ void AxisBars::setLed(bool isLed) {
   m_chosen = 0;
   setFocusPolicy(isLed ? Qt::StrongFocus : Qt::NoFocus);
   setCursor(isLed ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  setToolTip(isLed ? tr("Drag a knob to lead the simulated hand; with keys: arrows, Page Up and Down, Home")
+  setToolTip(isLed ? tr("Drag a knob to move the simulated hand; with keys: arrows, Page Up and Down, Home")
                    : QString());
   update();
 }

@@ -43,7 +43,7 @@ void ButtonLamps::setLed(bool isLed) {
   m_isLed = isLed;
   setFocusPolicy(isLed ? Qt::StrongFocus : Qt::NoFocus);
   setCursor(isLed ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  setToolTip(isLed ? tr("Click to hold a button of the simulated hand, and again to let go; or press its number")
+  setToolTip(isLed ? tr("Click to hold a button of the simulated hand, and again to release it; or press its number")
                    : QString());
 }
 

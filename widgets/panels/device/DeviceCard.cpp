@@ -49,8 +49,14 @@ QString headlineOf(const DeviceInUse& view) {
 }
 
 QString detailOf(const DeviceInUse& view) {
-  if (view.isPointer) return {};
-  if (view.chosen) return DeviceText::advice(view.status);
+  if (view.isPointer)
+    return DeviceCard::tr(
+        "Simulates at the mouse pointer what a device would feel. The mouse also points and rotates the view without "
+        "this.");
+  if (!view.chosen && !view.spaceMice.empty())
+    return DeviceCard::tr("%1 moves the view. Choose it above only if it is to move the tip.")
+        .arg(QString::fromStdString(view.spaceMice.front()));
+  if (view.chosen) return DeviceText::advice(view.status, view.chosen->driver);
   return view.found.empty() ? DeviceCard::tr("Plug one in: it appears here by itself.")
                             : DeviceCard::tr("Choose one from the list above.");
 }
@@ -101,7 +107,8 @@ QWidget* DeviceCard::stateFrame() {
   m_detail->setWordWrap(true);
   m_notRealTime->setObjectName(QStringLiteral("notRealTime"));
   m_notRealTime->setText(tr("Not in real time: what to do"));
-  m_notRealTime->setToolTip(tr("Ticks come late when the machine is busy, and walls are made softer for it"));
+  m_notRealTime->setToolTip(
+      tr("Ticks are late when the computer is busy, and the stiffness is reduced to allow for that"));
   m_notRealTime->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   m_notRealTime->setFocusPolicy(Qt::TabFocus);
   m_notRealTime->hide();

@@ -16,8 +16,9 @@ struct DeviceInUse {
   std::optional<DeviceInfo> chosen;  // not among those found when it was unplugged
   DeviceCapabilities capabilities;   // of the chosen one
   DeviceStatus status = DeviceStatus::Absent;
-  bool isPointer = false;  // the mouse is used as device
-  bool isLed = false;      // nobody holds it: its hand is led in the panel
+  std::vector<std::string> spaceMice;  // names of those that move the view
+  bool isPointer = false;              // the mouse is used as device
+  bool isLed = false;                  // nobody holds it: its hand is led in the panel
   bool isForceOn = false;
 };
 

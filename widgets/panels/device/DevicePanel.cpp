@@ -112,9 +112,9 @@ void DevicePanel::connectParts() {
 
 void DevicePanel::showDevice(const DeviceInUse& view) {
   const auto key = [](const DeviceInfo& listing) { return listing.driver + '\n' + listing.address; };
-  const bool isSame =
-      view.chosen.has_value() == m_chosen.has_value() && (!view.chosen || key(*view.chosen) == key(*m_chosen));
-  m_chosen = view.chosen;
+  const bool isSame = view.chosen.has_value() == m_view.chosen.has_value() &&
+                      (!view.chosen || key(*view.chosen) == key(*m_view.chosen));
+  m_view = view;
   m_card->showDevice(view);
   m_live->showDevice(view);
   m_mapping->setDevice(view.capabilities);
@@ -129,10 +129,11 @@ void DevicePanel::setMapping(const WorkspaceMapping& mapping) {
   m_mapping->setMapping(mapping);
 }
 
-void DevicePanel::showSample(const ServoSample& sample) {
+void DevicePanel::showSample(const ServoSample& sample, double stiffnessAtDevice) {
   if (!isVisible()) return;
   m_card->showStatus(sample.device.status);
   m_live->showSample(sample, m_mapping->mapping().forceGain);
+  noteSoftening(sample, stiffnessAtDevice);
   showSafety(m_memory.add(sample.actions, sample.tip.time));
 }
 
@@ -140,7 +141,22 @@ void DevicePanel::showHand(const HandPose& hand) {
   m_live->showHand(hand);
 }
 
+// A touch may be shorter than the time to read what it says.
+void DevicePanel::noteSoftening(const ServoSample& sample, double stiffnessAtDevice) {
+  const ForceOut& felt = sample.felt;
+  const double age = sample.tip.time - m_softenedAt;
+  if (felt.stiffness < felt.asked) {
+    const double rate = m_rate > 0.0 ? m_rate : m_view.capabilities.nominalRate;
+    m_softened = DeviceText::softened(stiffnessAtDevice * felt.stiffness, stiffnessAtDevice * felt.asked, m_view, rate,
+                                      locale());
+    m_softenedAt = sample.tip.time;
+  } else if (!(age >= 0.0 && age < SafetyActionHold::kHold)) {
+    m_softened.clear();
+  }
+}
+
 void DevicePanel::showLoop(const ServoLoopStatus& loop) {
+  m_rate = loop.rate;
   m_card->showLoop(loop);
   m_timing->showLoop(loop);
 }
@@ -158,12 +174,14 @@ void DevicePanel::hideEvent(QHideEvent* event) {
 void DevicePanel::clearLive() {
   m_live->clear();
   m_memory.clear();
+  m_softened.clear();
   m_safety->clear();
 }
 
 void DevicePanel::showSafety(SafetyActions actions) {
-  const QString text =
-      actions.isEmpty() ? tr("Safety: nothing is held back.") : DeviceText::safety(actions).join(QLatin1Char('\n'));
+  QStringList lines = DeviceText::safety(actions);
+  if (!m_softened.isEmpty()) lines.prepend(m_softened);
+  const QString text = lines.isEmpty() ? tr("Safety: the force is not limited.") : lines.join(QLatin1Char('\n'));
   if (text == m_safety->text()) return;
   m_safety->setText(text);
   m_safety->setProperty("bad", !actions.isEmpty());

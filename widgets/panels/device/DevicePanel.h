@@ -37,7 +37,8 @@ class DevicePanel : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
-  void showSample(const ServoSample& sample);  // at the rate of the display
+  // At the rate of the display. stiffnessAtDevice: felt as 1 in the scene.
+  void showSample(const ServoSample& sample, double stiffnessAtDevice = 1.0);
   void showHand(const HandPose& hand);         // of a device that nobody holds: where its hand is led to
   void showLoop(const ServoLoopStatus& loop);  // at a low rate, as the next
   void showTiming(const ServoStatistics& measure);
@@ -59,6 +60,7 @@ class DevicePanel : public QWidget {
   void addPages();
   void connectParts();
   void clearLive();
+  void noteSoftening(const ServoSample& sample, double stiffnessAtDevice);
   void showSafety(SafetyActions actions);
 
   DeviceCard* m_card;
@@ -69,7 +71,10 @@ class DevicePanel : public QWidget {
   PropertyList* m_dataSheet;
   QLabel* m_safety;
   SafetyActionHold m_memory;
-  std::optional<DeviceInfo> m_chosen;
+  DeviceInUse m_view;
+  double m_rate = 0.0;        // measured, Hz
+  QString m_softened;         // what was made softer
+  double m_softenedAt = 0.0;  // s since the loop started
 };
 
 }  // namespace handwheel

@@ -31,7 +31,7 @@ LivePage::LivePage(QWidget* parent)
   m_axes->setObjectName(QStringLiteral("axisBars"));
   m_buttons->setObjectName(QStringLiteral("buttonLamps"));
   m_forceOn->setObjectName(QStringLiteral("forceOn"));
-  m_forceOn->setToolTip(tr("Let the device push; without this it only points"));
+  m_forceOn->setToolTip(tr("Let the device apply forces; without this it only points"));
   m_forceTest->setObjectName(QStringLiteral("forceTest"));
   m_forceTest->setToolTip(tr("The device pushes gently along each axis. Hold the grip."));
   m_noForce->setObjectName(QStringLiteral("noForce"));

@@ -80,15 +80,15 @@ void addMotion(std::vector<Property>& properties, const WorkspaceMapping& m, con
   Property rate;
   rate.id = "rate";
   rate.group = group;
-  rate.label = QT_TRANSLATE_NOOP("Property", "Deflection is a speed");
+  rate.label = QT_TRANSLATE_NOOP("Property", "Rate control");
   rate.value = m.isRateControl;
   properties.push_back(rate);
   if (!m.isRateControl) return;
-  properties.push_back(number("rateGain", group, QT_TRANSLATE_NOOP("Property", "mm/s for each mm"), m.rateGain,
-                              kLeastGain, kLargestGain));
+  properties.push_back(
+      number("rateGain", group, QT_TRANSLATE_NOOP("Property", "mm/s per mm"), m.rateGain, kLeastGain, kLargestGain));
   if (device.inputs < 6) return;
-  properties.push_back(number("turnGain", group, QT_TRANSLATE_NOOP("Property", "°/s for each degree"),
-                              m.angularRateGain, kLeastGain, kLargestGain));
+  properties.push_back(number("turnGain", group, QT_TRANSLATE_NOOP("Property", "°/s per degree"), m.angularRateGain,
+                              kLeastGain, kLargestGain));
 }
 
 // None, each single button; another set of buttons, which only a file can hold, shows as its first.

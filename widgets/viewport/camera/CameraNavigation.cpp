@@ -81,6 +81,17 @@ CameraState CameraNavigation::orbited(const Vec3& pivot, const Vec2& delta) cons
   return turnedAbout(m_camera, pivot, (turn * m_camera.orientation).normalized());
 }
 
+CameraState CameraNavigation::movedByHand(const Vec3& pivot, const Vec2& shift, const Vec3& turn) const {
+  const double angle = turn.norm();
+  CameraState c = m_camera;
+  if (angle > 0) {
+    const Eigen::Quaterniond back(Eigen::AngleAxisd(-angle, turn / angle));  // the camera turns against the model
+    c = turnedAbout(m_camera, pivot, (m_camera.orientation * back).normalized());
+  }
+  c.centre -= c.height * (c.orientation * Vec3(shift.x(), shift.y(), 0));
+  return c;
+}
+
 CameraState CameraNavigation::panned(const Vec2& delta, const Vec3& grabbed) const {
   CameraState c = m_camera;
   const Vec2 v = (isBeforeEye(grabbed) ? unitsPerPixelAt(grabbed) : unitsPerPixel()) * delta;

@@ -46,6 +46,10 @@ class CameraNavigation {
 
   // Rotates about the screen axes through pivot, which keeps its screen position.
   CameraState orbited(const Vec3& pivot, const Vec2& delta) const;
+  // Moves the camera so that the model turns by the rotation vector `turn` about pivot, which keeps its screen
+  // position, and then moves by `shift` on the screen. Along the axes of the view (x right, y up, z towards the
+  // viewer); shift in shares of the height of the view.
+  CameraState movedByHand(const Vec3& pivot, const Vec2& shift, const Vec3& turn) const;
   // Moves the camera so that the grabbed point moves by delta on the screen.
   CameraState panned(const Vec2& delta, const Vec3& grabbed) const;
   CameraState panned(const Vec2& delta) const { return panned(delta, m_camera.centre); }

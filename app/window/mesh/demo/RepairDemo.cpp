@@ -59,7 +59,7 @@ RepairDemo::RepairDemo(const WindowContext& parts, const RepairJobs& jobs, QObje
       m_action(tr("&Watch the hand repair a scan"), this),
       m_stop(tr("Stop"), this) {
   prepare(m_action, "watchRepair", "hand",
-          tr("The simulated hand repairs a hole of the sample, by the tools that you have, too"));
+          tr("The simulated hand repairs a hole of the sample with the same tools that you have"));
   m_action.setEnabled(!samplePath(kScanSample).isEmpty());
   m_stop.setObjectName(QStringLiteral("stopShow"));
   connect(&m_action, &QAction::triggered, this, &RepairDemo::start);
@@ -105,7 +105,7 @@ std::vector<DemoStep> RepairDemo::steps() {
 DemoStep RepairDemo::opening() {
   DemoStep step;
   step.caption = tr("The hand opens the sample");
-  step.detail = tr("What it does now you can do with a device, or with the mouse.");
+  step.detail = tr("You can do the same with a device or with the mouse.");
   step.begin = [this] { m_parts.openFile(samplePath(kScanSample)); };
   step.isReady = [this] { return m_document && isSettled() && takeHole(); };
   step.rest = 0.5;
@@ -115,7 +115,7 @@ DemoStep RepairDemo::opening() {
 void RepairDemo::addChoosing(std::vector<DemoStep>& steps) {
   DemoStep go = click([this] { return firstPoint(nextPart()); });
   go.caption = tr("1 of 5: choose the hole");
-  go.detail = tr("Points of the edge draw the tip to them. The first button chooses the hole.");
+  go.detail = tr("Boundary vertices attract the tip. The first button chooses the hole.");
   go.begin = [this] {
     useTool("boundaryTool");
     lookFrom(m_hole.outward());
@@ -125,8 +125,8 @@ void RepairDemo::addChoosing(std::vector<DemoStep>& steps) {
 
 void RepairDemo::addSmoothing(std::vector<DemoStep>& steps) {
   DemoStep propose = rest(kLookTime, [this] { return shows("boundary", "held"); });
-  propose.caption = tr("2 of 5: smooth its edge");
-  propose.detail = tr("Shift+S shows what would become of it. The second button takes it.");
+  propose.caption = tr("2 of 5: smooth its boundary");
+  propose.detail = tr("Shift+S shows a preview. The second button applies it.");
   propose.begin = [this] { perform("smooth"); };
   steps.insert(steps.end(), {propose, press(kSecond), rest(kLookTime, [this] { return isSettled(); })});
 }
@@ -144,7 +144,8 @@ void RepairDemo::addStitching(std::vector<DemoStep>& steps) {
   DemoStep take = click(end(&BorderPair::a));
   take.caption = tr("3 of 5: stitch");
   take.detail =
-      tr("A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.");
+      tr("A vertex is pulled to the opposite one: the longer the pull, the stronger the force. The hole is divided "
+         "into two.");
   take.begin = [this] { choose("boundary", "onto", 1.0); };
   DemoStep pull = click(end(&BorderPair::b));
   pull.buttons = kFirstLook;
@@ -160,7 +161,7 @@ void RepairDemo::addFilling(std::vector<DemoStep>& steps) {
     });
     if (isFirst) {
       go.caption = tr("4 of 5: fill both parts");
-      go.detail = tr("The first button shows the patch of a hole, the second puts it in.");
+      go.detail = tr("The first button shows the patch of a hole, the second fills the hole with it.");
     }
     go.begin = [this, isFirst] {
       if (isFirst) useTool("fillTool");
@@ -182,7 +183,7 @@ void RepairDemo::addSculpting(std::vector<DemoStep>& steps) {
     return tool && tool->levels().finest() > 0 && isSettled();
   });
   refine.caption = tr("5 of 5: sculpt the patch");
-  refine.detail = tr("It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.");
+  refine.detail = tr("It is subdivided and dragged at its coarse level; the fine level follows as if on a spring.");
   refine.begin = [this] {
     useTool("sculptTool");
     const double size = m_hole.place().diagonal().norm();

@@ -38,8 +38,8 @@ DeviationPanel::DeviationPanel(QWidget* parent)
       m_title(new QLabel(this)),
       m_status(new QLabel(this)),
       m_content(new QWidget(this)),
-      m_highest(placeButton("deviationHighest", tr("Fly to the place"), m_content)),
-      m_lowest(placeButton("deviationLowest", tr("Fly to the place"), m_content)),
+      m_highest(placeButton("deviationHighest", tr("Zoom to this place"), m_content)),
+      m_lowest(placeButton("deviationLowest", tr("Zoom to this place"), m_content)),
       m_range(new NumberField(m_content)),
       m_histogram(new PlotWidget(m_content)),
       m_reading(new QLabel(m_content)) {
@@ -51,7 +51,7 @@ DeviationPanel::DeviationPanel(QWidget* parent)
   m_status->setWordWrap(true);
   auto* close = new QPushButton(tr("Back to the defects"), this);
   close->setObjectName(QStringLiteral("deviationClose"));
-  close->setToolTip(tr("Take the colours away"));
+  close->setToolTip(tr("Remove the colours"));
   auto* other = new QPushButton(tr("Compare with another file…"), this);
   other->setObjectName(QStringLiteral("deviationOther"));
   auto* content = new QVBoxLayout(m_content);

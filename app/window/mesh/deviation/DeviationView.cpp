@@ -58,7 +58,7 @@ DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObje
       m_panel(new DeviationPanel(parts.window)) {
   m_action.setObjectName(QStringLiteral("deviation"));
   m_action.setShortcut(QKeySequence(Qt::Key_D));
-  setActionToolTip(m_action, tr("Show in colours how far the mesh is from what was opened"));
+  setActionToolTip(m_action, tr("Show the deviation of the mesh from the opened file in colours"));
   connect(&m_action, &QAction::triggered, this, [this] {
     if (m_document->deviation) return close();
     if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();

@@ -73,20 +73,20 @@ std::vector<Note> notesOn(const StepSummary& summary) {
   constexpr int kDigits = 3;
   std::vector<Note> notes{
       {QT_TRANSLATE_NOOP("Note",
-                         "A STEP file holds exact surfaces and no mesh: its faces (%1) were cut into triangles, which "
-                         "are at most about %2 mm off them."),
+                         "A STEP file contains exact surfaces and no mesh: its faces (%1) were triangulated; the "
+                         "triangles are at most about %2 mm from them."),
        {std::to_string(summary.faces() - summary.facesLost()), roundedText(summary.chord, kDigits)}},
       {QT_TRANSLATE_NOOP("Note", "Solids: %1. Surfaces that belong to none: %2."),
        {std::to_string(summary.solids()), std::to_string(summary.openShells())}}};
   if (summary.unit != kOwnUnit)
-    notes.push_back({QT_TRANSLATE_NOOP("Note", "Its lengths (%1) are millimetres here."), {summary.unit}});
+    notes.push_back({QT_TRANSLATE_NOOP("Note", "Its lengths (%1) were converted to millimetres."), {summary.unit}});
   return notes;
 }
 
 }  // namespace
 
 Result<MeshFile> meshIn(std::string_view answer, const ReadOptions& options, Progress progress) {
-  const Error senseless{ErrorCode::LibraryFailed, {kStepLibrary, "its answer makes no sense"}, {}, {}};
+  const Error senseless{ErrorCode::LibraryFailed, {kStepLibrary, "its answer is not valid"}, {}, {}};
   const std::size_t end = answer.substr(0, kLongestLine).find('\n');
   if (end == std::string_view::npos) return senseless;
   const std::optional<StepSummary> summary = summaryOf(answer.substr(0, end));

@@ -159,7 +159,7 @@ class ModelReader {
     if (!std::exchange(m_hasObject, false)) return true;
     if (m_unreadable > 0) dropUnreadable();
     if (m_part.objects.try_emplace(m_objectId, std::move(m_object)).second) return true;
-    return tolerate(malformed("object", "its number " + std::to_string(m_objectId) + " is taken"));
+    return tolerate(malformed("object", "its number " + std::to_string(m_objectId) + " is already in use"));
   }
 
   bool readVertex() {

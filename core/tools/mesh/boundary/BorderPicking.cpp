@@ -9,26 +9,26 @@
 
 namespace handwheel {
 
-const char* const kEdgeChanged = QT_TRANSLATE_NOOP("Tool", "the edge has changed meanwhile");
+const char* const kEdgeChanged = QT_TRANSLATE_NOOP("Tool", "the boundary has changed meanwhile");
 
 const char* textOf(JoinProblem problem) {
   switch (problem) {
     case JoinProblem::None:
       break;
     case JoinProblem::SamePoint:
-      return QT_TRANSLATE_NOOP("Property", "Two of the points are one.");
+      return QT_TRANSLATE_NOOP("Property", "Two of the vertices are the same.");
     case JoinProblem::DegenerateFace:
-      return QT_TRANSLATE_NOOP("Property", "A triangle would have no area.");
+      return QT_TRANSLATE_NOOP("Property", "A triangle would be degenerate.");
     case JoinProblem::NonManifoldEdge:
       return QT_TRANSLATE_NOOP("Property", "An edge would have more than two triangles.");
     case JoinProblem::InconsistentOrientation:
-      return QT_TRANSLATE_NOOP("Property", "The triangle beside it faces the other way.");
+      return QT_TRANSLATE_NOOP("Property", "The adjacent triangle has the opposite orientation.");
     case JoinProblem::NonManifoldVertex:
-      return QT_TRANSLATE_NOOP("Property", "It would touch the surface in a point only.");
+      return QT_TRANSLATE_NOOP("Property", "It would touch the surface at a single vertex only.");
     case JoinProblem::Crosses:
-      return QT_TRANSLATE_NOOP("Property", "It would cross or touch the part.");
+      return QT_TRANSLATE_NOOP("Property", "It would intersect or touch the part.");
     case JoinProblem::FlippedFace:
-      return QT_TRANSLATE_NOOP("Property", "A triangle would turn over or lose its area.");
+      return QT_TRANSLATE_NOOP("Property", "A triangle would flip or become degenerate.");
     case JoinProblem::NoBorder:
       return QT_TRANSLATE_NOOP("Property", "There is no open edge.");
   }
@@ -40,20 +40,20 @@ const char* hintOf(JoinProblem problem, const char* otherwise) {
     case JoinProblem::None:
       break;
     case JoinProblem::SamePoint:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: two of the points are one");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: two of the vertices are the same");
     case JoinProblem::DegenerateFace:
     case JoinProblem::FlippedFace:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: a triangle would turn over or have no area");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: a triangle would flip or become degenerate");
     case JoinProblem::NonManifoldEdge:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: an edge would have more than two triangles");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: an edge would have more than two triangles");
     case JoinProblem::InconsistentOrientation:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: the triangle beside it faces the other way");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: the adjacent triangle has the opposite orientation");
     case JoinProblem::NonManifoldVertex:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: it would touch the surface in a point only");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: it would touch the surface at a single vertex only");
     case JoinProblem::Crosses:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: it would cross or touch the part");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: it would intersect or touch the part");
     case JoinProblem::NoBorder:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: there is no open edge");
+      return QT_TRANSLATE_NOOP("Tool", "not possible: there is no open edge");
   }
   return otherwise;
 }

@@ -119,7 +119,7 @@ void BoundaryTool::follow(const PointerEvent& event) {
   }
   aim(isBridge ? Deed::Bridge : Deed::Pull, kNone);
   if (m_drag->deed == Deed::Bridge) return;
-  const VertexPull::Place reached = m_drag->pull.towards(m_drag->place);
+  const VertexPull::Place reached = m_drag->pull.towards(m_drag->place, m_document.fileNumbers());
   m_drag->stop = reached.point;
   m_drag->problem = reached.problem;
 }

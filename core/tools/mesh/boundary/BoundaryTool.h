@@ -13,7 +13,7 @@ namespace handwheel {
 
 struct MeshPreview;
 
-// Tool for editing the edges of holes by hand (He 2008, section 4.2). A point of an edge is pulled with the pointer,
+// Tool for editing the edges of holes by hand (He 2008, section 4.1.4). A point of an edge is pulled with the pointer,
 // moved to another and joined with it, or a bridge is added between the two; a chosen edge is smoothed, its islands and
 // peninsulas are removed. A change of a whole edge is previewed first and applied with Return.
 class BoundaryTool : public Tool {

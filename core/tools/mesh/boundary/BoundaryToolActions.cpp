@@ -16,28 +16,28 @@ namespace handwheel {
 
 namespace {
 constexpr ToolKey kBoundaryKeys[] = {
-    {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the edge")},
+    {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the boundary")},
     {"islands", "I", QT_TRANSLATE_NOOP("Tool", "find islands")},
     {"peninsulas", "Shift+I", QT_TRANSLATE_NOOP("Tool", "find peninsulas")},
     {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), "nextHole"},
     {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), "previousHole"},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose none")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "deselect the hole")},
 };
 }  // namespace
 
 const char* BoundaryTool::dragEffect() const {
   switch (m_drag->deed) {
     case Deed::Pull:
-      return m_drag->problem == JoinProblem::None ? QT_TRANSLATE_NOOP("Tool", "move the point")
-                                                  : QT_TRANSLATE_NOOP("Tool", "move the point as far as it may go");
+      return m_drag->problem == JoinProblem::None ? QT_TRANSLATE_NOOP("Tool", "move the vertex")
+                                                  : QT_TRANSLATE_NOOP("Tool", "move the vertex as far as possible");
     case Deed::Weld:
-      return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the points"));
+      return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the vertices"));
     case Deed::Bridge:
       break;
   }
-  if (m_drag->target == kNone) return QT_TRANSLATE_NOOP("Tool", "nothing: no other point is near");
-  return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "lay the bridge"));
+  if (m_drag->target == kNone) return QT_TRANSLATE_NOOP("Tool", "not possible: no other vertex is near");
+  return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "add the bridge"));
 }
 
 std::span<const ToolKey> BoundaryTool::keys() {
@@ -45,8 +45,8 @@ std::span<const ToolKey> BoundaryTool::keys() {
 }
 
 std::vector<ToolAction> BoundaryTool::actions() const {
-  const char* pull = QT_TRANSLATE_NOOP("Tool", "pull a point; onto another: join them");
-  const char* bridge = QT_TRANSLATE_NOOP("Tool", "lay a bridge to another point");
+  const char* pull = QT_TRANSLATE_NOOP("Tool", "drag a vertex; onto another one: join them");
+  const char* bridge = QT_TRANSLATE_NOOP("Tool", "add a bridge to another vertex");
   const char* turned = QT_TRANSLATE_NOOP("Tool", "bridge instead of joining");
   if (m_onto == Onto::Bridge) {
     std::swap(pull, bridge);
@@ -55,23 +55,23 @@ std::vector<ToolAction> BoundaryTool::actions() const {
   if (m_drag && m_drag->hasMoved)
     return {{"", QT_TRANSLATE_NOOP("ToolInput", "Release"), dragEffect()},
             {"", QT_TRANSLATE_NOOP("ToolInput", "Shift"), turned},
-            {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl"), QT_TRANSLATE_NOOP("Tool", "no point attracts")},
-            actionOf(kBoundaryKeys, "revert", true, QT_TRANSLATE_NOOP("Tool", "put it back"))};
+            {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl"), QT_TRANSLATE_NOOP("Tool", "do not snap")},
+            actionOf(kBoundaryKeys, "revert", true, QT_TRANSLATE_NOOP("Tool", "cancel the move"))};
   const bool isChosen = loop() != nullptr, any = neighbour(true).has_value();
   const char* commit = QT_TRANSLATE_NOOP("Tool", "done");
   if (m_proposal) {
-    commit = m_proposal->kind == Kind::Smooth ? QT_TRANSLATE_NOOP("Tool", "take the smooth edge")
-                                              : QT_TRANSLATE_NOOP("Tool", "remove the marked faces");
+    commit = m_proposal->kind == Kind::Smooth ? QT_TRANSLATE_NOOP("Tool", "apply the smoothed boundary")
+                                              : QT_TRANSLATE_NOOP("Tool", "remove the marked triangles");
   }
   const char* revert = QT_TRANSLATE_NOOP("Tool", "done");
   if (m_drag)
-    revert = QT_TRANSLATE_NOOP("Tool", "put it back");
+    revert = QT_TRANSLATE_NOOP("Tool", "cancel the move");
   else if (m_proposal || m_job)
-    revert = QT_TRANSLATE_NOOP("Tool", "leave it as it is");
+    revert = QT_TRANSLATE_NOOP("Tool", "leave it unchanged");
   else if (isChosen)
-    revert = QT_TRANSLATE_NOOP("Tool", "choose none");
+    revert = QT_TRANSLATE_NOOP("Tool", "deselect the hole");
   return {
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose an edge")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a boundary")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), pull},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), bridge},
       actionOf(kBoundaryKeys, "smooth", isChosen),
@@ -138,7 +138,7 @@ ToolReply BoundaryTool::propose(Kind kind) {
   const auto faces = m_services.faces();
   if (!faces) return ToolReply::Ignored;
   m_job = std::make_shared<const Kind>(kind);
-  m_services.run({QT_TRANSLATE_NOOP("Tool", "Looking at the edge"),
+  m_services.run({QT_TRANSLATE_NOOP("Tool", "Analysing the boundary"),
                   [this, work = workFor(kind), job = std::weak_ptr(m_job)](Progress progress) {
                     const Proposal found = work(progress);
                     return std::function<void()>([this, found, job] {
@@ -153,7 +153,9 @@ ToolReply BoundaryTool::propose(Kind kind) {
 
 // On another thread: all that it needs goes with it.
 std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind) const {
-  return [kind, mesh = mesh(), loop = *loop(), loops = m_document.defects().loops, options = m_smoothing,
+  SmoothingOptions options = m_smoothing;
+  options.numbers = m_document.fileNumbers();
+  return [kind, mesh = mesh(), loop = *loop(), loops = m_document.defects().loops, options,
           faces = m_services.faces()](Progress progress) {
     Proposal proposal;
     proposal.kind = kind;

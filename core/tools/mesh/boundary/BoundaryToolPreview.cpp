@@ -85,34 +85,34 @@ std::vector<Property> BoundaryTool::settings() const {
   Property wave;
   wave.id = "wavelength";
   wave.group = QT_TRANSLATE_NOOP("Property", "Smoothing");
-  wave.label = QT_TRANSLATE_NOOP("Property", "Waves up to (edges)");
+  wave.label = QT_TRANSLATE_NOOP("Property", "Wavelength (edges)");
   wave.value = m_smoothing.wavelength;
   wave.least = 0.0;
   wave.largest = SmoothingOptions::kLongestWavelength;
   Property evenly;
   evenly.id = "evenly";
   evenly.group = wave.group;
-  evenly.label = QT_TRANSLATE_NOOP("Property", "Spread evenly");
+  evenly.label = QT_TRANSLATE_NOOP("Property", "Even spacing");
   evenly.value = m_smoothing.evenly;
   std::vector<Property> all = {
-      choiceSetting("onto", QT_TRANSLATE_NOOP("Property", "Dropped onto a point"), static_cast<int>(m_onto),
-                    {QT_TRANSLATE_NOOP("Property", "Join"), QT_TRANSLATE_NOOP("Property", "Lay a bridge")}),
+      choiceSetting("onto", QT_TRANSLATE_NOOP("Property", "Dropped onto a vertex"), static_cast<int>(m_onto),
+                    {QT_TRANSLATE_NOOP("Property", "Join"), QT_TRANSLATE_NOOP("Property", "Add a bridge")}),
       wave, evenly};
   Property shown;
   shown.editable = false;
   if (m_drag) {
     shown.id = "way";
-    shown.label = QT_TRANSLATE_NOOP("Property", "Way");
+    shown.label = QT_TRANSLATE_NOOP("Property", "Displacement");
     shown.quantity = Quantity::Length;
     shown.value = (m_drag->place - m_drag->pull.start()).stableNorm();
     shown.problem = textOf(m_drag->problem);
     all.push_back(shown);
   } else if (m_proposal && m_proposal->kind == Kind::Smooth) {
     shown.id = "held";
-    shown.label = QT_TRANSLATE_NOOP("Property", "Points held back");
+    shown.label = QT_TRANSLATE_NOOP("Property", "Constrained vertices");
     shown.value = static_cast<double>(m_proposal->smoothed.held);
     if (m_proposal->smoothed.held > 0)
-      shown.problem = QT_TRANSLATE_NOOP("Property", "Further on a triangle would turn over, or the surface tear.");
+      shown.problem = QT_TRANSLATE_NOOP("Property", "Moving further would flip a triangle or tear the surface.");
     all.push_back(shown);
   } else if (m_proposal) {
     shown.id = "faces";

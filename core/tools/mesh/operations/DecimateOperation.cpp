@@ -26,12 +26,12 @@ Parameter errorParameter() {
 Parameter creasesParameter() {
   return {.property = {.id = "keep-creases",
                        .group = {},
-                       .label = QT_TRANSLATE_NOOP("Property", "Sharp from"),
+                       .label = QT_TRANSLATE_NOOP("Property", "Sharp edge angle"),
                        .value = 0.0,
                        .quantity = Quantity::Angle,
                        .least = 1e-6,
                        .largest = std::numbers::pi},
-          .meaning = "Leave the vertices of edges at least that sharp on them",
+          .meaning = "Keep the vertices of edges with at least this angle on the edges",
           .word = "DEGREES",
           .hasDefault = false};
 }
@@ -53,17 +53,17 @@ Parameter decimationMethodParameter() {
 const Operation& decimateOperation() {
   static const Operation operation = {
       .id = "decimate",
-      .title = QT_TRANSLATE_NOOP("Tool", "Remove triangles"),
+      .title = QT_TRANSLATE_NOOP("Tool", "Reduce triangles"),
       .meaning = "As 'handwheel decimate'",
       .parameters = {
-          countParameter("faces", "N", "Stop at so many triangles; 0: as few as --error allows",
+          countParameter("faces", "N", "Target number of triangles; 0: as few as --error allows",
                          QT_TRANSLATE_NOOP("Property", "Triangles")),
           errorParameter(),
-          flagParameter("keep-borders", "Leave the vertices of open edges where they are",
-                        QT_TRANSLATE_NOOP("Property", "Leave open edges as they are")),
+          flagParameter("keep-borders", "Do not move the vertices of open edges",
+                        QT_TRANSLATE_NOOP("Property", "Preserve open edges")),
           creasesParameter(),
-          flagParameter("no-crossings", "Let no triangles meet that did not meet before",
-                        QT_TRANSLATE_NOOP("Property", "Let nothing cross")),
+          flagParameter("no-crossings", "Create no new self-intersections",
+                        QT_TRANSLATE_NOOP("Property", "Prevent self-intersections")),
           decimationMethodParameter(),
       }};
   return operation;
@@ -92,11 +92,12 @@ OperationValues valuesOf(const DecimationOptions& options) {
 }
 
 std::string problemOf(const OperationValues& values) {
-  if (values.whole("faces") == 0 && !values.given("error")) return "say how far to go: --faces N, --error MM or both";
+  if (values.whole("faces") == 0 && !values.given("error")) return "give a target: --faces N, --error MM or both";
   if (static_cast<DecimationMethod>(values.whole("method")) == DecimationMethod::Bounded) return {};
-  if (values.given("error")) return "--method quadric bounds no distance: say --faces N alone, or --method bounded";
+  if (values.given("error"))
+    return "--method quadric does not bound the distance: give --faces N alone, or use --method bounded";
   if (values.flag("no-crossings"))
-    return "--method quadric does not look for crossings: leave --no-crossings out, or say --method bounded";
+    return "--method quadric does not check for self-intersections: omit --no-crossings, or use --method bounded";
   return {};
 }
 

@@ -11,30 +11,31 @@ namespace handwheel {
 namespace {
 
 Parameter methodParameter() {
-  return {
-      .property = {.id = "fill",
-                   .group = {},
-                   .label = QT_TRANSLATE_NOOP("Property", "Method"),
-                   .value = 0.0,
-                   .choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
-                               QT_TRANSLATE_NOOP("Property", "Ear cutting"),
-                               QT_TRANSLATE_NOOP("Property", "Area and bend"),
-                               QT_TRANSLATE_NOOP("Property", "Least area"), QT_TRANSLATE_NOOP("Property", "Least bend"),
-                               QT_TRANSLATE_NOOP("Property", "Ridges")}},  // as FillMethod
-      .meaning = "How patches are made",
-      .word = "METHOD",
-      .words = {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge"},
-      .isAlwaysWritten = true};
+  return {.property = {.id = "fill",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
+                                   QT_TRANSLATE_NOOP("Property", "Ear clipping"),
+                                   QT_TRANSLATE_NOOP("Property", "Area and bending"),
+                                   QT_TRANSLATE_NOOP("Property", "Minimum area"),
+                                   QT_TRANSLATE_NOOP("Property", "Minimum bending"),
+                                   QT_TRANSLATE_NOOP("Property", "Ridges"),
+                                   QT_TRANSLATE_NOOP("Property", "Flat")}},  // as FillMethod
+          .meaning = "Method that fills holes",
+          .word = "METHOD",
+          .words = {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge", "flat"},
+          .isAlwaysWritten = true};
 }
 
 Parameter continuityParameter() {
   return {.property = {.id = "continuity",
                        .group = {},
-                       .label = QT_TRANSLATE_NOOP("Property", "Continues"),
+                       .label = QT_TRANSLATE_NOOP("Property", "Continuity"),
                        .value = static_cast<double>(FillOptions().continuity),
                        .choices = {QT_TRANSLATE_NOOP("Property", "Position"), QT_TRANSLATE_NOOP("Property", "Tangents"),
                                    QT_TRANSLATE_NOOP("Property", "Curvature")}},  // as Continuity
-          .meaning = "What fair patches and ridges continue",
+          .meaning = "Continuity of fair patches and ridges with their surroundings",
           .word = "HOW",
           .words = {"position", "tangent", "curvature"}};
 }
@@ -44,15 +45,14 @@ std::vector<double> numbersOf(const EarWeights& ears) {
 }
 
 Parameter earsParameter() {
-  Parameter ears = {.property = {.id = "ears", .group = {}, .label = {}, .value = "", .least = 0.0, .largest = 1e6},
-                    .meaning =
-                        "Weights of ear cutting: short edges, even angles, small bends, and how far the whole "
-                        "hole tells what is outside",
-                    .word = "L,A,N,W",
-                    .parts = {{"length", QT_TRANSLATE_NOOP("Property", "Short edges count")},
-                              {"angles", QT_TRANSLATE_NOOP("Property", "Even angles count")},
-                              {"normal", QT_TRANSLATE_NOOP("Property", "Small bends count")},
-                              {"whole"}}};
+  Parameter ears = {
+      .property = {.id = "ears", .group = {}, .label = {}, .value = "", .least = 0.0, .largest = 1e6},
+      .meaning = "Weights of ear clipping: short edges, even angles, small bends, and of the normal of the whole hole",
+      .word = "L,A,N,W",
+      .parts = {{"length", QT_TRANSLATE_NOOP("Property", "Weight of short edges")},
+                {"angles", QT_TRANSLATE_NOOP("Property", "Weight of even angles")},
+                {"normal", QT_TRANSLATE_NOOP("Property", "Weight of small bends")},
+                {"whole"}}};
   ears.property.value = listText(ears, numbersOf(EarWeights()));
   return ears;
 }
@@ -61,7 +61,7 @@ Parameter earsParameter() {
 
 Parameter numbersParameter() {
   return {.property = {.id = "numbers", .group = {}, .label = {}, .value = 0.0},
-          .meaning = "Round to these; without it as the numbers of the file",
+          .meaning = "Round coordinates to this type; default: the type of the file",
           .word = "TYPE",
           .words = {"single", "double"},  // as NumberType
           .hasDefault = false};
@@ -85,7 +85,7 @@ const Operation& fillOperation() {
                       .operands = "LOOP",
                       .parameters = fillParameters()};
     fill.parameters.push_back({.property = {.id = "bridges", .group = {}, .label = {}, .value = ""},
-                               .meaning = "Divide it along these, between points of it, counted along it from 0",
+                               .meaning = "Divide it by bridges between these vertices, counted along the loop from 0",
                                .word = "P:P,...",
                                .hasDefault = false});
     return fill;

@@ -11,8 +11,8 @@ namespace {
 
 Parameter unitParameter() {
   Parameter unit = {
-      .property = {.id = "unit", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "The file is in"), .value = 0.0},
-      .meaning = "From this unit to mm, about the origin, before anything else",
+      .property = {.id = "unit", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Unit of the file"), .value = 0.0},
+      .meaning = "Convert from this unit to mm, about the origin, before anything else",
       .word = "U"};
   for (const LengthUnit each : Placement::kUnits) unit.words.emplace_back(symbolOf(each));
   unit.property.choices = unit.words;
@@ -26,7 +26,7 @@ Parameter scaleParameter() {
                        .value = 1.0,
                        .least = 1e-9,
                        .largest = 1e9},
-          .meaning = "Scale about the middle",
+          .meaning = "Scale about the centre",
           .word = "N"};
 }
 
@@ -38,11 +38,11 @@ Parameter turnParameter() {
                        .quantity = Quantity::Angle,
                        .least = -2.0 * std::numbers::pi,
                        .largest = 2.0 * std::numbers::pi},
-          .meaning = "Then turn about x, y and z in degrees, about the middle",
+          .meaning = "Then rotate about x, y and z in degrees, about the centre",
           .word = "A,B,C",
-          .parts = {{"x", QT_TRANSLATE_NOOP("Property", "Turn about X")},
-                    {"y", QT_TRANSLATE_NOOP("Property", "Turn about Y")},
-                    {"z", QT_TRANSLATE_NOOP("Property", "Turn about Z")}}};
+          .parts = {{"x", QT_TRANSLATE_NOOP("Property", "Rotate about X")},
+                    {"y", QT_TRANSLATE_NOOP("Property", "Rotate about Y")},
+                    {"z", QT_TRANSLATE_NOOP("Property", "Rotate about Z")}}};
 }
 
 Parameter moveParameter() {
@@ -65,7 +65,7 @@ Parameter moveParameter() {
 std::vector<Operation> placeOperations() {
   std::vector<Operation> all = {{.id = "place",
                                  .title = QT_TRANSLATE_NOOP("Tool", "Place"),
-                                 .meaning = "Scale, turn and move",
+                                 .meaning = "Scale, rotate and move",
                                  .parameters = {unitParameter(), scaleParameter(), turnParameter(), moveParameter()}}};
   for (const StandardPlace& standard : standardPlaces())
     all.push_back({.id = standard.id, .title = standard.text, .meaning = standard.text});

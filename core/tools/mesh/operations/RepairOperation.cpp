@@ -13,8 +13,8 @@ namespace {
 Parameter rimsParameter() {
   return {.property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
           .meaning =
-              "Outer edges of open sheets: keep them open (default), close each sheet to a thin body (back), or fill "
-              "them as holes",
+              "Outer boundaries of open sheets: keep them open (default), thicken each sheet to a thin body (back), or "
+              "fill them as holes",
           .word = "HOW",
           .words = {"keep", "back", "fill"}};  // as RimHandling
 }
@@ -26,17 +26,17 @@ const Operation& repairOperation() {
     Operation repair = {
         .id = "repair",
         .title = QT_TRANSLATE_NOOP("Tool", "Repair all"),
-        .meaning = "As 'handwheel repair', but in the numbers of the document, and leaving open what is marked",
+        .meaning = "As 'handwheel repair', but in the number type of the document, and keeping marked loops open",
         .parameters = fillParameters()};
     auto& all = repair.parameters;
     all.push_back(nearWeldParameter(RepairOptions().nearWeld));
     all.push_back(rimsParameter());
     all.push_back(countParameter("max-hole", "N", "Leave loops with more edges open; 0: no limit"));
     all.push_back(flagParameter("remove-debris", "Remove parts far smaller than the largest"));
-    all.push_back(
-        flagParameter("keep-folded-regions", "Leave open what closes only if folded triangles around it are replaced"));
+    all.push_back(flagParameter("keep-folded-regions",
+                                "Leave holes open that close only if folded triangles around them are replaced"));
     all.back().formerId = "keep-tangles";
-    all.push_back(flagParameter("cut-crossings", "Cut triangles apart where the surface passes through itself"));
+    all.push_back(flagParameter("cut-crossings", "Resolve self-intersections by cutting triangles apart"));
     return repair;
   }();
   return operation;

@@ -23,7 +23,7 @@ Parameter radiusParameter() {
                        .quantity = Quantity::Length,
                        .least = 1e-9,
                        .largest = 1e9},
-          .meaning = "Radius of the brush, which every stroke has",
+          .meaning = "Radius of the brush; required",
           .word = "MM",
           .hasDefault = false};
 }
@@ -36,7 +36,7 @@ Parameter strengthParameter() {
                        .least = -1.0,
                        .largest = 1.0,
                        .continuous = true},
-          .meaning = "Of a dab; below 0 the other way",
+          .meaning = "Strength of a dab; below 0 in the opposite direction",
           .word = "N"};
 }
 
@@ -48,7 +48,7 @@ Parameter levelsParameter(const char* id, std::string meaning, double standard) 
 }
 
 Parameter levelParameter() {
-  Parameter level = levelsParameter("level", "Level of the patch that is sculpted; without it the finest", 0.0);
+  Parameter level = levelsParameter("level", "Level of the patch to sculpt; default: the finest", 0.0);
   level.hasDefault = false;
   return level;
 }
@@ -56,7 +56,7 @@ Parameter levelParameter() {
 Parameter noiseParameter() {
   return {.property = {.id = "angle",
                        .group = {},
-                       .label = QT_TRANSLATE_NOOP("Property", "Noise up to"),
+                       .label = QT_TRANSLATE_NOOP("Property", "Noise angle"),
                        .value = NoiseSmoothing().normalSpread,
                        .quantity = Quantity::Angle,
                        .least = 0.02,
@@ -83,7 +83,7 @@ Parameter passesParameter() {
 std::vector<Parameter> patchParameters() {
   std::vector<Parameter> all = {
       textParameter("patch", "TRIANGLES", "The triangles to work on, at the finest level"),
-      levelsParameter("finest", "How often they were subdivided; their coarser levels are in the document", 0.0)};
+      levelsParameter("finest", "Number of subdivisions; the coarser levels are in the document", 0.0)};
   for (Parameter& parameter : all) parameter.bundle = "PATCH";
   return all;
 }
@@ -96,7 +96,7 @@ std::vector<Parameter> around(std::vector<Parameter> before, std::vector<Paramet
 
 Parameter bordersParameter() {
   return flagParameter("borders", "Move vertices of open edges, too",
-                       QT_TRANSLATE_NOOP("Property", "Move the edges of holes, too"));
+                       QT_TRANSLATE_NOOP("Property", "Move boundary vertices, too"));
 }
 
 }  // namespace
@@ -107,16 +107,16 @@ std::vector<Operation> sculptOperations() {
        .title = QT_TRANSLATE_NOOP("Tool", "Sculpt"),
        .meaning = "A stroke of the brush drag, smooth, inflate or flatten; PLACE: TRIANGLE:X,Y,Z; drag has one",
        .operands = "BRUSH PLACE...",
-       .parameters = around({pointParameter("by", "The way that drag goes, which it must have"), radiusParameter(),
+       .parameters = around({pointParameter("by", "Displacement of drag; required"), radiusParameter(),
                              strengthParameter(), bordersParameter()},
                             {levelParameter(), numbersParameter()})},
       {.id = "subdivide",
        .title = QT_TRANSLATE_NOOP("Tool", "Subdivide patch"),
-       .meaning = "Finer by a level; a patch must be given",
-       .parameters = around({}, {levelsParameter("times", "By so many levels", 1.0), numbersParameter()})},
+       .meaning = "Subdivide by one level; a patch is required",
+       .parameters = around({}, {levelsParameter("times", "Number of levels", 1.0), numbersParameter()})},
       {.id = "level-back",
        .title = QT_TRANSLATE_NOOP("Tool", "One level back"),
-       .meaning = "Take the finest level of a patch away",
+       .meaning = "Remove the finest level of a patch",
        .parameters = patchParameters()},
       {.id = "smooth-noise",
        .title = QT_TRANSLATE_NOOP("Tool", "Smooth noise"),

@@ -34,13 +34,13 @@ std::vector<Property> SculptSettings::properties() const {
     all.back().continuous = true;
   }
   all.push_back(
-      switchSetting("moves_border", QT_TRANSLATE_NOOP("Property", "Move the edges of holes, too"), movesBorder));
+      switchSetting("moves_border", QT_TRANSLATE_NOOP("Property", "Move boundary vertices, too"), movesBorder));
   all.push_back(choiceSetting("noise_method", QT_TRANSLATE_NOOP("Property", "Smooth noise by"),
                               static_cast<int>(noiseMethod),
                               {QT_TRANSLATE_NOOP("Property", "Normals (keeps edges)"),
                                QT_TRANSLATE_NOOP("Property", "Laplace"), QT_TRANSLATE_NOOP("Property", "Bending")}));
   if (noiseMethod == NoiseMethod::Bilateral) {
-    all.push_back(numberSetting("noise_angle", QT_TRANSLATE_NOOP("Property", "Noise up to"), noiseAngle,
+    all.push_back(numberSetting("noise_angle", QT_TRANSLATE_NOOP("Property", "Noise angle"), noiseAngle,
                                 Quantity::Angle, kNoiseAngle));
   } else {
     all.push_back(numberSetting("noise_passes", QT_TRANSLATE_NOOP("Property", "Passes"), noisePasses, Quantity::Number,

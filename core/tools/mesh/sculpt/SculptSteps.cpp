@@ -20,11 +20,11 @@ constexpr const char* kBrushes[] = {"drag", "smooth", "inflate", "flatten"};  //
 const char* problemOf(SubdivisionFailure failure) {
   switch (failure) {
     case SubdivisionFailure::NoEdgeInside:
-      return QT_TRANSLATE_NOOP("Property", "It has no edge inside to split.");
+      return QT_TRANSLATE_NOOP("Property", "It has no inner edge to split.");
     case SubdivisionFailure::TooManyFaces:
       return QT_TRANSLATE_NOOP("Property", "It would have too many triangles.");
     case SubdivisionFailure::TooFine:
-      return QT_TRANSLATE_NOOP("Property", "The numbers of the file show no finer triangles.");
+      return QT_TRANSLATE_NOOP("Property", "The precision of the file does not allow finer triangles.");
     case SubdivisionFailure::None:
     case SubdivisionFailure::Cancelled:
       break;
@@ -61,7 +61,7 @@ std::optional<PatchLevels> readPatch(StepReader& reader, const OperationValues& 
   patch.dropDead(document.mesh());
   if (!reader.isGood()) return std::nullopt;
   auto found = levelsOf(document, patch, values.whole("finest"));
-  if (!found) reader.complain("the patch has not been subdivided so often");
+  if (!found) reader.complain("the patch has not been subdivided that often");
   return found;
 }
 
@@ -92,7 +92,7 @@ SculptWork readStroke(StepReader& reader, const OperationValues& values, const M
   std::vector<SurfacePlace> places = {readPlace(reader, reader.word("the place TRIANGLE:X,Y,Z"), levels->mesh())};
   Vec3 way = Vec3::Zero();
   const bool drags = settings.brush == SculptSettings::Brush::Drag;
-  if (drags != values.isSet("by")) reader.complain(drags ? "--by X,Y,Z is missing" : "only drag goes --by a way");
+  if (drags != values.isSet("by")) reader.complain(drags ? "--by X,Y,Z is missing" : "only drag takes --by");
   if (drags && reader.isGood()) {
     const std::vector<double> by = values.numbers("by");
     way = {by[0], by[1], by[2]};

@@ -198,7 +198,7 @@ std::vector<ToolAction> SculptTool::actions() const {
   std::vector<ToolAction> all = {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "sculpt")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "the other way")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "opposite direction")},
       actionOf(kSculptKeys, "smaller"),
       actionOf(kSculptKeys, "larger"),
       actionOf(kSculptKeys, "subdivide", hasPatch && isIdle),
@@ -214,7 +214,7 @@ std::vector<ToolAction> SculptTool::actions() const {
   };
   if (m_crossings > 0)
     all.insert(all.begin(),
-               {"", "Ctrl+Z", QT_TRANSLATE_NOOP("Tool", "undo: the surface crosses itself now"), true, "undo"});
+               {"", "Ctrl+Z", QT_TRANSLATE_NOOP("Tool", "undo: the surface now intersects itself"), true, "undo"});
   return all;
 }
 
@@ -223,10 +223,10 @@ std::vector<Property> SculptTool::settings() const {
   if (m_crossings > 0) {
     Property crossings;
     crossings.id = "crossings";
-    crossings.label = QT_TRANSLATE_NOOP("Property", "New crossings");
+    crossings.label = QT_TRANSLATE_NOOP("Property", "New self-intersections");
     crossings.value = static_cast<double>(m_crossings);
     crossings.editable = false;
-    crossings.problem = QT_TRANSLATE_NOOP("Property", "The surface crosses itself here now: undo, or smooth it apart.");
+    crossings.problem = QT_TRANSLATE_NOOP("Property", "The surface now intersects itself here: undo, or smooth it.");
     all.push_back(std::move(crossings));
   }
   if (m_levels.patch().empty()) return all;
@@ -246,11 +246,11 @@ std::vector<Property> SculptTool::settings() const {
   all.push_back(std::move(level));
   Property aspect;
   aspect.id = "aspect";
-  aspect.label = QT_TRANSLATE_NOOP("Property", "Slimness at the edge");
+  aspect.label = QT_TRANSLATE_NOOP("Property", "Aspect ratio at the boundary");
   aspect.value = m_aspect;
   aspect.editable = false;
   if (m_levels.finest() > kEvenLevels)
-    aspect.problem = QT_TRANSLATE_NOOP("Property", "Its outer triangles have become long and thin: go a level back.");
+    aspect.problem = QT_TRANSLATE_NOOP("Property", "Its outer triangles have become long and thin: go back one level.");
   all.push_back(std::move(aspect));
   return all;
 }

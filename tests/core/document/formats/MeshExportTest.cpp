@@ -28,7 +28,7 @@ void addTetrahedron(TriangleSoup& soup, const std::array<Vec3, 4>& p) {
 TriangleSoup pairAtAnEdge(double gap) {
   TriangleSoup soup;
   addTetrahedron(soup, {Vec3(1 + gap, 0, 0), Vec3(2, 0, 0.5), Vec3(1 + gap, 0, 1), Vec3(1.5, -1, 0.5)});
-  addTetrahedron(soup, {Vec3(1, 0, 0), Vec3(1, 0, 1), Vec3(0, 0.5, 0.5), Vec3(0.5, 1.5, 0.5)});
+  addTetrahedron(soup, {Vec3(1, 0, 0), Vec3(1, 0, 1), Vec3(0.5, 1.5, 0.5), Vec3(0, 0.5, 0.5)});
   return soup;
 }
 
@@ -118,6 +118,22 @@ class MeshExportTest : public QObject {
       QVERIFY(report.roundingMove <= std::sqrt(3.0) * std::ldexp(1.0, -24));  // half a step below 2 along each axis
       QCOMPARE(exported(pairAtAnEdge(gap), NumberType::Float64, "a.ply").report.roundingMove, 0.0);
     }
+  }
+
+  // Two triangles one above the other, nearer than a step of single precision at 1: in an STL file they lie in one
+  // plane.
+  void saysWhatIntersectsInTheFileOnly() {
+    const double gap = 1e-9;
+    const TriangleSoup soup{
+        {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0.125, 0.125, 1 + gap}, {0.75, 0.125, 1 + gap}, {0.125, 0.75, 1 + gap}},
+        {{0, 1, 2}, {3, 4, 5}}};
+    const ExportReport report = exported(soup, NumberType::Float64, "a.stl").report;
+    QCOMPARE(report.roundingPairs, std::size_t{1});
+    QCOMPARE(report.inFile.selfIntersectingPairs.value_or(0), std::size_t{1});
+    const std::vector<Note> notes = notesOn(report);
+    QVERIFY(std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.isLoss; }));
+    QCOMPARE(exported(soup, NumberType::Float64, "a.ply").report.roundingPairs, std::size_t{0});
+    QCOMPARE(exported(pairAtAnEdge(0.5), NumberType::Float64, "a.stl").report.roundingPairs, std::size_t{0});
   }
 
   // 1e-12 is far below a step of single precision at 1: both edges would become one with four faces.

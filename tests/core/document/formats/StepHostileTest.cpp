@@ -182,7 +182,7 @@ class StepHostileTest : public QObject {
     QFETCH(QByteArray, answer);
     const auto read = readFrom(answer);
     QVERIFY(!read);
-    QCOMPARE(read.error().arguments, std::vector<std::string>({"Open CASCADE", "its answer makes no sense"}));
+    QCOMPARE(read.error().arguments, std::vector<std::string>({"Open CASCADE", "its answer is not valid"}));
   }
 
   // What it could not read is damage, which people may want to live with.

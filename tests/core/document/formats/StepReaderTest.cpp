@@ -159,7 +159,7 @@ class StepReaderTest : public QObject {
     const auto curve = readMesh(test::stepFile("line.step"), "line.step", {});
     QVERIFY(!curve);
     QCOMPARE(curve.error().code, ErrorCode::LibraryFailed);
-    QCOMPARE(curve.error().arguments, std::vector<std::string>({"Open CASCADE", "the file holds no surface"}));
+    QCOMPARE(curve.error().arguments, std::vector<std::string>({"Open CASCADE", "the file contains no surface"}));
   }
 
   void recognisedByContent() {

@@ -231,6 +231,7 @@ class MeshDocumentTest : public QObject {
     const auto document = documentOf(sheet(4));
     document->setKeptOpen(document->defects().loops.front(), true);
     document->commit("Remove face", inspected(without(document->mesh(), 2 * (4 + 1))));
+    QCOMPARE(document->defects().loops.size(), std::size_t{2});
     for (const BoundaryLoop& loop : document->defects().loops) {
       QCOMPARE(document->isKeptOpen(loop), loop.halfEdges.size() == 16);  // the outline, not the new hole
     }

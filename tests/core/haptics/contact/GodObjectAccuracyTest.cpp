@@ -102,6 +102,29 @@ class GodObjectAccuracyTest : public QObject {
             }) < 1e-6);
   }
 
+  // Past the middle of a cap of 1,000 slivers, at 0.3 mm and up to 300 mm/s: with as many steps as there are slivers
+  // the proxy is nowhere else, to the last digit.
+  void aHandNeedsFewerStepsThanThereAre() {
+    constexpr std::uint32_t kSlivers = 1000;
+    TriangleSoup cap{{Vec3(0, 0, 1)}, {}};
+    for (std::uint32_t i = 0; i < kSlivers; ++i) {
+      const double angle = 2 * M_PI * i / kSlivers;
+      cap.points.emplace_back(20 * std::cos(angle), 20 * std::sin(angle), 0);
+      cap.triangles.push_back({0, i + 1, (i + 1) % kSlivers + 1});
+    }
+    const ContactSurface surface(cap.points, cap.triangles);
+    ContactOptions patient;
+    patient.maxSteps = 4 * kSlivers;
+    GodObject god, other;
+    god.place({-10, 0.3, 2});
+    other.place({-10, 0.3, 2});
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 tip(-10 * std::cos(2 * M_PI * 5 * 1e-3 * i), 0.3, 0);
+      QCOMPARE(god.follow(surface, tip, {}).proxy, other.follow(surface, tip, patient).proxy);
+      QVERIFY(god.contact().touching);
+    }
+  }
+
   // Past the axis of a cone of 60°. Not nearer: many facets then hold the tip equally well, and it sticks to one.
   void cusp() {
     const double slope = std::sqrt(3.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
 #include "haptics/device/VelocityEstimator.h"
+#include "haptics/scene/TouchFidelity.h"
 
 #include <rapidcheck.h>
 #include <QtTest>
@@ -64,11 +65,26 @@ class VelocityEstimatorTest : public QObject {
     QVERIFY(estimator.add({100, 0, 0}, 0.001).isZero(0.0));
   }
 
+  // The longest window that can be set, at the largest rate: half of it late, not less.
+  void theLongestWindowIsWhole() {
+    FidelityValues longest;
+    QVERIFY(longest.set(velocityWindowSetting(), velocityWindowSetting().largest));
+    VelocityEstimator estimator(servoSettings(longest).velocityWindow);
+    const double period = 1.0 / kLargestServoRate;
+    Vec3 estimate;
+    double time = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      time = period * i;
+      estimate = estimator.add({0.5 * 3000.0 * time * time, 0, 0}, period);
+    }
+    QVERIFY(qAbs(estimate.x() - 3000.0 * (time - 0.5 * velocityWindowSetting().largest)) <= 3000.0 * period);
+  }
+
   // More readings in the window than the buffer has: the newest count, and nothing breaks.
   void aWindowLongerThanTheBuffer() {
     VelocityEstimator estimator(1e9);
     Vec3 estimate;
-    for (int i = 0; i < 1000; ++i) estimate = estimator.add({i < 500 ? 1e3 : 0.002 * i, 0, 0}, 0.001);
+    for (int i = 0; i < 2000; ++i) estimate = estimator.add({i < 1000 ? 1e3 : 0.002 * i, 0, 0}, 0.001);
     QVERIFY(qAbs(estimate.x() - 2.0) < 1e-9);
   }
 };

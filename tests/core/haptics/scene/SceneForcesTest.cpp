@@ -88,7 +88,11 @@ class SceneForcesTest : public QObject {
     QVERIFY(isNear(out.force, {0, 0, 1.0 + 1.2}));
     QVERIFY(out.isContact && isNear(out.proxy, {5, 5, 10}));
     QCOMPARE(out.stiffness, 0.6);
+    QCOMPARE(out.asked, 0.6);
     QVERIFY(!out.isSoftened);
+    const ForceOut soft = feltAt(scene, {5, 5, 8}, 0.3);
+    QCOMPARE(soft.stiffness, 0.3);
+    QCOMPARE(soft.asked, 0.6);
   }
 
   // A thread: k times its length against the pull, and b times the speed against the motion.

@@ -26,6 +26,7 @@ class BorderSmoothingTest : public QObject {
   void smallestLoop();
   void facesKeepTheirSides();
   void scalesAndOffsets();
+  void roundsToTheNumbersOfTheFile();
   void staleMoves();
 };
 
@@ -167,6 +168,20 @@ void BorderSmoothingTest::scalesAndOffsets() {
   QCOMPARE(far.problem(), std::string());
   for (Vertex v = 0; v < far.after.vertexSlots(); ++v)
     QVERIFY((far.after.position(v) - Vec3::Constant(1e7) - plain.after.position(v)).norm() < 1e-6);
+}
+
+void BorderSmoothingTest::roundsToTheNumbersOfTheFile() {
+  SmoothingOptions options;
+  options.numbers = NumberType::Float32;
+  const Smoothed exact(toothedDisc(24, 0.1)), single(toothedDisc(24, 0.1), options);
+  QVERIFY(single.border.moves.size() > 12);
+  QCOMPARE(single.border.moves.size(), exact.border.moves.size());
+  QCOMPARE(single.problem(), std::string());
+  for (std::size_t i = 0; i < single.border.moves.size(); ++i) {
+    const Vec3& to = single.border.moves[i].to;
+    QCOMPARE(to, Vec3(to.cast<float>().cast<double>()));
+    QVERIFY((to - exact.border.moves[i].to).norm() < 1e-6);
+  }
 }
 
 void BorderSmoothingTest::staleMoves() {

@@ -78,7 +78,8 @@ void BorderVerticesTest::findsAllInABox() {
 // Each vertex with its nearest of smaller number within reach, and within a quarter of every border edge at either; all
 // against all.
 void BorderVerticesTest::nearPairs() {
-  QVERIFY(rc::check("the same pairs as all against all", [] {
+  int near = 0;
+  QVERIFY(rc::check("the same pairs as all against all", [&] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const HalfEdgeMesh mesh = crumbs(random);
     const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
@@ -103,9 +104,10 @@ void BorderVerticesTest::nearPairs() {
       }
       if (nearest != kNone) expected.emplace_back(nearest, v);
     }
-    RC_CLASSIFY(!expected.empty(), "some are near");
+    near += !expected.empty();
     RC_ASSERT(nearBorderVertices(mesh) == expected);
   }));
+  QVERIFY(near > 0);
 }
 
 // A flake far out makes the reach larger than a hole; the hole's corners are still not one vertex.

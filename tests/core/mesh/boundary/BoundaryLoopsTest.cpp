@@ -156,7 +156,9 @@ void BoundaryLoopsTest::centreAndBox() {
 // other way.
 void BoundaryLoopsTest::runsAsItsFacesDo() {
   const HalfEdgeMesh mesh = buildMesh(test::annulus(16, 3, 1, 2)).mesh;
-  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+  QCOMPARE(loops.size(), std::size_t{2});
+  for (const BoundaryLoop& loop : loops) {
     const std::vector<Vec3> p = loopPoints(mesh, loop);
     double twiceArea = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) twiceArea += p[i].cross(p[(i + 1) % p.size()]).z();

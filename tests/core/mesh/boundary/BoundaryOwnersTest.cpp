@@ -26,6 +26,7 @@ void BoundaryOwnersTest::sameMesh() {
   const HalfEdgeMesh mesh = buildMesh(test::sphereWithHoles(4, 5, 0.3)).mesh;
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   const BoundaryOwners owners(mesh, loops);
+  QCOMPARE(loops.size(), std::size_t{5});
   for (const BoundaryLoop& loop : loops) QVERIFY(owners.of(mesh, loop) == std::set<int>{loop.id});
 }
 

@@ -76,6 +76,7 @@ void HolePickTest::throughTheMiddleOfAHole() {
 void HolePickTest::nearTheEdgeOfAHole() {
   QFETCH(bool, perspective);
   const HoledModel model(test::sphereWithHoles(4, 6, 0.3));
+  QCOMPARE(model.loops.size(), std::size_t{6});
   for (const BoundaryLoop& loop : model.loops) {
     const Vec3 out = loop.centre.normalized();
     const auto pick = [&](const Vec3& p, double aside) {

@@ -22,6 +22,7 @@ class VertexPullTest : public QObject {
  private slots:
   void shapes();
   void goesWhereItMay();
+  void stopsWhereTheFileCanHoldIt();
   void stopsBeforeAFaceTurns();
   void stopsBeforeAWall();
   void takesWhatLiesThere();
@@ -73,6 +74,21 @@ void VertexPullTest::goesWhereItMay() {
     QVERIFY(u == v ? mesh.position(u) == target : test::sameBits(mesh.position(u), before.position(u)));
   const std::vector<TrianglePoints> shapes = pull.shapes(target);
   for (std::size_t i = 0; i < 3; ++i) QVERIFY(shapes[i] == mesh.points(pull.faces()[i]));
+}
+
+// 0.3 is no number of single precision; what stops before a wall must be one, too.
+void VertexPullTest::stopsWhereTheFileCanHoldIt() {
+  const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
+  const VertexPull pull(near(mesh), at(mesh, Vec3(-2, 0, 0)));
+  const auto isSingle = [](const Vec3& p) { return p == Vec3(p.cast<float>().cast<double>()); };
+  for (const Vec3& target : {Vec3(-1.2, 0.3, 0.4), Vec3(-5.0, 0.1, 0.7)}) {
+    HalfEdgeMesh moved = mesh;
+    const Vec3 point = pull.towards(target, NumberType::Float32).point;
+    QVERIFY(isSingle(point) && !isSingle(pull.towards(target).point));
+    QVERIFY((point - pull.towards(target).point).norm() < 1e-6);
+    QVERIFY(pull.apply(moved, point));
+    QCOMPARE(validate(moved), std::string());
+  }
 }
 
 // The faces around (-2, 0) reach to x = -3; on the way there they lose their area.

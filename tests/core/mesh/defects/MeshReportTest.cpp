@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/defects/MeshReport.h"
 
+#include "HoleShapes.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
@@ -47,6 +48,7 @@ class MeshReportTest : public QObject {
   void volumeFarFromTheOrigin();
   void openShapes();
   void loops();
+  void holesAreMeasured();
   void nonOrientable();
   void touchingCubes();
   void innerWall();
@@ -110,6 +112,31 @@ void MeshReportTest::loops() {
     QVERIFY(std::abs(r.loops[i].lengthMm - 16 * 2 * (i + 1.0) * std::sin(M_PI / 16)) < 1e-12);
     QVERIFY(r.loops[i].planarity < 1e-12);
   }
+}
+
+// A square hole of 4 encloses 16; an island lies in the round one, and two holes that touch have none.
+void MeshReportTest::holesAreMeasured() {
+  const auto holeOf = [](const TriangleSoup& soup) {
+    const std::vector<LoopReport> loops = reportOn(soup).loops;
+    const auto hole = std::max_element(loops.begin(), loops.end(), [](const LoopReport& a, const LoopReport& b) {
+      return (a.rim ? 0.0 : a.areaMm2) < (b.rim ? 0.0 : b.areaMm2);
+    });
+    return *hole;
+  };
+  const LoopReport square = holeOf(test::plateWithHole());
+  QVERIFY(near(square.areaMm2, 16.0) && near(square.lengthMm, 16.0));
+  QCOMPARE(square.islands, std::size_t{0});
+  const LoopReport round = holeOf(test::plateWithIsland());
+  QCOMPARE(round.islands, std::size_t{1});
+  QVERIFY(round.areaMm2 > 0.9 * M_PI * 36.0 && round.areaMm2 < 1.3 * M_PI * 36.0);
+  QCOMPARE(holeOf(test::plateWithPinchedHole()).islands, std::size_t{0});
+  // Moved apart, and one of its triangles turned over.
+  TriangleSoup torn = test::unshared(test::plateWithHole());
+  std::swap(torn.triangles[7][0], torn.triangles[7][1]);
+  QCOMPARE(reportOn(torn).reversedFaces, std::size_t{1});
+  TriangleSoup flake = test::sphereWithoutCap(3);
+  test::append(flake, {{{9, 0, 0}, {9.001, 0, 0}, {9, 0.001, 0}}, {{0, 1, 2}}});
+  QCOMPARE(reportOn(flake).debris, std::size_t{1});
 }
 
 void MeshReportTest::nonOrientable() {

@@ -90,6 +90,7 @@ void EarClippingTest::facesOutward() {
   const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   const auto patch = clipEars(c.hole, c.obstacles, {});
   QVERIFY(patch.has_value());
+  QCOMPARE(patch->triangles.size(), c.hole.loopSize - 2);
   for (const Triangle& t : patch->triangles) {
     const TrianglePoints p = corners(*patch, t);
     QVERIFY((p[1] - p[0]).cross(p[2] - p[0]).z() > 0.0);
@@ -105,6 +106,7 @@ void EarClippingTest::prefersShortEdges() {
   const EarCuttingCase c(wall);
   const auto patch = clipEars(c.hole, c.obstacles, {1, 0, 0});
   QVERIFY(patch.has_value());
+  QCOMPARE(patch->triangles.size(), std::size_t{2});
   for (const Triangle& t : patch->triangles) {
     const TrianglePoints p = corners(*patch, t);
     int wide = 0;
@@ -150,7 +152,9 @@ void EarClippingTest::cutThroughLobedPrism() {
     });
     const HalfEdgeMesh mesh = buildMesh(prism).mesh;
     const Obstacles obstacles(mesh);
-    for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+    const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+    QCOMPARE(loops.size(), std::size_t{2});
+    for (const BoundaryLoop& loop : loops) {
       const HoleContext hole = holeContext(mesh, loop);
       Vec3 twice = Vec3::Zero();
       for (std::size_t i = 0; i < hole.loopSize; ++i)

@@ -44,7 +44,9 @@ class HoleContextTest : public QObject {
 
 void HoleContextTest::aroundAHoleInASphere() {
   const HalfEdgeMesh mesh = buildMesh(test::sphereWithHoles(4, 2, 0.3)).mesh;
-  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+  QCOMPARE(loops.size(), std::size_t{2});
+  for (const BoundaryLoop& loop : loops) {
     const HoleContext hole = holeContext(mesh, loop);
     const std::size_t n = loop.halfEdges.size();
     QCOMPARE(hole.loopSize, n);
@@ -82,6 +84,7 @@ void HoleContextTest::smallPart() {
   const HoleContext hole = holeContext(mesh, findBoundaryLoops(mesh).at(0));
   QCOMPARE(hole.points.size(), std::size_t{4});
   QCOMPARE(hole.ring.size(), std::size_t{3});
+  QCOMPARE(hole.apexes.size(), std::size_t{3});
   for (const Vec3& apex : hole.apexes) QVERIFY(apex == Vec3::Zero());
 }
 
@@ -89,7 +92,9 @@ void HoleContextTest::smallPart() {
 void HoleContextTest::outwardOfALid() {
   const HalfEdgeMesh mesh = buildMesh(test::cylinder(16, 3, 1.0, 2.0, false)).mesh;
   Vec3 sum = Vec3::Zero();
-  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+  QCOMPARE(loops.size(), std::size_t{2});
+  for (const BoundaryLoop& loop : loops) {
     const Vec3 outward = holeContext(mesh, loop).outward();
     QVERIFY(std::abs(outward.norm() - 1.0) < 1e-12);
     QVERIFY(std::abs(std::abs(outward.z()) - 1.0) < 1e-12);

@@ -191,14 +191,19 @@ void HoleDecompositionTest::bridgesGoRoundThePart() {
   }
 }
 
-// Two faces of a tetrahedron: one diagonal of the hole is an edge already.
+// A roof of four triangles, whose six points are its outline: the ridge would be the shortest bridge by far, and is an
+// edge already.
 void HoleDecompositionTest::noBridgeAlongAnEdge() {
-  TriangleSoup soup = test::tetrahedron();
-  soup.triangles.resize(2);
-  const LoopDecompositionCase c(soup);
-  for (const LoopChord& s : proposeLoopChords(c.hole, c.obstacles, 3)) {
+  const LoopDecompositionCase c(test::grid(
+      3, 2, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(2.0 * i, j, i == 1 ? 2.0 : 0.0); }));
+  QCOMPARE(c.hole.loopSize, std::size_t{6});
+  const auto known = c.obstacles.edgesAmong(c.hole.loop());
+  QCOMPARE(known.size(), std::size_t{9});  // of the outline, and three inside
+  const std::vector<LoopChord> bridges = proposeLoopChords(c.hole, c.obstacles, 4);
+  QVERIFY(!bridges.empty());
+  for (const LoopChord& s : bridges) {
     const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(s.a, s.b);
-    for (const auto& known : c.obstacles.edgesAmong(c.hole.loop())) QVERIFY(known != edge);
+    QVERIFY(std::find(known.begin(), known.end(), edge) == known.end());
   }
 }
 

@@ -6,6 +6,8 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "base/Tolerance.h"
+#include "mesh/holes/FlatTriangulation.h"
+#include "mesh/holes/PatchStatistics.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 
@@ -16,7 +18,8 @@ using namespace handwheel;
 namespace {
 
 constexpr FillMethod kHoleFillingMethods[] = {FillMethod::Fair,    FillMethod::Refined, FillMethod::Ear,
-                                              FillMethod::Minimal, FillMethod::Area,    FillMethod::Dihedral};
+                                              FillMethod::Minimal, FillMethod::Area,    FillMethod::Dihedral,
+                                              FillMethod::Flat};
 
 FillOptions holeFillingOnly(FillMethod method) {
   FillOptions options;
@@ -86,6 +89,8 @@ class HoleFillingTest : public QObject {
   void usesTheDiagonalThatIsFree();
   void fairContinuesTheSphere();
   void fairFillsLargeHoles();
+  void whatTakesItsPlaceBendsLeast();
+  void flatLids();
   void refinedKeepsToTheOpening();
   void anySizeAndPlace_data();
   void anySizeAndPlace();
@@ -111,12 +116,12 @@ void HoleFillingTest::planarPolygons() {
     TriangleSoup soup = tube(polygon);
     for (Vec3& p : soup.points) p = turn * p;
     const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-    for (FillMethod method :
-         {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined, FillMethod::Area, FillMethod::Dihedral}) {
+    for (FillMethod method : {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined, FillMethod::Area,
+                              FillMethod::Dihedral, FillMethod::Flat}) {
       HoleFiller filler(mesh);
       for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
         FillAttempt attempt = filler.propose(loop, holeFillingOnly(method));
-        // Best-first ear cutting may get stuck; then another method has to do.
+        // Best-first ear clipping may get stuck; then another method has to do.
         if (method == FillMethod::Ear && attempt.failure == FillFailure::NoPatch)
           attempt = filler.propose(loop, {method});
         QVERIFY2(attempt.failure == FillFailure::None, qPrintable(QString("method %1").arg(int(method))));
@@ -207,6 +212,59 @@ void HoleFillingTest::fairContinuesTheSphere() {
   QCOMPARE(test::eulerCharacteristic(filler.mesh()), 2l);
   QCOMPARE(test::meetingPairs(filler.mesh()), std::size_t{0});
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), filler.mesh().position(v)));
+}
+
+// A block just above the opening is in the way of every cap that continues the sphere. What is taken instead bends no
+// more than what any other method makes by itself.
+void HoleFillingTest::whatTakesItsPlaceBendsLeast() {
+  TriangleSoup soup = test::sphereWithoutCap(4);
+  const BoundaryLoop open = findBoundaryLoops(buildMesh(soup).mesh).at(0);
+  test::append(soup, test::cube(0.1, {-0.05, -0.05, open.box.max().z() + 0.02}));
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
+  const HoleFiller filler(mesh);
+  QVERIFY(filler.propose(loop, holeFillingOnly(FillMethod::Fair)).failure == FillFailure::SelfIntersecting);
+  const FillAttempt taken = filler.propose(loop, {});
+  QVERIFY(taken.failure == FillFailure::None);
+  const double bend = statisticsOf(mesh, loop, taken.patch).largestBend;
+  int others = 0;
+  for (const FillMethod method : {FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal, FillMethod::Dihedral}) {
+    const FillAttempt other = filler.propose(loop, holeFillingOnly(method));
+    if (other.failure != FillFailure::None) continue;
+    ++others;
+    QVERIFY(bend <= statisticsOf(mesh, loop, other.patch).largestBend);
+  }
+  QVERIFY(others >= 3);
+}
+
+// The triangles of a convex opening of any waviness are those of its projection: none is missing and none overlaps, so
+// the projected area is the polygon's. A loop that crosses itself there has none.
+void HoleFillingTest::flatLids() {
+  constexpr int kPoints = 40;
+  const auto lidOf = [&](const auto& at) {
+    HoleContext hole;
+    hole.loopSize = kPoints;
+    for (int i = 0; i < kPoints; ++i) hole.points.push_back(tilt() * at(2.0 * M_PI * i / kPoints));
+    return triangulateFlat(hole);
+  };
+  const auto wavy = lidOf([](double t) { return Vec3(2.0 * std::cos(t), std::sin(t), 0.3 * std::cos(3.0 * t)); });
+  QVERIFY(wavy && wavy->method == FillMethod::Flat);
+  QCOMPARE(wavy->triangles.size(), std::size_t{kPoints - 2});
+  const Vec3 normal = tilt() * Vec3::UnitZ();
+  double area = 0.0;
+  for (const Triangle& t : wavy->triangles) {
+    const Vec3 a = wavy->points[t[0]], b = wavy->points[t[1]], c = wavy->points[t[2]];
+    const double twice = (b - a).cross(c - a).dot(normal);
+    QVERIFY(twice < 0.0);  // it runs against the loop
+    area -= 0.5 * twice;
+  }
+  QVERIFY(std::abs(area - 0.5 * kPoints * 2.0 * std::sin(2.0 * M_PI / kPoints)) < 1e-12);
+  // One lobe is larger, so that the plane is that of the crossing.
+  QVERIFY(!lidOf([](double t) {
+    return Vec3((1.2 + std::cos(t)) * std::cos(2.0 * t), (1.2 + std::cos(t)) * std::sin(2.0 * t), 0.1 * std::sin(t));
+  }));
+  QVERIFY(!lidOf([](double) { return Vec3(1, 2, 3); }));
+  QVERIFY(!lidOf([](double t) { return Vec3(std::cos(t), 0, 0); }));
 }
 
 // Caps of up to 42° missing, with 130 edges around: ordinary holes, so nothing but fair is needed. There the biharmonic

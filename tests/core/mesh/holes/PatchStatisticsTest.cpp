@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/PatchStatistics.h"
 
+#include "HoleShapes.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "mesh/holes/HoleFiller.h"
@@ -44,6 +45,8 @@ class PatchStatisticsTest : public QObject {
   void lidOfACube();
   void roof();
   void withoutArea();
+  void comparedWithItsSurroundings();
+  void capsAreLikeTheirSphere();
 };
 
 void PatchStatisticsTest::lidOfACube_data() {
@@ -84,6 +87,45 @@ void PatchStatisticsTest::withoutArea() {
   const PatchStatistics statistics = statisticsOf(open.mesh, open.loop, open.patch);
   QCOMPARE(statistics.area, 0.0);
   QCOMPARE(statistics.meanBend, 0.0);
+}
+
+// A cube bends by 90° everywhere, so does its lid. A flat plate bends nowhere: a lid of it is like it, a tent over its
+// square hole of 4 with its point at height h bends by atan(h / 2) at the edge, and rises by h of the size √32.
+void PatchStatisticsTest::comparedWithItsSurroundings() {
+  const OpenCube open = openCube(2.0, {1, 2, 3});
+  const PatchComparison lid = compared(open.mesh, open.loop, open.patch);
+  QVERIFY(std::abs(lid.bend - M_PI / 2) < 1e-12 && std::abs(lid.bendAround - M_PI / 2) < 1e-12);
+  QVERIFY(!lid.bendsMore() && !lid.risesMore());
+
+  const HalfEdgeMesh plate = buildMesh(test::plateWithHole()).mesh;
+  BoundaryLoop hole;
+  for (const BoundaryLoop& loop : findBoundaryLoops(plate))
+    if (!loop.rim) hole = loop;
+  for (const double height : {0.0, 0.5, 1.5, 3.0}) {
+    Patch tent;
+    tent.points = loopPoints(plate, hole);
+    tent.loopSize = tent.points.size();
+    const auto n = static_cast<std::uint32_t>(tent.loopSize);
+    tent.points.emplace_back(0.0, 0.0, height);
+    for (std::uint32_t i = 0; i < n; ++i) tent.triangles.push_back({(i + 1) % n, i, n});
+    const PatchComparison shape = compared(plate, hole, tent);
+    QCOMPARE(shape.bendAround, 0.0);
+    QVERIFY(std::abs(shape.rise - height) < 1e-12 && std::abs(shape.size - std::sqrt(32.0)) < 1e-12);
+    QCOMPARE(shape.bendsMore(), std::atan(height / 2.0) > tolerance::kNoticeableBend);
+    QCOMPARE(shape.risesMore(), height / std::sqrt(32.0) > tolerance::kNoticeableRise);
+  }
+}
+
+// Caps of up to 42° that continue the sphere are like it.
+void PatchStatisticsTest::capsAreLikeTheirSphere() {
+  for (const double radius : {0.2, 0.4, 0.7}) {
+    const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(4, radius)).mesh;
+    const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
+    const FillAttempt cap = HoleFiller(mesh).propose(loop, {});
+    QVERIFY(cap.failure == FillFailure::None && cap.patch.method == FillMethod::Fair);
+    const PatchComparison shape = compared(mesh, loop, cap.patch);
+    QVERIFY(shape.rise > 0.0 && !shape.risesMore() && !shape.bendsMore());
+  }
 }
 
 HANDWHEEL_TEST(PatchStatisticsTest)

@@ -47,8 +47,9 @@ void RidgesTest::findsTheEndsOnACube() {
 
 void RidgesTest::tellsRidgesFromValleys() {
   const HoleContext hole = ridgesHoleIn(test::turnedOver(test::roughCube(20, 5)), Vec3(1, 1, 0), 0.3);
-  for (const RidgeEnd& end : findRidgeEnds(hole, tolerance::kRidgeAngle))
-    QVERIFY(std::abs(end.angle + M_PI / 2.0) < 1e-9);
+  const std::vector<RidgeEnd> ends = findRidgeEnds(hole, tolerance::kRidgeAngle);
+  QCOMPARE(ends.size(), std::size_t{2});
+  for (const RidgeEnd& end : ends) QVERIFY(std::abs(end.angle + M_PI / 2.0) < 1e-9);
 }
 
 void RidgesTest::anglesBelowAreSmooth() {

@@ -75,7 +75,9 @@ void ObstructedHolesTest::somethingStandsInTheHole() {
   for (NumberType numbers : {NumberType::Float64, NumberType::Float32}) {
     FillOptions options;
     options.numbers = numbers;
-    for (const BoundaryLoop& loop : findBoundaryLoops(before)) {
+    const std::vector<BoundaryLoop> loops = findBoundaryLoops(before);
+    QCOMPARE(loops.size(), std::size_t{1});
+    for (const BoundaryLoop& loop : loops) {
       QVERIFY(HoleFiller(before).propose(loop, options).failure == FillFailure::SelfIntersecting);
     }
     HalfEdgeMesh mesh = before;
@@ -108,6 +110,7 @@ void ObstructedHolesTest::backs() {
   test::append(s, TriangleSoup{{{9, 0, 0}, {9, 1, 0}, {9, 0, 1}}, {{0, 1, 2}}});
   HalfEdgeMesh mesh = buildMesh(s).mesh;
   const ObstructedClosings closings = closeObstructedHoles(mesh, holesOf(mesh, true), {}, 0.01);
+  QVERIFY(!closings.holes.empty());
   for (const ObstructedClosing& c : closings.holes) {
     QVERIFY(c.closed);
     QVERIFY(c.method == FillMethod::ThickenedSheet);

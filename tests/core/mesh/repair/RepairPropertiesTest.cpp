@@ -35,6 +35,27 @@ TriangleSoup cutAtRandom(TriangleSoup soup, std::mt19937& random) {
   return soup;
 }
 
+// A ball, convex, with holes of which none leaves an island inside: the triangles that are gone would close it again
+// without meeting any other, so there is always a patch.
+TriangleSoup holedBall(std::mt19937& random) {
+  TriangleSoup soup = test::icosphere(3);
+  for (std::size_t holes = 1 + random() % 5; holes > 0; --holes) {
+    const Vec3 centre = soup.points[random() % soup.points.size()];
+    soup = test::withHole(std::move(soup), centre, 0.05 + 0.45 * (random() / 4294967296.0));
+  }
+  return soup;
+}
+
+// Of so many runs of a property, at least a share must have come to what its construction allows.
+struct Share {
+  int runs = 0, good = 0;
+  void add(bool isGood) {
+    ++runs;
+    good += isGood;
+  }
+  bool isAtLeast(double share) const { return runs > 0 && good >= share * runs; }
+};
+
 }  // namespace
 
 // What holds of every repair, tried on shapes damaged at random.
@@ -43,6 +64,7 @@ class RepairPropertiesTest : public QObject {
 
  private slots:
   void manyNeedles();
+  void holesOfConvexBodies();
   void randomHoles();
   void brokenBlocks();
   void anySoup();
@@ -66,7 +88,26 @@ void RepairPropertiesTest::manyNeedles() {
   }));
 }
 
+void RepairPropertiesTest::holesOfConvexBodies() {
+  QVERIFY(rc::check("each hole in a ball is closed", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const HalfEdgeMesh input = buildMesh(holedBall(random)).mesh;
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.fill.method = *rc::gen::element(FillMethod::Fair, FillMethod::Ear);
+    const RepairReport report = repair(mesh, options);
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(!report.loops.empty());
+    RC_ASSERT(test::count(report, LoopOutcome::Filled) == report.loops.size());
+    RC_ASSERT(test::countEdges(mesh).sound());
+    RC_ASSERT(test::intersections(mesh) == std::size_t{0});
+  }));
+}
+
+// All of them can be closed, by what was cut out. Where islands are left patches may be in each other's way: one in
+// twenty may stay open.
 void RepairPropertiesTest::randomHoles() {
+  Share closed;
   const std::vector<TriangleSoup> shapes = {test::icosphere(3), test::torus(32, 16), test::bumpySphere(3)};
   QVERIFY(rc::check("random holes in closed shapes are closed, or left with a reason", [&] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -89,11 +130,16 @@ void RepairPropertiesTest::randomHoles() {
     const std::set<Vertex> said(report.touchedVertices.begin(), report.touchedVertices.end());
     for (Vertex v : test::reallyTouched(input, mesh)) RC_ASSERT(said.contains(v));
     RC_CLASSIFY(edges.closed(), "closed");
+    closed.add(edges.closed());
   }));
+  QVERIFY(closed.isAtLeast(0.95));
 }
 
+// All of them can be made sound: what is missing can be put back, what is doubled taken away, what is turned turned
+// back. One in twenty may be left.
 void RepairPropertiesTest::brokenBlocks() {
-  QVERIFY(rc::check("blocks that touch, with faces missing, turned and doubled", [] {
+  Share sound;
+  QVERIFY(rc::check("blocks that touch, with faces missing, turned and doubled", [&] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     TriangleSoup soup = test::randomBlocks(random, *rc::gen::inRange<std::size_t>(2, 20), 3);
     for (std::size_t n = random() % 6; n > 0; --n)
@@ -113,8 +159,11 @@ void RepairPropertiesTest::brokenBlocks() {
     RC_ASSERT(validate(mesh) == std::string());
     RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
     RC_ASSERT(test::intersections(mesh) <= test::intersections(input));
-    RC_CLASSIFY(test::countEdges(mesh).sound(), "sound");
+    const bool isSound = test::countEdges(mesh).sound();
+    RC_CLASSIFY(isSound, "sound");
+    sound.add(isSound);
   }));
+  QVERIFY(sound.isAtLeast(0.95));
 }
 
 void RepairPropertiesTest::anySoup() {

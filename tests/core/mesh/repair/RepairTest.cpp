@@ -190,6 +190,7 @@ void RepairTest::keptHoleOfASheet() {
   QVERIFY(loops[std::size_t(rim)].rim && !loops[std::size_t(hole)].rim);
   HalfEdgeMesh mesh = input;
   RepairOptions options;
+  options.rims = RimHandling::Thicken;
   options.keepOpen = {hole};
   const RepairReport report = repair(mesh, options);
   QVERIFY(test::sameMesh(mesh, input));
@@ -202,6 +203,7 @@ void RepairTest::keptHoleOfASheet() {
   options.maxEdges = 4;
   const RepairReport tooLong = repair(mesh, options);
   QVERIFY(test::sameMesh(mesh, input));
+  QCOMPARE(tooLong.loops.size(), loops.size());
   for (const LoopResult& loop : tooLong.loops) QVERIFY(loop.reason == FillFailure::TooLong);
 }
 
@@ -209,7 +211,9 @@ void RepairTest::maxEdges() {
   TriangleSoup soup = test::withHole(test::icosphere(4), Vec3::UnitX(), 0.5);
   soup = test::withHole(soup, -Vec3::UnitX(), 0.1);
   const HalfEdgeMesh input = buildMesh(soup).mesh;
-  for (const BoundaryLoop& smaller : findBoundaryLoops(input)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
+  QCOMPARE(loops.size(), std::size_t{2});
+  for (const BoundaryLoop& smaller : loops) {
     HalfEdgeMesh mesh = input;
     RepairOptions options;
     options.maxEdges = smaller.halfEdges.size();
@@ -262,7 +266,9 @@ void RepairTest::poleInASheet() {
   test::append(soup, test::moved(test::cylinder(8, 10, 0.1, 20.0, true), Vec3(0.05, 0.02, -10.0)));
   const HalfEdgeMesh input = buildMesh(soup).mesh;
   HalfEdgeMesh mesh = input;
-  const RepairReport report = repair(mesh, {});
+  RepairOptions options;
+  options.rims = RimHandling::Thicken;
+  const RepairReport report = repair(mesh, options);
   QCOMPARE(test::intersections(mesh), std::size_t{0});
   QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{2});
   QVERIFY(test::countEdges(mesh).sound());
@@ -356,7 +362,9 @@ void RepairTest::coordinatesThatCannotBeCut() {
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
 
     mesh = buildMesh(bowl(60, tiny)).mesh;
-    const RepairReport report = repair(mesh, {});
+    RepairOptions options;
+    options.rims = RimHandling::Thicken;
+    const RepairReport report = repair(mesh, options);
     QCOMPARE(report.loops.size(), std::size_t{1});
     QVERIFY(report.loops[0].method == FillMethod::ThickenedSheet);
     QVERIFY(test::countEdges(mesh.compact().soup).sound());

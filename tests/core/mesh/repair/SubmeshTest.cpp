@@ -152,10 +152,14 @@ void SubmeshTest::fansThatExchangeVertices() {
 void SubmeshTest::halfEdges() {
   const HalfEdgeMesh whole = buildMesh(test::sphereWithHoles(3, 3, 0.3)).mesh;
   const Submesh part(whole, ballBox(0.0));
-  for (const BoundaryLoop& loop : findBoundaryLoops(whole)) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(whole);
+  QCOMPARE(loops.size(), std::size_t{3});
+  std::size_t found = 0;
+  for (const BoundaryLoop& loop : loops) {
     for (const HalfEdge h : loop.halfEdges) {
       const HalfEdge own = part.halfEdgeOf(whole, h);
       if (own == kNone) continue;
+      ++found;
       QVERIFY(!part.mesh().hasOpposite(own));
       QCOMPARE(part.mesh().position(part.mesh().from(own)), whole.position(whole.from(h)));
       QCOMPARE(part.mesh().position(part.mesh().to(own)), whole.position(whole.to(h)));
@@ -163,6 +167,7 @@ void SubmeshTest::halfEdges() {
     for (const HalfEdge h : loop.halfEdges)
       QVERIFY(part.halfEdgeOf(whole, h) != kNone || whole.position(whole.from(h)).x() < 0.0);
   }
+  QVERIFY(found > 0);
 }
 
 HANDWHEEL_TEST(SubmeshTest)

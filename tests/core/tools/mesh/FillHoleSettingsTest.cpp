@@ -51,7 +51,7 @@ void FillHoleSettingsTest::methodIsASetting() {
     QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "fill")->value), method);
     QCOMPARE(triangles(), double(edges - 2));
   }
-  for (const PropertyValue& value : {PropertyValue(7.0), PropertyValue(-1.0), PropertyValue(std::nan("")),
+  for (const PropertyValue& value : {PropertyValue(8.0), PropertyValue(-1.0), PropertyValue(std::nan("")),
                                      PropertyValue(true), PropertyValue("Fair")})
     m_tool->setSetting("fill", value);
   m_tool->setSetting("unknown", 0.0);

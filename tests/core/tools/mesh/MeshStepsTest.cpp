@@ -118,7 +118,7 @@ void MeshStepsTest::reversing() {
 
 void MeshStepsTest::filling() {
   for (const FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal,
-                                  FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge}) {
+                                  FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge, FillMethod::Flat}) {
     Work work(test::sphereWithHoles(3, 3, 0.3));
     FillOptions options;
     options.method = method;
@@ -270,7 +270,7 @@ void MeshStepsTest::edges() {
   tool.setSetting("evenly", false);
   tool.perform("smooth");
   tool.perform("commit");
-  QVERIFY2(work.step(3).ends_with(" --wavelength 12.5 --uneven"), work.step(3).c_str());
+  QVERIFY2(work.step(3).ends_with(" --wavelength 12.5 --uneven --numbers single"), work.step(3).c_str());
   QCOMPARE(work.check(4), std::string());
 }
 
@@ -350,7 +350,7 @@ void MeshStepsTest::mistakes_data() {
   row("delete 1 2", "'2' is too much");
   row("fill 7", "there is no loop 7, nor any");
   row("fill v3", "there is no loop with the smallest vertex 3");
-  row("repair --fill best", "--fill takes fair, refined, ear, minimal, area, dihedral or ridge, not 'best'");
+  row("repair --fill best", "--fill takes fair, refined, ear, minimal, area, dihedral, ridge or flat, not 'best'");
   row("repair --remove-debris yes", "--remove-debris takes no value");
   row("repair --colour red", "repair has no option '--colour'");
   row("repair --rims off", "--rims takes keep, back or fill, not 'off'");
@@ -362,21 +362,21 @@ void MeshStepsTest::mistakes_data() {
   row("place --unit ft", "--unit takes mm, cm, m or in, not 'ft'");
   row("place --scale 2 --scale 3", "--scale is given twice");
   row("decimate --method quadric --error 1",
-      "--method quadric bounds no distance: say --faces N alone, or --method bounded");
+      "--method quadric does not bound the distance: give --faces N alone, or use --method bounded");
   row("decimate --method quadric --faces 4 --no-crossings",
-      "--method quadric does not look for crossings: leave --no-crossings out, or say --method bounded");
+      "--method quadric does not check for self-intersections: omit --no-crossings, or use --method bounded");
   row("smooth-noise --method laplace --borders", "only --method bilateral moves open edges: leave --borders out");
   row("smooth-noise --method bending --angle 30", "--angle needs --method bilateral");
   row("smooth-noise --passes 3", "--passes needs --method laplace or bending");
-  row("decimate", "say how far to go: --faces N, --error MM or both");
+  row("decimate", "give a target: --faces N, --error MM or both");
   row("stroke paint 0:0,0,0 --radius 1", "the brushes are drag, smooth, inflate and flatten");
   row("stroke drag 0:0,0,0 --radius 1", "--by X,Y,Z is missing");
   row("stroke smooth 0 --radius 1", "a place is TRIANGLE:X,Y,Z");
-  row("stroke smooth 0:0,0,0 --radius 1 --patch 3 --finest 2", "the patch has not been subdivided so often");
+  row("stroke smooth 0:0,0,0 --radius 1 --patch 3 --finest 2", "the patch has not been subdivided that often");
   row("subdivide", "--patch TRIANGLES is missing");
   row("level-back --patch 3", "the patch has one level only");
   row("unit ft", "the units are mm, cm, m and in");
-  row("bridge 1", "two half-edges are wanted: H,H");
+  row("bridge 1", "two half-edges are required: H,H");
   row("bridge 1,2", "nothing");
   row("face 0,1,2", "nothing");
   row("pull 0 1,1,1", "nothing");  // triangles would turn over

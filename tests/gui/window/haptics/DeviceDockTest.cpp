@@ -105,9 +105,10 @@ class DeviceDockTest : public QObject {
   void theMouseWaitsForThePointer() {
     DeviceDockBench b;
     b.dock->show();
-    b.choose("Mouse");
+    b.choose("Mouse as device");
     QVERIFY(b.waitForTick());
     QTRY_COMPARE(b.headline(), QString("The pointer is outside the view"));
+    QVERIFY(b.part<QLabel>("deviceDetail")->text().contains("without this"));
   }
 
   // Nothing is shown to nobody, though the loop goes on.

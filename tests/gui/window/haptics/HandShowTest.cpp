@@ -62,7 +62,7 @@ class HandShowTest : public QObject {
     QVERIFY(!b.session.isOpen() && b.session.chosen().driver.empty());
     QStringList steps = b.undoAll();
     for (QString& step : steps) step = step.section(QLatin1Char(' '), 1, 1);  // "Fill", of "&Undo Fill hole 8"
-    QCOMPARE(steps, QStringList({"Smooth", "Drag", "Subdivide", "Fill", "Fill", "Lay", "Smooth"}));
+    QCOMPARE(steps, QStringList({"Smooth", "Drag", "Subdivide", "Fill", "Fill", "Add", "Smooth"}));
     QCOMPARE(b.driver.count(DefectKind::Hole), holes);
   }
 
@@ -80,7 +80,7 @@ class HandShowTest : public QObject {
     QVERIFY(!ended.first().first().toBool());
     QTRY_VERIFY(b.session.mouse());
     QVERIFY(b.driver.settle());
-    QCOMPARE(b.undoAll(), QStringList("&Undo Smooth the edge"));
+    QCOMPARE(b.undoAll(), QStringList("&Undo Smooth the boundary"));
   }
 
   // Who turns to another device ends it.

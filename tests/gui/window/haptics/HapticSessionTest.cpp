@@ -337,7 +337,7 @@ class HapticSessionTest : public QObject {
     QVERIFY(b.waitForOpen());
     b.plugged.set({});
     isGone->store(true);
-    QTRY_COMPARE(b.session->latest()->device.status, DeviceStatus::Absent);
+    QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
     QTRY_COMPARE(b.session->found().size(), 2);
     QCOMPARE(b.session->chosen().address, std::string("well"));
     b.plugged.set({{"fake", "well/2", "Well"}});
@@ -363,20 +363,51 @@ class HapticSessionTest : public QObject {
     b.session->setWatching(false);
   }
 
-  // An unplugged device is told once, and its loop goes on without a force.
+  // An unplugged device is told once, and keeps neither a thread nor the device open.
   void unplugging() {
     HapticSessionBench b;
+    QSignalSpy recorded(b.session.get(), &HapticSession::recorded);
     auto isGone = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       log.state.status = isGone->load() ? DeviceStatus::Absent : DeviceStatus::Ready;
     };
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
+    b.session->startRecording();
     isGone->store(true);
-    QTRY_COMPARE(b.session->latest()->device.status, DeviceStatus::Absent);
-    QVERIFY(b.session->latest()->sent.isZero());
+    QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
+    QVERIFY(!b.session->isOpen() && !b.services.haptics().isRunning());
+    QCOMPARE(b.session->chosen().address, std::string("well"));
+    const std::uint64_t ticks = b.services.haptics().counters().ticks;
+    QTRY_VERIFY(b.jobs.isIdle());
+    QCOMPARE(b.plugged.log->closes, 1);
+    QVERIFY(b.plugged.log->last.isZero());
     QTest::qWait(50);
+    QCOMPARE(b.services.haptics().counters().ticks, ticks);
     QCOMPARE(b.messages.size(), std::size_t(1));
+    QCOMPARE(recorded.count(), 1);
+  }
+
+  // Two seconds of the loop are given to a device to recover.
+  void failing() {
+    HapticSessionBench b;
+    auto isFailed = std::make_shared<std::atomic<bool>>(false);
+    b.plugged.log->onRead = [isFailed](ScriptedDevice::Log& log) {
+      log.state.status = isFailed->load() ? DeviceStatus::Failed : DeviceStatus::Ready;
+    };
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    isFailed->store(true);
+    QTRY_COMPARE(b.session->status(), DeviceStatus::Failed);
+    QVERIFY(b.session->isOpen());
+    isFailed->store(false);
+    QTRY_COMPARE(b.session->status(), DeviceStatus::Ready);
+    const double recovered = b.session->latest()->tip.time;
+    QTRY_VERIFY(b.session->latest()->tip.time > recovered + 3.0);
+    isFailed->store(true);
+    QTRY_VERIFY(!b.session->isOpen());
+    QCOMPARE(b.session->status(), DeviceStatus::Failed);
+    QVERIFY(!b.services.haptics().isRunning());
   }
 
   void theForceTestIsGentleAndEnds() {

@@ -96,6 +96,25 @@ class HdSessionTest : public QObject {
     QCOMPARE(exchangeUntil(DeviceStatus::Ready, push).status, DeviceStatus::Ready);
   }
 
+  // The maker's example: of the styles that a device knows, one is asked for; AUTO before INKWELL before ENCODER_RESET.
+  void oneStyleOfCalibrationIsAskedFor_data() {
+    QTest::addColumn<int>("known");
+    QTest::addColumn<unsigned>("asked");
+    const int reset = HD_CALIBRATION_ENCODER_RESET, automatic = HD_CALIBRATION_AUTO, inkwell = HD_CALIBRATION_INKWELL;
+    QTest::newRow("inkwell") << inkwell << unsigned(inkwell);
+    QTest::newRow("reset") << reset << unsigned(reset);
+    QTest::newRow("inkwell, reset") << (inkwell | reset) << unsigned(inkwell);
+    QTest::newRow("all") << (inkwell | reset | automatic) << unsigned(automatic);
+  }
+  void oneStyleOfCalibrationIsAskedFor() {
+    QFETCH(int, known);
+    QFETCH(unsigned, asked);
+    m_device.calibrationStyles = known;
+    m_device.needsInkwell = m_device.isInInkwell = true;
+    QVERIFY(m_session->open({}).hasValue());
+    QTRY_COMPARE((m_session->exchange({}), look([](const HdStandIn& device) { return device.askedStyle; })), asked);
+  }
+
   void aSchedulerThatStandsStillHasFailed() {
     QVERIFY(m_session->open({}).hasValue());
     exchangeUntil(DeviceStatus::Ready);

@@ -47,6 +47,8 @@ void HdStandIn::reset() {
   isPlugged = true;
   needsInkwell = isInInkwell = saysNonsense = isStalled = isForceOn = isRunning = false;
   buttons = frames = 0;
+  calibrationStyles = HD_CALIBRATION_INKWELL;
+  askedStyle = 0;
   force.reset();
   name.clear();
 }
@@ -135,7 +137,7 @@ void hdGetDoublev(HDenum what, HDdouble* values) {
 void hdGetIntegerv(HDenum what, HDint* values) {
   if (what == HD_CURRENT_BUTTONS) *values = HdStandIn::only().buttons;
   if (what == HD_OUTPUT_DOF) *values = 3;
-  if (what == HD_CALIBRATION_STYLE) *values = 4;
+  if (what == HD_CALIBRATION_STYLE) *values = HdStandIn::only().calibrationStyles;
 }
 
 void hdSetDoublev(HDenum what, const HDdouble* values) {
@@ -150,5 +152,6 @@ HDenum hdCheckCalibration() {
 
 void hdUpdateCalibration(HDenum style) {
   const std::lock_guard lock(HdStandIn::only().mutex);
-  if (style == 4 && HdStandIn::only().isInInkwell) HdStandIn::only().needsInkwell = false;
+  HdStandIn::only().askedStyle = style;
+  if (style == HD_CALIBRATION_INKWELL && HdStandIn::only().isInInkwell) HdStandIn::only().needsInkwell = false;
 }

@@ -18,12 +18,14 @@ struct HdStandIn {
   bool isPlugged = true;
   bool needsInkwell = false;  // it does not know its place until the pen was put in
   bool isInInkwell = false;
+  int calibrationStyles = 0;         // that it knows, as bits
   Vec3 position{10.0, -20.0, 30.0};  // mm, in its own frame, whose origin is not the middle of its space
   Vec3 least{-160.0, -70.0, -40.0}, most{160.0, 130.0, 100.0};
   int buttons = 0;
   bool saysNonsense = false;
   bool isStalled = false;  // the servo thread stands still
   // What has happened to it.
+  unsigned askedStyle = 0;  // of calibration; 0: none yet
   std::string name;
   std::optional<Vec3> force;  // of the last frame
   bool isForceOn = false;

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// The board of a Polhem: a line in, a line out, written with the format that its firmware uses.
+// The board of a Polhem: 64 bytes in, 64 bytes out, written with the format that its firmware uses.
 struct PolhemEmulator final : Peer {
   double place[3] = {-59.276, 13.383, -148.002};
   double angles[4] = {0.0919, -1.8483, 1.0370, -1.9512};
@@ -37,13 +37,13 @@ struct PolhemEmulator final : Peer {
     const int length = std::snprintf(text, sizeof(text), "% 8.3f % 8.3f % 8.3f % 7.4f % 7.4f % 7.4f % 7.4f %d\n",
                                      place[0], place[1], place[2], angles[0], angles[1], angles[2], angles[3], 0);
     std::string padded(text, static_cast<std::size_t>(length));
-    padded.resize(62, ' ');
+    padded.resize(63, ' ');
     return padded + '\n';
   }
 
  private:
   void heed(const std::string& text) {
-    if (text.size() != 62) return;
+    if (text.size() != 63) return;
     std::istringstream words(text);
     int numbers[7] = {};
     for (int& number : numbers) words >> number;

@@ -50,12 +50,25 @@ class PolhemSessionTest : public QObject {
         m_clock);
   }
 
+  // Byte by byte after uhaptikfabriken.h 0.2: "%hd %hd %hd %hd %hd %hd %hd" in mN with command 2, then blanks up to
+  // byte 62, and a line feed as byte 63.
   void forcesAsTheDeviceReadsThem() {
     const std::string line = forceText(Vec3(1.5, -0.25, 0.0));
-    QCOMPARE(line.size(), std::size_t(63));
-    QVERIFY(line.starts_with("1500 -250 0 2 0 0 0 "));
-    QVERIFY(line.ends_with(" \n"));
+    QCOMPARE(line, std::string("1500 -250 0 2 0 0 0                                            \n"));
+    QCOMPARE(line.size(), std::size_t(64));
     QVERIFY(forceText(Vec3(1e9, -1e9, std::nan(""))).starts_with("32767 -32767 0 2 0 0 0 "));
+  }
+
+  // "% 8.3f % 8.3f % 8.3f % 7.4f % 7.4f % 7.4f % 7.4f %hd\n", then blanks up to byte 62, and a line feed as byte 63.
+  void aLineAsTheDeviceWritesIt() {
+    const std::string line(" -59.276   13.383 -148.002  0.0919 -1.8483  1.0370 -1.9512 0\n  \n");
+    QCOMPARE(line.size(), std::size_t(64));
+    polhem::LineReader reader;
+    QCOMPARE(reader.take(polhemSessionBytesOf(line)), 1);
+    QCOMPARE(reader.reading().position, Vec3(-59.276, 13.383, -148.002));
+    QCOMPARE(reader.reading().angles[0], 0.0919);
+    QCOMPARE(reader.take(polhemSessionBytesOf(line)), 1);  // the blanks between are none
+    QCOMPARE(PolhemEmulator().line(), line);
   }
 
   // A line as the maker's own header quotes it.

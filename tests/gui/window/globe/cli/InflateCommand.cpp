@@ -44,7 +44,7 @@ CommandSpec inflateSpec() {
   spec.options = optionsOf(inflateOperation());
   spec.options.push_back({"output", 'o', "OUT", "The result"});
   spec.options.push_back({"json", 0, "", "Print the figures as JSON"});
-  spec.options.push_back({"help", 'h', "", "Show this page"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
   return spec;
 }
 

@@ -46,6 +46,13 @@ enum : HDenum {
   HD_CALIBRATION_NEEDS_MANUAL_INPUT,
 };
 
+// Bits: a device may know several styles.
+enum : HDenum {
+  HD_CALIBRATION_ENCODER_RESET = 1u << 0,
+  HD_CALIBRATION_AUTO = 1u << 1,
+  HD_CALIBRATION_INKWELL = 1u << 2,
+};
+
 HHD hdInitDevice(const char* name);
 void hdDisableDevice(HHD device);
 HDErrorInfo hdGetError();

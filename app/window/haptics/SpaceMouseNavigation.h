@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mapping/WorkspaceMapping.h"
+#include "panels/MessageBar.h"
+#include "window/JobRunner.h"
+
+#include <QElapsedTimer>
+#include <QFileSystemWatcher>
+#include <map>
+#include <optional>
+
+namespace handwheel {
+
+class HapticSession;
+class Viewport;
+
+// Moves the view with each space mouse that is plugged in; none needs to be chosen. It is opened beside the haptic
+// device, if there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for
+// there is no force. One that is chosen as the haptic device leads the tip instead. Window thread.
+class SpaceMouseNavigation : public QObject {
+  Q_OBJECT
+
+ public:
+  // session and viewport outlive it.
+  SpaceMouseNavigation(HapticSession& session, Viewport& viewport, QThreadPool& pool, QObject* parent);
+  ~SpaceMouseNavigation() override;
+
+  // Begins to look for devices: now, and whenever a node "hidraw*" or "spnav.sock" comes to these folders or goes. As
+  // long as there is none, no plugin is loaded.
+  void watch(const QStringList& folders);
+  // speed: 1 is usual.
+  void setMotion(bool isOn, double speed);
+  std::vector<std::string> names() const;  // of the open ones
+
+ signals:
+  void changed();  // another set of them is open
+  void message(const handwheel::Message& message);
+
+ private:
+  struct OpenDevice {
+    DeviceInfo listing;
+    std::shared_ptr<Device> device;
+    WorkspaceMapping mapping;
+    double reach = 1.0;  // mm
+  };
+  // Of the model, in a second, along the axes of the view.
+  struct Motion {
+    Vec3 shift = Vec3::Zero();
+    Vec3 turn = Vec3::Zero();
+    bool isRest() const { return shift.isZero(0.0) && turn.isZero(0.0); }
+  };
+
+  void readNodes();
+  void followList();
+  void followChoice();
+  void tryOpening(const DeviceInfo& listing);
+  void opened(const DeviceInfo& listing, std::shared_ptr<Device> device);
+  void failed(const DeviceInfo& listing, const Error& error);
+  template <class IsMeant>
+  void drop(IsMeant isMeant);
+  void move();
+  Motion motion();
+  Vec3 pivot() const;
+  bool isChosen(const DeviceInfo& listing) const;
+
+  HapticSession& m_session;
+  Viewport& m_viewport;
+  JobRunner m_jobs;
+  QFileSystemWatcher m_folders;
+  QTimer m_settling;  // until the next look: the permissions of a new node come after it
+  QStringList m_nodes;
+  std::vector<OpenDevice> m_devices;
+  std::map<std::string, int> m_tries;  // of the listings there are, by address
+  QTimer m_timer;
+  QElapsedTimer m_sinceMove;
+  std::optional<Vec3> m_pivot;  // while the view is moved
+  bool m_isOn = true;
+  double m_speed = 1.0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/SpaceMouseNavigation.h"
+
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "MeshShapes.h"
+#include "SoupCorners.h"
+#include "spacemouse/Driver.h"
+#include "spacemouse/SpaceMouseEmulator.h"
+#include "window/haptics/HapticSession.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+using Three = std::array<int, 3>;
+
+// A hand on the cap of an emulated SpaceMouse Compact: its reports come every 16 ms, as those of the real one.
+struct CapBench {
+  std::shared_ptr<SpaceMouseEmulator> mouse = std::make_shared<SpaceMouseEmulator>();
+  std::shared_ptr<std::atomic<bool>> isPlugged = std::make_shared<std::atomic<bool>>(true);
+  QTemporaryDir dev;
+  WindowDriver driver{registeredKinds(), drivers()};
+  HapticSession& session = *driver.window().findChild<HapticSession*>();
+  SpaceMouseNavigation& device = *driver.window().findChild<SpaceMouseNavigation*>();
+  Viewport& view = *driver.find<Viewport>("viewport");
+  QTimer reports;
+  Three translation{}, rotation{};
+
+  CapBench() {
+    reports.setInterval(16);
+    QObject::connect(&reports, &QTimer::timeout, &view, [this] { report(); });
+    reports.start();
+  }
+  ~CapBench() { session.close(); }
+
+  MainWindow::Drivers drivers() {
+    const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
+    spacemouse::Hid hid;
+    hid.find = [plugged = isPlugged] {
+      return *plugged ? std::vector<spacemouse::Hid::Entry>{{"/dev/hidraw0", "SpaceMouse Compact", 2}}
+                      : std::vector<spacemouse::Hid::Entry>();
+    };
+    hid.open = [device = mouse, clock](const std::string&) -> Result<std::unique_ptr<HidTransport>> {
+      return std::unique_ptr<HidTransport>(std::make_unique<FakeHid>(device, clock));
+    };
+    MainWindow::Drivers all;
+    all.push_back(std::make_unique<spacemouse::Driver>(hid, std::vector<std::string>()));
+    return all;
+  }
+  void plug(bool isIn) {
+    {
+      const std::lock_guard lock(mouse->mutex);
+      mouse->gone = !isIn;
+    }
+    *isPlugged = isIn;
+    QFile node(dev.filePath("hidraw0"));
+    isIn ? void(node.open(QIODevice::WriteOnly)) : void(node.remove());
+  }
+  // Report 1: X right, Y towards the user, Z down; report 2: turns about them. Little endian.
+  void report() {
+    const std::lock_guard lock(mouse->mutex);
+    if (mouse->reports.size() > 4) return;
+    for (const auto& [id, axes] : {std::pair(1, translation), std::pair(2, rotation)}) {
+      Report bytes{static_cast<std::uint8_t>(id)};
+      for (const int value : axes) {
+        bytes.push_back(static_cast<std::uint8_t>(value & 0xff));
+        bytes.push_back(static_cast<std::uint8_t>(value >> 8 & 0xff));
+      }
+      mouse->reports.push_back(bytes);
+    }
+  }
+  bool begin(const QString& file) {
+    plug(true);
+    driver.window().activateWindow();
+    if (!QTest::qWaitForWindowActive(&driver.window()) || !driver.open(file)) return false;
+    device.watch({dev.path()});
+    return waitForNavigation(true);
+  }
+  bool waitForNavigation(bool isThere) {
+    return QTest::qWaitFor([&] { return device.names().empty() != isThere; }, kPatienceMs);
+  }
+  bool hasReports() {
+    const std::lock_guard lock(mouse->mutex);
+    return !mouse->reports.empty();
+  }
+  // The cap is let go, the device has read that it was, and the view has come to rest.
+  CameraState rest() {
+    translation = rotation = {};
+    {
+      const std::lock_guard lock(mouse->mutex);
+      mouse->reports.clear();
+    }
+    reports.stop();
+    report();
+    (void)QTest::qWaitFor([&] { return !hasReports(); }, kPatienceMs);
+    QTest::qWait(100);
+    reports.start();
+    CameraState last = view.camera();
+    (void)QTest::qWaitFor([&] { return last == std::exchange(last, (QTest::qWait(100), view.camera())); }, kPatienceMs);
+    return view.camera();
+  }
+};
+
+}  // namespace
+
+// A SpaceMouse moves the view as soon as it is plugged in, beside any haptic device.
+class SpaceMouseNavigationTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+  QString ball() {
+    const QString path = m_folder.filePath(QStringLiteral("ball.stl"));
+    writeStl(path, cornersOf(moved(icosphere(3), Vec3::Zero(), 50.0)));
+    return path;
+  }
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // Nobody has opened the panel of devices. The model goes where the cap is pushed: right, up, towards the user.
+  void theModelFollowsTheCap() {
+    CapBench b;
+    QVERIFY(b.begin(ball()));
+    QCOMPARE(b.device.names(), std::vector<std::string>{"SpaceMouse Compact"});
+    QVERIFY(!b.session.isOpen());
+    const auto waitFor = [&](auto isThere) {
+      return QTest::qWaitFor([&] { return isThere(b.view.camera()); }, kPatienceMs);
+    };
+    const CameraState start = b.rest();
+    b.translation = {350, 0, 0};
+    QVERIFY(waitFor(
+        [&](const CameraState& c) { return (c.centre - start.centre).dot(start.right()) < -0.1 * start.height; }));
+    const CameraState right = b.rest();
+    QVERIFY(std::abs((right.centre - start.centre).dot(start.up())) < 1e-9 * start.height);
+    QVERIFY(right.orientation.isApprox(start.orientation) && right.height == start.height);
+    b.translation = {0, 0, -350};  // Z is down
+    QVERIFY(
+        waitFor([&](const CameraState& c) { return (c.centre - right.centre).dot(start.up()) < -0.1 * start.height; }));
+    const CameraState up = b.rest();
+    b.translation = {0, 350, 0};
+    QVERIFY(waitFor([&](const CameraState& c) { return c.height < 0.8 * start.height; }));
+    const CameraState near = b.rest();
+    QVERIFY((near.centre - up.centre).norm() < 1e-9 * start.height);
+    b.rotation = {0, 0, -350};  // anticlockwise from above
+    QVERIFY(waitFor([&](const CameraState& c) { return c.orientation.angularDistance(near.orientation) > 0.3; }));
+    const Eigen::AngleAxisd turned(near.orientation.conjugate() * b.rest().orientation);
+    QVERIFY((turned.axis() * (turned.angle() > 0 ? 1.0 : -1.0) + Vec3::UnitY()).norm() <
+            1e-6);  // the camera goes clockwise
+  }
+
+  void besideAHapticDevice() {
+    CapBench b;
+    QVERIFY(b.begin(ball()));
+    b.session.choose("simulated", "hand");
+    QTRY_VERIFY_WITH_TIMEOUT(b.session.latest(), kPatienceMs);
+    const CameraState start = b.rest();
+    b.translation = {350, 0, 0};
+    QTRY_VERIFY_WITH_TIMEOUT((b.view.camera().centre - start.centre).norm() > 0.1 * start.height, kPatienceMs);
+    QCOMPARE(b.session.status(), DeviceStatus::Ready);
+    QVERIFY(b.session.simulatedHand());
+  }
+
+  // Chosen as the device it leads the tip, and only that.
+  void chosenItLeadsTheTip() {
+    CapBench b;
+    QVERIFY(b.begin(ball()));
+    b.session.choose("spacemouse", "/dev/hidraw0");
+    QVERIFY(b.device.names().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(b.session.latest(), kPatienceMs);
+    const CameraState start = b.rest();
+    const Vec3 tip = b.session.latest()->tip.position;
+    b.translation = {350, 0, 0};
+    QTRY_VERIFY_WITH_TIMEOUT((b.session.latest()->tip.position - tip).norm() > 1.0, kPatienceMs);
+    QVERIFY(b.view.camera() == start);
+    b.translation = {};
+    b.session.close();
+    QVERIFY(b.waitForNavigation(true));
+  }
+
+  void unpluggedAndPluggedInAgain() {
+    CapBench b;
+    QVERIFY(b.begin(ball()));
+    b.plug(false);
+    QVERIFY(b.waitForNavigation(false));
+    b.plug(true);
+    QVERIFY(b.waitForNavigation(true));
+  }
+
+  void switchedOff() {
+    CapBench b;
+    QVERIFY(b.begin(ball()));
+    b.device.setMotion(false, 1.0);
+    const CameraState start = b.rest();
+    b.translation = {350, 0, 0};
+    QTest::qWait(300);
+    QVERIFY(b.view.camera() == start);
+    b.device.setMotion(true, 1.0);
+    QTRY_VERIFY_WITH_TIMEOUT(!(b.view.camera() == start), kPatienceMs);
+  }
+
+  // Without a node of a device nothing is looked for, and no plugin loaded.
+  void withoutADeviceNothingIsLoaded() {
+    CapBench b;
+    b.device.watch({b.dev.path()});
+    QTest::qWait(1500);
+    QVERIFY(b.session.finder().found().empty() && b.device.names().empty());
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(SpaceMouseNavigationTest)
+#include "SpaceMouseNavigationTest.moc"
