@@ -124,7 +124,7 @@ bool OpenMeshCopy::bringBack(HalfEdgeMesh& mesh, Progress progress) const {
     if (!pollProgress(i, vertexOf.size(), progress.part(0.0, 0.2))) return false;
     const OpenMesh::VertexHandle v{int(i)};
     if (!m_surface.halfedge_handle(v).is_valid() || m_surface.status(v).deleted()) continue;
-    const Vec3 p = pointOf(m_surface.OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>::point(v));
+    const Vec3 p = pointOf(m_surface.point(v));
     if (vertexOf[i] == kNone) {
       vertexOf[i] = next.addVertex(p);
     } else if (!sameBits(next.position(vertexOf[i]), p)) {

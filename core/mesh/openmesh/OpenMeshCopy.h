@@ -22,33 +22,61 @@ struct OpenMeshTraits : OpenMesh::DefaultTraits {
   HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge | OpenMesh::Attributes::Status);
 };
 
-// A mesh of OpenMesh whose algorithms can be cancelled. They know no progress, but all of their loops read or write
-// points: there the flag is polled, and thrown is what unwinds them. The mesh is of no use afterwards.
+// A mesh of OpenMesh whose algorithms can be cancelled. They report no progress, but all their loops that do more than
+// set a number call one of the functions below. These poll the cancel flag, count as effort, and throw Cancelled.
+// The mesh must not be used afterwards.
 class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
+  using Base = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
+
  public:
   struct Cancelled {};
+  static constexpr std::size_t kCallsPerPoll = 1024;
 
   void poll(const Progress& progress) { m_progress = progress; }
 
   const Point& point(VertexHandle v) const {
-    look();
+    countCall();
     return Base::point(v);
   }
   void set_point(VertexHandle v, const Point& p) {
-    look();
+    countCall();
     Base::set_point(v, p);
   }
+  // Loops over what is selected or tagged.
+  template <class Handle>
+  decltype(auto) status(Handle h) {
+    countCall();
+    return Base::status(h);
+  }
+  template <class Handle>
+  decltype(auto) status(Handle h) const {
+    countCall();
+    return Base::status(h);
+  }
+  // Loops over edges.
+  using Base::halfedge_handle;
+  HalfedgeHandle halfedge_handle(EdgeHandle e, unsigned int side) const {
+    countCall();
+    return Base::halfedge_handle(e, side);
+  }
+  // Loops that split edges and faces.
+  HalfedgeHandle new_edge(VertexHandle from, VertexHandle to) {
+    countCall();
+    return Base::new_edge(from, to);
+  }
+  // The smoother computes normals, which only the components that are not used here need.
+  void update_face_normals() {}
+  void update_vertex_normals() {}
 
  private:
-  using Base = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
-  static constexpr std::size_t kPointsPerLook = 1024;
-
-  void look() const {
-    if (++m_looks % kPointsPerLook == 0 && m_progress.cancelled()) throw Cancelled();
+  void countCall() const {
+    if (++m_calls % kCallsPerPoll != 0) return;
+    m_progress.spend(kCallsPerPoll);
+    if (m_progress.cancelled()) throw Cancelled();
   }
 
   Progress m_progress;
-  mutable std::size_t m_looks = 0;
+  mutable std::size_t m_calls = 0;
 };
 
 // A copy of a mesh for OpenMesh. Faces and vertices have the order of the live ones of the mesh.
@@ -60,7 +88,8 @@ class OpenMeshCopy {
 
   // Brings what has become of the copy back into the mesh that it was taken of, in O(faces). What is left keeps its
   // number, and a face the order of its corners as far as it has the same ones; new faces and vertices come after the
-  // last slot, and vertices that no face has are left out. A cancel changes nothing, and false is returned.
+  // last slot, and vertices that no face has are left out. A cancel changes nothing: false is returned, or, where the
+  // surface polls, Cancelled thrown.
   bool bringBack(HalfEdgeMesh& mesh, Progress progress = {}) const;
 
   OpenMeshSurface& surface() { return m_surface; }

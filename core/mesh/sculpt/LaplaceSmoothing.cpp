@@ -44,6 +44,7 @@ LaplaceSmoothed smoothByLaplace(HalfEdgeMesh& mesh, const FaceSelection& part, c
   if (progress.cancelled()) return {};
   const std::vector<HalfEdge> leaving = selectPart(copy, mesh, part);
   if (std::all_of(leaving.begin(), leaving.end(), [](HalfEdge h) { return h == kNone; })) return {};
+  std::vector<VertexGoal> goals;
   try {
     copy.surface().poll(progress);
     JacobiSmoother smoother(copy.surface());
@@ -53,14 +54,13 @@ LaplaceSmoothed smoothByLaplace(HalfEdgeMesh& mesh, const FaceSelection& part, c
       smoother.smooth(1);
       progress.part(0.2, 0.9).set(double(i + 1) / options.passes);
     }
+    for (std::size_t i = 0; i < leaving.size(); ++i)
+      if (leaving[i] != kNone)
+        goals.push_back({leaving[i], pointOf(copy.surface().point(OpenMesh::VertexHandle(int(i))))});
   } catch (const OpenMeshSurface::Cancelled&) {
     return {};
   }
-  std::vector<VertexGoal> goals;
-  for (std::size_t i = 0; i < leaving.size(); ++i)
-    if (leaving[i] != kNone)
-      goals.push_back({leaving[i], pointOf(copy.surface().point(OpenMesh::VertexHandle(int(i))))});
-  return {OpenMeshRefusal::None, moveTowards(mesh, goals, options.numbers)};
+  return {OpenMeshRefusal::None, moveTowards(mesh, goals, options.numbers, progress.part(0.9, 1.0))};
 }
 
 }  // namespace handwheel

@@ -34,6 +34,9 @@ void subdivideBy(Scheme& scheme, OpenMeshSurface& surface, int times, const Prog
   const Attached<Scheme> attached(scheme, surface);
   double before = 0.0;
   for (int i = 0; i < times; ++i) {
+    // As many as there will be, for √3 more: to grow, all that is there would be copied, without a poll.
+    const std::size_t edges = surface.n_edges(), faces = surface.n_faces();
+    surface.reserve(surface.n_vertices() + edges, 2 * edges + 3 * faces, 4 * faces);
     scheme(std::size_t{1});
     before = 0.25 + 0.75 * before;  // the last level takes most of the time
     progress.set(i + 1 == times ? 1.0 : before / double(times));
@@ -78,7 +81,7 @@ bool roundPoints(OpenMeshSurface& surface, NumberType numbers) {
     places[std::size_t(v.idx())] = place;
     surface.set_point(v, openMeshPoint(place));
   }
-  for (const auto e : surface.edges()) {
+  for (const OpenMesh::EdgeHandle e : surface.edges()) {
     const auto h = surface.halfedge_handle(e, 0);
     const auto from = surface.from_vertex_handle(h), to = surface.to_vertex_handle(h);
     if (places[std::size_t(from.idx())] == places[std::size_t(to.idx())]) return false;
@@ -115,11 +118,10 @@ SchemeOutcome subdivideAll(HalfEdgeMesh& mesh, const SchemeSubdivision& subdivis
     copy.surface().poll(progress);
     subdivideSurface(copy.surface(), subdivision, most, progress.part(0.1, 0.8));
     if (!roundPoints(copy.surface(), limits.numbers)) return {SubdivisionFailure::TooFine, {}};
+    if (copy.bringBack(mesh, progress.part(0.8, 1.0))) return {};
   } catch (const OpenMeshSurface::Cancelled&) {
-    return {SubdivisionFailure::Cancelled, {}};
   }
-  const bool isBack = !progress.cancelled() && copy.bringBack(mesh, progress.part(0.8, 1.0));
-  return {isBack ? SubdivisionFailure::None : SubdivisionFailure::Cancelled, {}};
+  return {SubdivisionFailure::Cancelled, {}};
 }
 
 }  // namespace handwheel

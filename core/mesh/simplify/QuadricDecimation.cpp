@@ -171,10 +171,9 @@ OpenMeshRefusal decimateByQuadrics(HalfEdgeMesh& mesh, const DecimationOptions& 
     collapse(copy, mesh, options.faces, progress.part(0.2, 0.9));
     for (std::size_t i = 0; i < copy.takenVertices(); ++i)
       copy.surface().set_point(OpenMesh::VertexHandle(int(i)), openMeshPoint(mesh.position(copy.vertexOf(i))));
+    copy.bringBack(mesh, progress.part(0.9, 1.0));
   } catch (const OpenMeshSurface::Cancelled&) {
-    return OpenMeshRefusal::None;
   }
-  copy.bringBack(mesh, progress.part(0.9, 1.0));
   return OpenMeshRefusal::None;
 }
 

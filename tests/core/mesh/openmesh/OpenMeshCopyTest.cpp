@@ -10,9 +10,14 @@
 #include "mesh/structure/MeshValidator.h"
 
 #include <rapidcheck.h>
+#include <OpenMesh/Tools/Smoother/JacobiLaplaceSmootherT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
 #include <OpenMesh/Tools/Utils/MeshCheckerT.hh>
 
 #include <QTest>
+#include <functional>
 #include <sstream>
 
 using namespace handwheel;
@@ -27,6 +32,7 @@ class OpenMeshCopyTest : public QObject {
   void refusals_data();
   void refusals();
   void cancelled();
+  void littleWorkBetweenPolls();
   void changesComeBack();
   void anyMeshReturns();
 };
@@ -64,6 +70,80 @@ bool isRefusable(const HalfEdgeMesh& mesh) {
   }
   return std::any_of(edges.begin(), edges.end(), [](const auto& e) { return e.second > 1; }) ||
          std::any_of(facesAt.begin(), facesAt.end(), [](const auto& f) { return f.second.size() > 1; });
+}
+
+// Counts what an algorithm reads of a surface, and how much of it between two polls at most.
+class CountingSurface : public OpenMeshSurface {
+ public:
+  template <class... Arguments>
+  decltype(auto) property(Arguments&&... arguments) {
+    count();
+    return OpenMeshSurface::property(std::forward<Arguments>(arguments)...);
+  }
+  template <class Handle>
+  auto next_halfedge_handle(Handle h) const {
+    count();
+    return OpenMeshSurface::next_halfedge_handle(h);
+  }
+  template <class Handle>
+  auto to_vertex_handle(Handle h) const {
+    count();
+    return OpenMeshSurface::to_vertex_handle(h);
+  }
+  template <class Handle>
+  bool is_boundary(Handle h) const {
+    count();
+    return OpenMeshSurface::is_boundary(h);
+  }
+
+  void countFor(JobState& job) {
+    m_job = &job;
+    poll(Progress(job));
+  }
+  std::size_t reads() const { return m_reads; }
+  std::size_t mostBetweenPolls() const { return m_most; }
+
+ private:
+  void count() const {
+    const std::uint32_t polls = m_job ? m_job->polls.load() : 0;
+    m_sincePoll = polls == m_polls ? m_sincePoll + 1 : 0;
+    m_polls = polls;
+    m_most = std::max(m_most, m_sincePoll);
+    ++m_reads;
+  }
+
+  JobState* m_job = nullptr;
+  mutable std::uint32_t m_polls = 0;
+  mutable std::size_t m_reads = 0, m_sincePoll = 0, m_most = 0;
+};
+
+struct PollCount {
+  std::size_t reads, mostBetweenPolls;
+};
+
+PollCount countPolls(const TriangleSoup& soup, const std::function<void(CountingSurface&)>& run) {
+  CountingSurface surface;
+  for (const Vec3& p : soup.points) surface.add_vertex(openMeshPoint(p));
+  for (const Triangle& t : soup.triangles)
+    surface.add_face(OpenMesh::VertexHandle(int(t[0])), OpenMesh::VertexHandle(int(t[1])),
+                     OpenMesh::VertexHandle(int(t[2])));
+  JobState job;
+  surface.countFor(job);
+  run(surface);
+  return {surface.reads(), surface.mostBetweenPolls()};
+}
+
+template <class Scheme>
+void subdivideOnce(CountingSurface& surface) {
+  Scheme scheme;
+  scheme(surface, 1);
+}
+
+void smoothOnce(CountingSurface& surface, bool isBending) {
+  using Smoother = OpenMesh::Smoother::JacobiLaplaceSmootherT<CountingSurface>;
+  Smoother smoother(surface);
+  smoother.initialize(Smoother::Tangential_and_Normal, isBending ? Smoother::C1 : Smoother::C0);
+  smoother.smooth(1);
 }
 
 }  // namespace
@@ -135,6 +215,21 @@ void OpenMeshCopyTest::cancelled() {
   HalfEdgeMesh after = mesh;
   QVERIFY(!copy.bringBack(after, Progress(job)));
   QVERIFY(test::sameMesh(mesh, after));
+}
+
+// A loop that only sets a number of each vertex is quick. All others poll, whatever the size of the mesh.
+void OpenMeshCopyTest::littleWorkBetweenPolls() {
+  using namespace OpenMesh::Subdivider::Uniform;
+  const TriangleSoup soup = test::torus(300, 200);
+  const std::size_t most = 2 * soup.points.size();
+  for (const auto& run : std::initializer_list<std::function<void(CountingSurface&)>>{
+           subdivideOnce<LoopT<CountingSurface>>, subdivideOnce<Sqrt3T<CountingSurface>>,
+           subdivideOnce<ModifiedButterflyT<CountingSurface>>, [](CountingSurface& s) { smoothOnce(s, false); },
+           [](CountingSurface& s) { smoothOnce(s, true); }}) {
+    const PollCount count = countPolls(soup, run);
+    QVERIFY(count.reads > 4 * most);
+    QVERIFY2(count.mostBetweenPolls <= most, qPrintable(QString::number(count.mostBetweenPolls)));
+  }
 }
 
 // A face is split and an edge collapsed by OpenMesh: what stays has its number, what is new comes last.

@@ -109,6 +109,17 @@ void LaplaceSmoothingTest::refusedAndCancelled() {
   job.cancelled = true;
   QVERIFY(smoothByLaplace(mesh, FaceSelection::all(mesh), {.progress = Progress(job)}).moved.faces.empty());
   QVERIFY(test::sameMesh(mesh, before));
+  // In the midst of it, too: once so much work is done.
+  std::size_t done = 0, midst = 0;
+  for (std::size_t effort = 512; done < 3; effort += 512) {
+    WorkBudget budget(effort);
+    const Progress progress = Progress().within(budget);
+    mesh = before;
+    const auto moved = smoothByLaplace(mesh, FaceSelection::all(mesh), {.passes = 2, .progress = progress}).moved;
+    QCOMPARE(test::sameMesh(mesh, before), moved.faces.empty());
+    ++(moved.faces.empty() ? midst : done);
+  }
+  QVERIFY(midst > 10);
 }
 
 HANDWHEEL_TEST(LaplaceSmoothingTest)

@@ -195,6 +195,16 @@ void QuadricDecimationTest::cancelled() {
   job.cancelled = true;
   QVERIFY(decimate(mesh, {.faces = 10, .method = kQuadric}, Progress(job)).cancelled);
   QVERIFY(test::sameMesh(mesh, original));
+  // In the midst of it, too: once so much work is done.
+  std::size_t done = 0, midst = 0;
+  for (std::size_t effort = 1024; done < 3; effort += effort / 8) {
+    WorkBudget budget(effort);
+    mesh = original;
+    const bool isCancelled = decimate(mesh, {.faces = 10, .method = kQuadric}, Progress().within(budget)).cancelled;
+    QCOMPARE(test::sameMesh(mesh, original), isCancelled);
+    ++(isCancelled ? midst : done);
+  }
+  QVERIFY(midst > 10);
 }
 
 void QuadricDecimationTest::anyShape() {
