@@ -233,7 +233,7 @@ std::vector<ToolDescriptor> MeshUi::tools() {
            tr("Reduce the number of triangles while staying close to the surface"), QStringLiteral("decimate"),
            QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
           {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
-           tr("Make a whole mesh finer by a subdivision scheme, open edges too"), QStringLiteral("subdivide"),
+           tr("Refine the whole mesh by a subdivision scheme, including open edges"), QStringLiteral("subdivide"),
            QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
           {QStringLiteral("transformTool"), tr("&Place"),
            tr("Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin"),

@@ -12,7 +12,7 @@ namespace handwheel {
 inline FidelitySetting decimationMethodSetting() {
   FidelitySetting s;
   s.id = "mesh.decimation_method";
-  s.label = translatable("Fidelity", "Method that removes triangles");
+  s.label = translatable("Fidelity", "Method of reducing triangles");
   setChoices(s, {translatable("Fidelity", "bounded"), translatable("Fidelity", "quadric")});  // as DecimationMethod
   s.standard = static_cast<double>(DecimationOptions().method);
   s.presets = {0.0, 0.0, 0.0};

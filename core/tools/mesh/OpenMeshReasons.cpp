@@ -9,16 +9,16 @@ namespace handwheel {
 const char* reasonOf(OpenMeshRefusal refusal) {
   switch (refusal) {
     case OpenMeshRefusal::Degenerate:
-      return QT_TRANSLATE_NOOP("Tool", "a triangle has the same vertex twice: remove degenerate ones first");
+      return QT_TRANSLATE_NOOP("Tool", "a triangle has a repeated vertex: remove degenerate triangles first");
     case OpenMeshRefusal::DoubleEdge:
       return QT_TRANSLATE_NOOP(
-          "Tool", "OpenMesh does not take two edges between the same vertices, as on a surface with one side only");
+          "Tool", "OpenMesh does not support two edges between the same vertices, as on one-sided surfaces");
     case OpenMeshRefusal::BackToBack:
-      return QT_TRANSLATE_NOOP("Tool", "OpenMesh does not take two triangles back to back: remove such debris first");
+      return QT_TRANSLATE_NOOP("Tool", "OpenMesh does not support two triangles back to back: remove debris first");
     case OpenMeshRefusal::Seam:
-      return QT_TRANSLATE_NOOP("Tool", "more than two triangles meet at an edge, where the surface would tear");
+      return QT_TRANSLATE_NOOP("Tool", "more than two triangles share an edge: the surface would tear there");
     case OpenMeshRefusal::Hub:
-      return QT_TRANSLATE_NOOP("Tool", "a vertex has too many triangles for this scheme: take another");
+      return QT_TRANSLATE_NOOP("Tool", "a vertex has too many triangles for this scheme: choose another");
     case OpenMeshRefusal::None:
       break;
   }
@@ -27,9 +27,9 @@ const char* reasonOf(OpenMeshRefusal refusal) {
 
 const char* reasonOf(const SchemeOutcome& outcome) {
   if (outcome.failure == SubdivisionFailure::TooManyFaces)
-    return QT_TRANSLATE_NOOP("Tool", "it would have too many triangles");
+    return QT_TRANSLATE_NOOP("Tool", "the result would have too many triangles");
   if (outcome.failure == SubdivisionFailure::TooFine)
-    return QT_TRANSLATE_NOOP("Tool", "the numbers of the file show no finer triangles");
+    return QT_TRANSLATE_NOOP("Tool", "the precision of the file does not allow finer triangles");
   return reasonOf(outcome.refusal);
 }
 

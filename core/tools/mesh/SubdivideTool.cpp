@@ -40,7 +40,7 @@ std::vector<ToolAction> SubdivideTool::actions() const {
   const bool isTooMany = facesAfterwards() > static_cast<double>(SubdivisionLimits().mostFaces);
   const bool isBusy = m_services.isBusy();
   ToolAction commit = actionOf(kSubdivideKeys, "commit", !isTooMany && !isBusy);
-  if (isTooMany) commit.reason = QT_TRANSLATE_NOOP("Tool", "it would have too many triangles");
+  if (isTooMany) commit.reason = QT_TRANSLATE_NOOP("Tool", "the result would have too many triangles");
   if (isBusy) commit.reason = QT_TRANSLATE_NOOP("Tool", "a job that changes this mesh is running");
   return {commit, actionOf(kSubdivideKeys, "revert")};
 }
@@ -49,7 +49,7 @@ std::vector<Property> SubdivideTool::settings() const {
   std::vector<Property> all = {settingOf(m_values, "method"), settingOf(m_values, "times")};
   Property faces;
   faces.id = "faces";
-  faces.label = QT_TRANSLATE_NOOP("Property", "Triangles then");
+  faces.label = QT_TRANSLATE_NOOP("Property", "Resulting triangles");
   faces.value = facesAfterwards();
   faces.editable = false;
   all.push_back(std::move(faces));

@@ -43,7 +43,7 @@ Parameter decimationMethodParameter() {
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Bounded"),
                                    QT_TRANSLATE_NOOP("Property", "Quadric")}},  // as DecimationMethod
-          .meaning = "quadric moves no vertex that stays, and bounds no distance: without --error and --no-crossings",
+          .meaning = "bounded limits the distance; quadric only removes vertices, without --error and --no-crossings",
           .word = "METHOD",
           .words = {"bounded", "quadric"}};
 }

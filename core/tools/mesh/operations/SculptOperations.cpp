@@ -67,13 +67,13 @@ Parameter noiseParameter() {
 
 Parameter noiseMethodParameter() {
   return {.property = {.id = "method", .group = {}, .label = {}, .value = 0.0},  // as NoiseMethod
-          .meaning = "bilateral keeps sharp edges; laplace and bending take them for noise",
+          .meaning = "bilateral preserves sharp edges; laplace and bending round them",
           .word = "METHOD",
           .words = {"bilateral", "laplace", "bending"}};
 }
 
 Parameter passesParameter() {
-  Parameter passes = countParameter("passes", "N", "So often, by laplace or bending");
+  Parameter passes = countParameter("passes", "N", "Number of passes of laplace or bending");
   passes.property.value = static_cast<double>(LaplaceSmoothing().passes);
   passes.property.least = 1.0;
   passes.property.largest = 1000.0;

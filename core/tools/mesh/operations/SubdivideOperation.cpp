@@ -19,13 +19,15 @@ Parameter schemeParameter() {
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Loop"), QT_TRANSLATE_NOOP("Property", "√3"),
                                    QT_TRANSLATE_NOOP("Property", "Butterfly")}},  // as SubdivisionScheme
-          .meaning = "loop and sqrt3 smooth the surface, butterfly keeps every vertex; sqrt3 makes three of a triangle",
+          .meaning =
+              "loop and sqrt3 smooth the surface, butterfly moves no vertex; sqrt3 splits in three, the others in four",
           .word = "SCHEME",
           .words = {"loop", "sqrt3", "butterfly"}};
 }
 
 Parameter timesParameter() {
-  Parameter times = countParameter("times", "N", "By so many levels", QT_TRANSLATE_NOOP("Property", "Levels"));
+  Parameter times =
+      countParameter("times", "N", "Number of subdivision levels", QT_TRANSLATE_NOOP("Property", "Levels"));
   times.property.value = 1.0;
   times.property.least = 1.0;
   times.property.largest = kMostTimes;
@@ -35,10 +37,11 @@ Parameter timesParameter() {
 }  // namespace
 
 const Operation& subdivideMeshOperation() {
-  static const Operation operation = {.id = "subdivide-mesh",
-                                      .title = QT_TRANSLATE_NOOP("Tool", "Subdivide the mesh"),
-                                      .meaning = "Finer as a whole, open edges too; 'subdivide' is for a patch",
-                                      .parameters = {schemeParameter(), timesParameter(), numbersParameter()}};
+  static const Operation operation = {
+      .id = "subdivide-mesh",
+      .title = QT_TRANSLATE_NOOP("Tool", "Subdivide the mesh"),
+      .meaning = "Refine the whole mesh, including open edges; 'subdivide' refines a patch",
+      .parameters = {schemeParameter(), timesParameter(), numbersParameter()}};
   return operation;
 }
 

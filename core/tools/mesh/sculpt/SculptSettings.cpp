@@ -35,9 +35,9 @@ std::vector<Property> SculptSettings::properties() const {
   }
   all.push_back(
       switchSetting("moves_border", QT_TRANSLATE_NOOP("Property", "Move boundary vertices, too"), movesBorder));
-  all.push_back(choiceSetting("noise_method", QT_TRANSLATE_NOOP("Property", "Smooth noise by"),
+  all.push_back(choiceSetting("noise_method", QT_TRANSLATE_NOOP("Property", "Noise filter"),
                               static_cast<int>(noiseMethod),
-                              {QT_TRANSLATE_NOOP("Property", "Normals (keeps edges)"),
+                              {QT_TRANSLATE_NOOP("Property", "Bilateral (preserves edges)"),
                                QT_TRANSLATE_NOOP("Property", "Laplace"), QT_TRANSLATE_NOOP("Property", "Bending")}));
   if (noiseMethod == NoiseMethod::Bilateral) {
     all.push_back(numberSetting("noise_angle", QT_TRANSLATE_NOOP("Property", "Noise angle"), noiseAngle,

@@ -111,8 +111,7 @@ SculptWork readNoise(StepReader& reader, const OperationValues& values, const Me
   const auto levels = readPatch(reader, values, document);
   const Denoising options = denoisingOf(values, numbersFor(document, values));
   const bool isOurs = options.method == NoiseMethod::Bilateral;
-  if (!isOurs && values.flag("borders"))
-    reader.complain("only --method bilateral moves open edges: leave --borders out");
+  if (!isOurs && values.flag("borders")) reader.complain("only --method bilateral moves open edges: omit --borders");
   if (values.isSet(isOurs ? "passes" : "angle"))
     reader.complain(isOurs ? "--passes needs --method laplace or bending" : "--angle needs --method bilateral");
   if (!levels) return nullptr;
@@ -179,7 +178,8 @@ SculptResult denoised(PatchLevels levels, Denoising options, Progress progress) 
     LaplaceSmoothed smooth = smoothByLaplace(mesh, part, options.laplace);
     moved = std::move(smooth.moved.faces);
     if (smooth.refusal != OpenMeshRefusal::None)
-      problem = QT_TRANSLATE_NOOP("Property", "This way takes no degenerate or doubled triangles, nor doubled edges.");
+      problem =
+          QT_TRANSLATE_NOOP("Property", "This filter does not support degenerate or duplicate triangles or edges.");
   }
   levels.replace(levels.finest(), std::move(mesh));
   return {std::move(levels), FaceSelection(moved), problem, StepWriter("smooth-noise").options(values).text()};

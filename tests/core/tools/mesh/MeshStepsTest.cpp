@@ -365,7 +365,7 @@ void MeshStepsTest::mistakes_data() {
       "--method quadric does not bound the distance: give --faces N alone, or use --method bounded");
   row("decimate --method quadric --faces 4 --no-crossings",
       "--method quadric does not check for self-intersections: omit --no-crossings, or use --method bounded");
-  row("smooth-noise --method laplace --borders", "only --method bilateral moves open edges: leave --borders out");
+  row("smooth-noise --method laplace --borders", "only --method bilateral moves open edges: omit --borders");
   row("smooth-noise --method bending --angle 30", "--angle needs --method bilateral");
   row("smooth-noise --passes 3", "--passes needs --method laplace or bending");
   row("decimate", "give a target: --faces N, --error MM or both");
