@@ -59,6 +59,10 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     return Base::halfedge_handle(e, side);
   }
+  OpenMesh::SmartHalfedgeHandle halfedge_handle(OpenMesh::SmartEdgeHandle e, unsigned int side) const {
+    countCall();
+    return Base::halfedge_handle(e, side);
+  }
   // Loops that split edges and faces.
   HalfedgeHandle new_edge(VertexHandle from, VertexHandle to) {
     countCall();

@@ -81,7 +81,7 @@ bool roundPoints(OpenMeshSurface& surface, NumberType numbers) {
     places[std::size_t(v.idx())] = place;
     surface.set_point(v, openMeshPoint(place));
   }
-  for (const OpenMesh::EdgeHandle e : surface.edges()) {
+  for (const auto e : surface.edges()) {
     const auto h = surface.halfedge_handle(e, 0);
     const auto from = surface.from_vertex_handle(h), to = surface.to_vertex_handle(h);
     if (places[std::size_t(from.idx())] == places[std::size_t(to.idx())]) return false;
