@@ -35,6 +35,11 @@ FidelityCase pieceEdgesCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> decimationErrorCases();
 FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup);
 
+// mesh.decimation_method: distance and time at half, a tenth and a fiftieth of the triangles. A method that does not
+// get there has no result.
+std::vector<FidelityCase> decimationMethodCases();
+std::vector<FidelityCase> decimationMethodCasesOn(const std::string& name, const SoupSource& soup);
+
 // document.undo_granularity: edits of a large mesh, stored and exchanged as an undo step does.
 std::vector<FidelityCase> undoGranularityCases();
 FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);

@@ -7,6 +7,7 @@
 #include "haptics/snap/SnapFidelity.h"
 #include "machining/TurningFidelity.h"
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/simplify/DecimationFidelity.h"
 
 namespace handwheel {
 
@@ -18,6 +19,7 @@ FidelityRegistry measuredSettings() {
   registry.add(patchDensitySetting(), patchDensityCases());
   registry.add(pieceEdgesSetting(), pieceEdgesCases());
   registry.add(decimationErrorSetting(), decimationErrorCases());
+  registry.add(decimationMethodSetting(), decimationMethodCases());
   registry.add(chordSetting(), chordCases());
   registry.add(stepChordSetting(), stepChordCases());
   registry.add(turnSpacingSetting(), turnSpacingCases());
@@ -48,6 +50,7 @@ std::vector<FidelityCase> casesOnMesh(std::string_view id, const std::string& na
                           {decimationErrorSetting().id, decimationErrorCaseOn},
                           {blockFacesSetting().id, blockFacesCaseOn},
                           {coarseTrianglesSetting().id, coarseTrianglesCaseOn}};
+  if (id == decimationMethodSetting().id) return decimationMethodCasesOn(name, soup);
   for (const Maker& maker : makers) {
     if (maker.id == id) return {maker.make(name, soup)};
   }

@@ -6,6 +6,7 @@
 #include "mesh/defects/Defects.h"
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/search/FaceHierarchy.h"
+#include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/Weld.h"
 #include "support/MeshShapes.h"
@@ -111,6 +112,18 @@ void buildHierarchy(benchmark::State& state) {
   state.counters["triangles"] = static_cast<double>(mesh.faceSlots());
 }
 
+// To a tenth of the triangles, by either method.
+template <DecimationMethod method>
+void decimateToATenth(benchmark::State& state) {
+  const test::Surface sphere = test::sphere(static_cast<int>(state.range(0)), Vec3(10, 20, 30), 50.0, 0.1);
+  const HalfEdgeMesh mesh = buildMesh({sphere.points, sphere.triangles}).mesh;
+  for (auto _ : state) {
+    HalfEdgeMesh copy = mesh;
+    benchmark::DoNotOptimize(decimate(copy, {.faces = mesh.liveFaceCount() / 10, .method = method}));
+  }
+  state.counters["triangles"] = static_cast<double>(mesh.faceSlots());
+}
+
 // Rays from a camera's distance through points all over the model, as the mouse sends them. The bar is for the slowest
 // in a thousand, so that a pause of the machine does not count.
 void pick(benchmark::State& state) {
@@ -140,6 +153,8 @@ BENCHMARK(loadWeld)->Arg(354)->Unit(benchmark::kMillisecond)->UseManualTime()->M
 BENCHMARK(loadInspect)->Arg(354)->Unit(benchmark::kMillisecond)->UseManualTime()->MinTime(4.0);
 BENCHMARK(weldPoints)->Arg(382)->Unit(benchmark::kMillisecond);
 BENCHMARK(linkFaces)->Arg(382)->Unit(benchmark::kMillisecond);
+BENCHMARK(decimateToATenth<DecimationMethod::Bounded>)->Arg(112)->Unit(benchmark::kMillisecond);
+BENCHMARK(decimateToATenth<DecimationMethod::Quadric>)->Arg(112)->Unit(benchmark::kMillisecond);
 BENCHMARK(pick)->Arg(500)->Unit(benchmark::kMicrosecond)->UseManualTime();
 BENCHMARK(buildHierarchy)->Arg(5)->Arg(7)->Unit(benchmark::kMillisecond);
 

@@ -139,14 +139,14 @@ class EditTest : public QObject {
   // Every step that the program knows stands on the page.
   void help() {
     const QByteArray page = Bench().run({"help", "edit"}).out;
-    for (const char* verb : {"place",          "flat",          "axes",          "centre",
-                             "corner",         "delete",        "fill",          "keep-open",
-                             "no-longer-open", "repair",        "back",          "cut-and-close",
-                             "debris",         "degenerates",   "duplicates",    "split-nonmanifold",
-                             "two-sides",      "near-vertices", "cut-crossings", "decimate",
-                             "bridge",         "join",          "face",          "pull",
-                             "smooth-edge",    "stroke",        "subdivide",     "level-back",
-                             "smooth-noise",   "add",           "unit"})
+    for (const char* verb : {"place",          "flat",           "axes",          "centre",
+                             "corner",         "delete",         "fill",          "keep-open",
+                             "no-longer-open", "repair",         "back",          "cut-and-close",
+                             "debris",         "degenerates",    "duplicates",    "split-nonmanifold",
+                             "two-sides",      "near-vertices",  "cut-crossings", "decimate",
+                             "bridge",         "join",           "face",          "pull",
+                             "smooth-edge",    "stroke",         "subdivide",     "level-back",
+                             "smooth-noise",   "subdivide-mesh", "add",           "unit"})
       QVERIFY2(QRegularExpression(QString("\n  (.*[,;|] )?%1\\b").arg(verb)).match(page).hasMatch(), verb);
   }
 };

@@ -72,9 +72,9 @@ void MeasureTest::list() {
   QCOMPARE(ran.err, QByteArray());
   for (const char* id :
        {"mesh.near_weld", "mesh.fill_method", "mesh.fill_continuity", "mesh.patch_density", "mesh.piece_edges",
-        "mesh.decimation_error", "nurbs.chord_mm", "step.chord", "document.undo_granularity", "view.block_faces",
-        "view.coarse_triangles", "cell.shape_sides", "snap.radius", "snap.features", "proxy.tolerance",
-        "contact.stiffness", "servo.rate", "servo.velocity_window"}) {
+        "mesh.decimation_error", "mesh.decimation_method", "nurbs.chord_mm", "step.chord", "document.undo_granularity",
+        "view.block_faces", "view.coarse_triangles", "cell.shape_sides", "snap.radius", "snap.features",
+        "proxy.tolerance", "contact.stiffness", "servo.rate", "servo.velocity_window"}) {
     QVERIFY2(ran.out.contains(QByteArray(id) + ": "), id);
   }
 }

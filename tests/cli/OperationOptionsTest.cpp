@@ -94,8 +94,12 @@ class OperationOptionsTest : public QObject {
     values.setValid("error", 0.5);
     values.setValid("keep-creases", 30.0 * kRadiansPerDegree);
     values.setValid("faces", 7.0);
-    const nlohmann::json expected = {
-        {"faces", 7}, {"error_mm", 0.5}, {"keep_borders", false}, {"keep_creases_deg", 30.0}, {"no_crossings", false}};
+    const nlohmann::json expected = {{"faces", 7},
+                                     {"error_mm", 0.5},
+                                     {"keep_borders", false},
+                                     {"keep_creases_deg", 30.0},
+                                     {"no_crossings", false},
+                                     {"method", "bounded"}};
     const nlohmann::json decimation = toJson(values);
     QVERIFY2(decimation == expected, decimation.dump().c_str());
     const nlohmann::json repair = toJson(OperationValues(meshOperation("repair")));

@@ -13,6 +13,7 @@
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "tools/mesh/OpenMeshReasons.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 
 #include <cmath>
@@ -35,7 +36,7 @@ std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
   request.read.partial = arguments.has("partial");
   OperationValues values(decimateOperation());
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return problem;
-  if (!missingGoal(values).empty()) return sentenceOf(missingGoal(values));
+  if (!problemOf(values).empty()) return sentenceOf(problemOf(values));
   request.options = decimationOptionsOf(values);
   return {};
 }
@@ -89,6 +90,10 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
   if (!progress.cancelled()) done.report = decimate(mesh, options, progress.part(0.2, 0.9));
   if (done.report.largestDistance) *done.report.largestDistance += rounding;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (const char* reason = reasonOf(done.report.refusal)) {
+    done.refusal = request.input.string() + ": " + reason + ".";
+    return done;
+  }
   const Status written = writeMesh(*input, mesh, request.output, progress.part(0.9, 1.0));
   if (!written) return written.error();
   return done;

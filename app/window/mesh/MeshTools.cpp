@@ -7,6 +7,7 @@
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/SubdivideTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
@@ -110,6 +111,10 @@ std::unique_ptr<Tool> MeshTools::measureTool() {
 
 std::unique_ptr<Tool> MeshTools::decimateTool() {
   return std::make_unique<DecimateTool>(m_document->document, services());
+}
+
+std::unique_ptr<Tool> MeshTools::subdivideTool() {
+  return std::make_unique<SubdivideTool>(m_document->document, services());
 }
 
 std::unique_ptr<Tool> MeshTools::transformTool() {

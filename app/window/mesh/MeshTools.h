@@ -42,6 +42,7 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> sculptTool();
   std::unique_ptr<Tool> measureTool();
   std::unique_ptr<Tool> decimateTool();
+  std::unique_ptr<Tool> subdivideTool();
   std::unique_ptr<Tool> transformTool();
 
  private:

@@ -17,6 +17,7 @@
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/SubdivideTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
@@ -250,6 +251,9 @@ std::vector<ToolDescriptor> MeshUi::tools() {
           {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
            tr("Reduce the number of triangles while staying close to the surface"), QStringLiteral("decimate"),
            QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
+          {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
+           tr("Refine the whole mesh by a subdivision scheme, including open edges"), QStringLiteral("subdivide"),
+           QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
           {QStringLiteral("transformTool"), tr("&Place"),
            tr("Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin"),
            QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",

@@ -164,7 +164,7 @@ class NoiseFilter {
 std::optional<MovedVertices> smoothNoise(HalfEdgeMesh& mesh, const FaceSelection& part, const NoiseSmoothing& options) {
   NoiseFilter filter(mesh, part, options);
   if (!filter.run()) return std::nullopt;
-  return moveTowards(mesh, filter.moves(), options.numbers);
+  return moveTowards(mesh, filter.moves(), options.numbers, options.progress.part(1.0, 1.0));
 }
 
 FaceSelection facesAtBorder(const HalfEdgeMesh& mesh, int rings) {

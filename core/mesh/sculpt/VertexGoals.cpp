@@ -4,6 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "mesh/selection/FaceSelection.h"
+#include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/FaceNormal.h"
 
 #include <algorithm>
@@ -32,34 +33,42 @@ FaceShape faceShape(const TrianglePoints& t) {
 class LimitedMove {
  public:
   LimitedMove(const HalfEdgeMesh& mesh, std::span<const VertexGoal> moves, NumberType numbers)
-      : m_mesh(mesh), m_numbers(numbers), m_moving(moves.begin(), moves.end()), m_share(moves.size(), 1.0) {
+      : m_mesh(mesh), m_numbers(numbers), m_moving(moves.begin(), moves.end()), m_share(moves.size(), 1.0) {}
+
+  // False when cancelled.
+  bool prepare(const Progress& progress) {
     FaceSelection around;
     std::unordered_map<Vertex, std::uint32_t> moveOf;
-    moveOf.reserve(moves.size());
-    for (std::uint32_t i = 0; i < moves.size(); ++i) {
-      moveOf.emplace(mesh.from(moves[i].leaving), i);
-      for (const HalfEdge h : mesh.fan(moves[i].leaving)) around.add(HalfEdgeMesh::face(h));
+    moveOf.reserve(m_moving.size());
+    for (std::uint32_t i = 0; i < m_moving.size(); ++i) {
+      if (!pollProgress(i, m_moving.size(), progress.part(0.0, 0.5), kSearchesPerPoll)) return false;
+      moveOf.emplace(m_mesh.from(m_moving[i].leaving), i);
+      for (const HalfEdge h : m_mesh.fan(m_moving[i].leaving)) around.add(HalfEdgeMesh::face(h));
     }
     m_faces = around.faces();
     for (const Face f : m_faces) {
+      if (!pollProgress(m_before.size(), m_faces.size(), progress.part(0.5, 1.0), kSearchesPerPoll)) return false;
       std::array<std::uint32_t, 3> corners{};
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto it = moveOf.find(mesh.triangle(f)[k]);
+        const auto it = moveOf.find(m_mesh.triangle(f)[k]);
         corners[k] = it == moveOf.end() ? kNone : it->second;
       }
       m_corners.push_back(corners);
-      m_before.push_back(faceShape(mesh.points(f)));
+      m_before.push_back(faceShape(m_mesh.points(f)));
     }
+    return true;
   }
 
-  void limit() {
+  // False when cancelled.
+  bool limit(const Progress& progress) {
     std::vector<std::uint32_t> suspects(m_faces.size());
     for (std::uint32_t f = 0; f < suspects.size(); ++f) suspects[f] = f;
     for (int round = 0; !suspects.empty(); ++round) {
       std::vector<std::uint32_t> slowed;
-      for (const std::uint32_t f : suspects) {
-        if (isGood(f)) continue;
-        for (const std::uint32_t i : m_corners[f])
+      for (std::size_t k = 0; k < suspects.size(); ++k) {
+        if (k % kSearchesPerPoll == 0 && progress.cancelled()) return false;
+        if (isGood(suspects[k])) continue;
+        for (const std::uint32_t i : m_corners[suspects[k]])
           if (i != kNone && m_share[i] > 0.0) slowed.push_back(i);
       }
       unique(slowed);
@@ -70,6 +79,7 @@ class LimitedMove {
       }
       unique(suspects);
     }
+    return true;
   }
 
   MovedVertices write(HalfEdgeMesh& mesh) {
@@ -129,9 +139,10 @@ class LimitedMove {
 
 }  // namespace
 
-MovedVertices moveTowards(HalfEdgeMesh& mesh, std::span<const VertexGoal> moves, NumberType numbers) {
+MovedVertices moveTowards(HalfEdgeMesh& mesh, std::span<const VertexGoal> moves, NumberType numbers,
+                          Progress progress) {
   LimitedMove move(mesh, moves, numbers);
-  move.limit();
+  if (!move.prepare(progress) || !move.limit(progress)) return {};
   return move.write(mesh);
 }
 

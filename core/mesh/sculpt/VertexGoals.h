@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <span>
@@ -24,8 +25,8 @@ struct MovedVertices {
 // Moves vertices towards their goals, as far as no face becomes invalid. No face flips, loses its area or becomes a
 // needle by it: the vertices of a face that would go half of the way, then half of that, at last nowhere. Positions are
 // rounded to the numbers of the file. A vertex whose goal is not finite or equals its position stays, bit for bit. Each
-// vertex is named once. O(faces around them), and a bit for each face slot.
+// vertex is named once. Nothing moves when cancelled. O(faces around them), and a bit for each face slot.
 MovedVertices moveTowards(HalfEdgeMesh& mesh, std::span<const VertexGoal> moves,
-                          NumberType numbers = NumberType::Float64);
+                          NumberType numbers = NumberType::Float64, Progress progress = {});
 
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include "mesh/measure/Deviation.h"
 #include "mesh/search/DistanceBound.h"
 #include "mesh/simplify/Decimator.h"
+#include "mesh/simplify/QuadricDecimation.h"
 
 #include <algorithm>
 
@@ -101,12 +102,15 @@ DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, 
   DecimationReport report;
   report.facesBefore = mesh.liveFaceCount();
   report.removedDegenerate = removeDegenerate(mesh);
-  if (options.error) {
+  if (options.method == DecimationMethod::Quadric) {
+    report.refusal = decimateByQuadrics(mesh, options, progress);
+    report.cancelled = progress.cancelled();
+  } else if (options.error) {
     decimateWithin(mesh, options, report, progress);
   } else {
     report.cancelled = !Decimator(mesh, options, {}, progress.part(0.0, 0.05)).run(progress.part(0.05, 1.0));
   }
-  if (report.cancelled) mesh = original;
+  if (report.cancelled || report.refusal != OpenMeshRefusal::None) mesh = original;
   report.facesAfter = mesh.liveFaceCount();
   return report;
 }

@@ -3,11 +3,20 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "mesh/openmesh/OpenMeshRefusal.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <optional>
 
 namespace handwheel {
+
+// How triangles are chosen that go.
+enum class DecimationMethod {
+  Bounded,  // ours: with every option
+  // OpenMesh's: a vertex goes to one beside it, so those that stay do not move. It bounds no distance and
+  // looks at no other faces, so error must be none and avoidIntersections false.
+  Quadric,
+};
 
 // Options of decimate().
 struct DecimationOptions {
@@ -26,6 +35,7 @@ struct DecimationOptions {
   // No pair of faces meets in more than a shared vertex or edge that did not before. Existing self-intersections stay
   // as they are.
   bool avoidIntersections = false;
+  DecimationMethod method = DecimationMethod::Bounded;
 };
 
 // The report of a decimation.
@@ -37,6 +47,7 @@ struct DecimationReport {
   // is farther than the error, or the proof would have taken too long (an error far smaller than the faces).
   std::optional<double> largestDistance;
   bool isProven = false;
+  OpenMeshRefusal refusal = OpenMeshRefusal::None;  // of Quadric; then the mesh is unchanged
   bool cancelled = false;
 };
 
@@ -45,7 +56,8 @@ struct DecimationReport {
 // they are, not sums over all that was there before: on scans the result is nearer to the original (Lindstrom and Turk,
 // "Fast and memory efficient polygonal simplification", 1998). Vertices at seams and at positions that several vertices
 // share stay. Face and vertex numbers that remain mean what they did before, though vertices move. The mesh is valid
-// afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces.
+// afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. By Quadric, the quadrics are
+// sums (docs/adr/0028-openmesh.md); all else holds.
 DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress = {});
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/simplify/CollapsePlacement.h"
+#include "mesh/simplify/CollapseShape.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeCollapse.h"
 
@@ -13,20 +14,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kFlipCosine = 0.2;  // between a face's normals before and after
-constexpr double kNeedle = 0.01;     // area as a share of an equilateral triangle's with the same sum of squares
-constexpr double kThinner = 0.9;     // as a share of the thinnest before: where all are needles they may shear a little
 constexpr std::size_t kCollapsesPerLook = 256;
-
-Vec3 areaNormal(const TrianglePoints& t) {
-  return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
-// 1 for an equilateral triangle, 0 for one without area.
-double roundnessOf(const TrianglePoints& t) {
-  const double squares = (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
-  return squares > 0.0 ? 4.0 * std::sqrt(3.0) * areaNormal(t).norm() / squares : 0.0;
-}
 
 }  // namespace
 
@@ -72,19 +60,6 @@ void Decimator::takeStar(HalfEdge h, const Vec3& p) {
   if (o != kNone) m_star.faces.push_back(o);
 }
 
-// No face turns over, loses its area, or becomes a needle much thinner than those that were there.
-bool Decimator::keepsShape() const {
-  double thinnest = 1.0, thinnestBefore = 1.0;
-  for (std::size_t i = 0; i < m_star.after.size(); ++i) {
-    const Vec3 before = areaNormal(m_star.before[i]), after = areaNormal(m_star.after[i]);
-    if (isDegenerate(m_star.after[i])) return false;
-    if (!before.isZero() && before.dot(after) <= kFlipCosine * before.norm() * after.norm()) return false;
-    thinnest = std::min(thinnest, roundnessOf(m_star.after[i]));
-    thinnestBefore = std::min(thinnestBefore, roundnessOf(m_star.before[i]));
-  }
-  return thinnest >= std::min(kNeedle, kThinner * thinnestBefore);
-}
-
 bool Decimator::meetsNothing() {
   ++m_stars;
   for (const Face f : m_star.faces) m_inStar[f] = m_stars;
@@ -107,7 +82,7 @@ bool Decimator::meetsNothing() {
 bool Decimator::isAllowed(HalfEdge h, const Vec3& p) {
   if (m_holds.mergesCreases(m_mesh, h) || !canCollapse(m_mesh, h)) return false;
   takeStar(h, p);
-  if (!keepsShape()) return false;
+  if (!keepsShape(m_star.before, m_star.after)) return false;
   if (m_options.avoidIntersections && !meetsNothing()) return false;
   return !m_error || m_error->allows(m_star.faces, m_star.after);
 }

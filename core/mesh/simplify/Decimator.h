@@ -53,7 +53,6 @@ class Decimator {
   void offer(HalfEdge h);
 
   void takeStar(HalfEdge h, const Vec3& p);
-  bool keepsShape() const;
   bool meetsNothing();
   bool isAllowed(HalfEdge h, const Vec3& p);
   void collapse(HalfEdge h, const Vec3& p);

@@ -4,6 +4,7 @@
 
 #include "document/mesh/MeshDocument.h"
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/simplify/DecimationFidelity.h"
 #include "tools/OperationSettings.h"
 #include "tools/ToolProperty.h"
 #include "tools/mesh/ManualMeshChanges.h"
@@ -28,6 +29,7 @@ DecimateTool::DecimateTool(MeshDocument& document, MeshServices services)
   m_values.setValid("keep-borders", true);
   m_values.setValid("keep-creases", kUsualCrease);
   m_values.setValid("no-crossings", true);
+  m_values.setValid("method", static_cast<double>(decimationMethodOf(m_document.fidelity())));
   resetGoals();
 }
 
@@ -48,9 +50,15 @@ void DecimateTool::documentChanged() {
   if (m_values.whole("faces") >= m_document.mesh().liveFaceCount()) resetGoals();
 }
 
+// It knows of no distance and no crossings, so these are not offered.
+bool DecimateTool::isQuadric() const {
+  return static_cast<DecimationMethod>(m_values.whole("method")) == DecimationMethod::Quadric;
+}
+
 DecimationOptions DecimateTool::options() const {
   OperationValues values = m_values;
-  values.reset(m_goal == Goal::Count ? "error" : "faces");
+  values.reset(goal() == Goal::Count ? "error" : "faces");
+  if (isQuadric()) values.reset("no-crossings");
   if (!m_keepsCreases) values.reset("keep-creases");
   return decimationOptionsOf(values);
 }
@@ -67,7 +75,7 @@ std::span<const ToolKey> DecimateTool::keys() {
 }
 
 std::vector<ToolAction> DecimateTool::actions() const {
-  const bool isFewer = m_goal == Goal::Distance || m_values.whole("faces") < m_document.mesh().liveFaceCount();
+  const bool isFewer = goal() == Goal::Distance || m_values.whole("faces") < m_document.mesh().liveFaceCount();
   const bool isBusy = m_services.isBusy();
   ToolAction commit = actionOf(kDecimateKeys, "commit", isFewer && !isBusy);
   if (!isFewer) commit.reason = QT_TRANSLATE_NOOP("Tool", "the mesh has no more triangles than that");
@@ -76,16 +84,17 @@ std::vector<ToolAction> DecimateTool::actions() const {
 }
 
 std::vector<Property> DecimateTool::settings() const {
-  std::vector<Property> all;
-  all.push_back(choiceSetting(
-      "goal", QT_TRANSLATE_NOOP("Property", "Target"), static_cast<int>(m_goal),
-      {QT_TRANSLATE_NOOP("Property", "Number of triangles"), QT_TRANSLATE_NOOP("Property", "Largest distance")}));
-  all.push_back(settingOf(m_values, m_goal == Goal::Count ? "faces" : "error"));
-  if (m_goal == Goal::Count) all.back().least = kFewestFaces;
+  std::vector<Property> all = {settingOf(m_values, "method")};
+  if (!isQuadric())
+    all.push_back(choiceSetting(
+        "goal", QT_TRANSLATE_NOOP("Property", "Target"), static_cast<int>(m_goal),
+        {QT_TRANSLATE_NOOP("Property", "Number of triangles"), QT_TRANSLATE_NOOP("Property", "Largest distance")}));
+  all.push_back(settingOf(m_values, goal() == Goal::Count ? "faces" : "error"));
+  if (goal() == Goal::Count) all.back().least = kFewestFaces;
   all.push_back(settingOf(m_values, "keep_borders"));
   all.push_back(switchSetting("has_creases", QT_TRANSLATE_NOOP("Property", "Preserve sharp edges"), m_keepsCreases));
   if (m_keepsCreases) all.push_back(settingOf(m_values, "keep_creases"));
-  all.push_back(settingOf(m_values, "no_crossings"));
+  if (!isQuadric()) all.push_back(settingOf(m_values, "no_crossings"));
   return all;
 }
 

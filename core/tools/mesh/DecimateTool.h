@@ -31,6 +31,8 @@ class DecimateTool : public Tool {
   DecimationOptions options() const;
   void resetGoals();
   void setFaces(double faces);
+  bool isQuadric() const;
+  Goal goal() const { return isQuadric() ? Goal::Count : m_goal; }
 
   MeshDocument& m_document;
   MeshServices m_services;

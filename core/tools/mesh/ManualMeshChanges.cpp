@@ -5,10 +5,13 @@
 #include "mesh/boundary/BorderWelding.h"
 #include "mesh/boundary/VertexPull.h"
 #include "tools/mesh/LoopText.h"
+#include "tools/mesh/OpenMeshReasons.h"
 #include "tools/mesh/boundary/BorderPicking.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 #include "tools/mesh/operations/EdgeOperations.h"
+#include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
+#include "tools/mesh/operations/SubdivideOperation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -44,10 +47,26 @@ MeshChange deleteChange(FaceSelection faces, const char* text, const char* reaso
 }
 
 MeshChange decimateChange(const DecimationOptions& options) {
-  return withStep(
-      {meshOperation("decimate").title, [options](HalfEdgeMesh& mesh, Progress p) { decimate(mesh, options, p); },
-       QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits")},
-      StepWriter("decimate").options(valuesOf(options)).text());
+  MeshChange change;
+  change.text = meshOperation("decimate").title;
+  change.reason = QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits");
+  change.refusal = std::make_shared<std::atomic<const char*>>(nullptr);
+  change.apply = [options, refusal = change.refusal](HalfEdgeMesh& mesh, Progress p) {
+    *refusal = reasonOf(decimate(mesh, options, p).refusal);
+  };
+  return withStep(std::move(change), StepWriter("decimate").options(valuesOf(options)).text());
+}
+
+MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType numbers) {
+  OperationValues values = valuesOf(subdivision);
+  setNumbers(values, numbers);
+  MeshChange change;
+  change.text = subdivideMeshOperation().title;
+  change.refusal = std::make_shared<std::atomic<const char*>>(nullptr);
+  change.apply = [=, refusal = change.refusal](HalfEdgeMesh& mesh, Progress p) {
+    *refusal = reasonOf(subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p}));
+  };
+  return withStep(std::move(change), StepWriter("subdivide-mesh").options(values).text());
 }
 
 MeshChange faceChange(const Triangle& face) {

@@ -4,6 +4,7 @@
 
 #include "mesh/boundary/BorderSmoothing.h"
 #include "mesh/boundary/Bridging.h"
+#include "mesh/sculpt/SchemeSubdivision.h"
 #include "mesh/selection/FaceSelection.h"
 #include "mesh/simplify/Decimation.h"
 #include "tools/mesh/MeshServices.h"
@@ -17,6 +18,8 @@ namespace handwheel {
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason = nullptr);
 // Reduces the number of triangles by decimate().
 MeshChange decimateChange(const DecimationOptions& options);
+// Subdivides the whole mesh by subdivideAll().
+MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType numbers);
 // Adds a face over three points of open edges, counter-clockwise as seen from outside.
 MeshChange faceChange(const Triangle& face);
 // Moves the point at ends.a to that at ends.b, and joins them.

@@ -11,6 +11,7 @@
 namespace handwheel {
 
 const char* reasonOf(const MeshChange& change) {
+  if (const char* refusal = change.refusal ? change.refusal->load() : nullptr) return refusal;
   const bool isCutShort = change.isCutShort && *change.isCutShort;
   return isCutShort ? QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size") : change.reason;
 }

@@ -30,6 +30,8 @@ struct MeshChange {
   std::string step = {};
   // Set by apply: it ended because it took too much effort. Null where that cannot be.
   std::shared_ptr<std::atomic<bool>> isCutShort = nullptr;
+  // Set by apply: why this mesh was refused; English, context "Tool". Null where none can be.
+  std::shared_ptr<std::atomic<const char*>> refusal = nullptr;
 };
 
 // Why a change has changed nothing, once it was applied; as MeshChange::reason.

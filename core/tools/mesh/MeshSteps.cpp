@@ -18,6 +18,7 @@
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
 #include "tools/mesh/operations/RepairOperation.h"
+#include "tools/mesh/operations/SubdivideOperation.h"
 #include "tools/mesh/sculpt/SculptSteps.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ MeshChange readCutCrossings(StepReader& reader, const OperationValues& values, c
 }
 
 MeshChange readDecimate(StepReader& reader, const OperationValues& values, const MeshDocument&) {
-  reader.complain(missingGoal(values));
+  reader.complain(problemOf(values));
   return decimateChange(decimationOptionsOf(values));
 }
 
@@ -225,6 +226,11 @@ constexpr Verb kVerbs[] = {
      nullptr},
     {"cut-crossings", readCutCrossings, nullptr},
     {"decimate", readDecimate, nullptr},
+    {"subdivide-mesh",
+     [](StepReader&, const OperationValues& v, const MeshDocument& d) {
+       return subdivideMeshChange(schemeSubdivisionOf(v), numbersFor(d, v));
+     },
+     nullptr},
     {"bridge",
      [](StepReader& r, const OperationValues&, const MeshDocument& d) { return bridgeChange(readEnds(r, d)); },
      nullptr},

@@ -9,6 +9,7 @@
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/SubdivideTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
@@ -52,6 +53,7 @@ void ToolKeyTest::theKeysOfATool_data() {
   add("face", MakeFaceTool::keys());
   add("sculpt", SculptTool::keys());
   add("select", SelectTool::keys());
+  add("subdivide", SubdivideTool::keys());
   add("transform", TransformTool::keys());
 }
 

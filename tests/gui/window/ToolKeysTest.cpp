@@ -9,6 +9,7 @@
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/SubdivideTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
@@ -26,9 +27,10 @@ struct ToolUnderTest {
 };
 
 std::vector<ToolUnderTest> allTools() {
-  return {{"measure", MeasureTool::keys()},   {"joints", JointDragTool::keys()}, {"boundary", BoundaryTool::keys()},
-          {"decimate", DecimateTool::keys()}, {"fill", FillHoleTool::keys()},    {"face", MakeFaceTool::keys()},
-          {"sculpt", SculptTool::keys()},     {"select", SelectTool::keys()},    {"transform", TransformTool::keys()}};
+  return {{"measure", MeasureTool::keys()},    {"joints", JointDragTool::keys()}, {"boundary", BoundaryTool::keys()},
+          {"decimate", DecimateTool::keys()},  {"fill", FillHoleTool::keys()},    {"face", MakeFaceTool::keys()},
+          {"sculpt", SculptTool::keys()},      {"select", SelectTool::keys()},    {"subdivide", SubdivideTool::keys()},
+          {"transform", TransformTool::keys()}};
 }
 
 }  // namespace

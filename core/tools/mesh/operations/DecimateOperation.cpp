@@ -36,6 +36,18 @@ Parameter creasesParameter() {
           .hasDefault = false};
 }
 
+Parameter decimationMethodParameter() {
+  return {.property = {.id = "method",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Bounded"),
+                                   QT_TRANSLATE_NOOP("Property", "Quadric")}},  // as DecimationMethod
+          .meaning = "bounded limits the distance; quadric only removes vertices, without --error and --no-crossings",
+          .word = "METHOD",
+          .words = {"bounded", "quadric"}};
+}
+
 }  // namespace
 
 const Operation& decimateOperation() {
@@ -52,6 +64,7 @@ const Operation& decimateOperation() {
           creasesParameter(),
           flagParameter("no-crossings", "Create no new self-intersections",
                         QT_TRANSLATE_NOOP("Property", "Prevent self-intersections")),
+          decimationMethodParameter(),
       }};
   return operation;
 }
@@ -63,6 +76,7 @@ DecimationOptions decimationOptionsOf(const OperationValues& values) {
   options.keepBorders = values.flag("keep-borders");
   options.creaseAngle = values.given("keep-creases");
   options.avoidIntersections = values.flag("no-crossings");
+  options.method = static_cast<DecimationMethod>(values.whole("method"));
   return options;
 }
 
@@ -73,12 +87,18 @@ OperationValues valuesOf(const DecimationOptions& options) {
   values.setValid("keep-borders", options.keepBorders);
   if (options.creaseAngle) values.setValid("keep-creases", *options.creaseAngle);
   values.setValid("no-crossings", options.avoidIntersections);
+  values.setValid("method", static_cast<double>(options.method));
   return values;
 }
 
-std::string missingGoal(const OperationValues& values) {
-  const bool hasGoal = values.whole("faces") > 0 || values.given("error");
-  return hasGoal ? std::string() : "give a target: --faces N, --error MM or both";
+std::string problemOf(const OperationValues& values) {
+  if (values.whole("faces") == 0 && !values.given("error")) return "give a target: --faces N, --error MM or both";
+  if (static_cast<DecimationMethod>(values.whole("method")) == DecimationMethod::Bounded) return {};
+  if (values.given("error"))
+    return "--method quadric does not bound the distance: give --faces N alone, or use --method bounded";
+  if (values.flag("no-crossings"))
+    return "--method quadric does not check for self-intersections: omit --no-crossings, or use --method bounded";
+  return {};
 }
 
 }  // namespace handwheel

@@ -13,7 +13,8 @@ const Operation& decimateOperation();
 DecimationOptions decimationOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const DecimationOptions& options);
 
-// What is wrong with values that say neither of the goals, as a clause; nothing for others.
-std::string missingGoal(const OperationValues& values);
+// What is wrong with values that say neither of the goals, or what their method cannot keep, as a clause; nothing for
+// others.
+std::string problemOf(const OperationValues& values);
 
 }  // namespace handwheel

@@ -9,6 +9,7 @@
 #include "tools/mesh/operations/PlaceOperation.h"
 #include "tools/mesh/operations/RepairOperation.h"
 #include "tools/mesh/operations/SculptOperations.h"
+#include "tools/mesh/operations/SubdivideOperation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -51,7 +52,7 @@ std::vector<Operation> allOperations() {
   add(placeOperations());
   add({fillOperation(), repairOperation()});
   add(mendOperations());
-  add({decimateOperation()});
+  add({decimateOperation(), subdivideMeshOperation()});
   add(edgeOperations());
   add(sculptOperations());
   add(plainOperations());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/operations/SculptOperations.h"
 
+#include "mesh/sculpt/LaplaceSmoothing.h"
 #include "mesh/sculpt/NoiseSmoothing.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/SharedParameters.h"
@@ -64,6 +65,21 @@ Parameter noiseParameter() {
           .word = "DEGREES"};
 }
 
+Parameter noiseMethodParameter() {
+  return {.property = {.id = "method", .group = {}, .label = {}, .value = 0.0},  // as NoiseMethod
+          .meaning = "bilateral preserves sharp edges; laplace and bending round them",
+          .word = "METHOD",
+          .words = {"bilateral", "laplace", "bending"}};
+}
+
+Parameter passesParameter() {
+  Parameter passes = countParameter("passes", "N", "Number of passes of laplace or bending");
+  passes.property.value = static_cast<double>(LaplaceSmoothing().passes);
+  passes.property.least = 1.0;
+  passes.property.largest = 1000.0;
+  return passes;
+}
+
 std::vector<Parameter> patchParameters() {
   std::vector<Parameter> all = {
       textParameter("patch", "TRIANGLES", "The triangles to work on, at the finest level"),
@@ -105,7 +121,8 @@ std::vector<Operation> sculptOperations() {
       {.id = "smooth-noise",
        .title = QT_TRANSLATE_NOOP("Tool", "Smooth noise"),
        .meaning = "Smooth noise of a patch; without one along open edges",
-       .parameters = around({}, {noiseParameter(), bordersParameter(), numbersParameter()})},
+       .parameters = around(
+           {}, {noiseMethodParameter(), noiseParameter(), passesParameter(), bordersParameter(), numbersParameter()})},
   };
 }
 

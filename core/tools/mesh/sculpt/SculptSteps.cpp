@@ -109,16 +109,13 @@ SculptWork readStroke(StepReader& reader, const OperationValues& values, const M
 
 SculptWork readNoise(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
   const auto levels = readPatch(reader, values, document);
-  NoiseSmoothing options;
-  options.normalSpread = values.number("angle");
-  options.movesBorder = values.flag("borders");
-  options.numbers = numbersFor(document, values);
+  const Denoising options = denoisingOf(values, numbersFor(document, values));
+  const bool isOurs = options.method == NoiseMethod::Bilateral;
+  if (!isOurs && values.flag("borders")) reader.complain("only --method bilateral moves open edges: omit --borders");
+  if (values.isSet(isOurs ? "passes" : "angle"))
+    reader.complain(isOurs ? "--passes needs --method laplace or bending" : "--angle needs --method bilateral");
   if (!levels) return nullptr;
-  return [levels = *levels, options](Progress progress) {
-    NoiseSmoothing told = options;
-    told.progress = progress;
-    return denoised(levels, told);
-  };
+  return [levels = *levels, options](Progress progress) { return denoised(levels, options, progress); };
 }
 
 SculptWork readSubdivision(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
@@ -151,18 +148,41 @@ SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType
   return {std::move(levels), std::move(touched), problem, StepWriter("subdivide").options(values).text()};
 }
 
-SculptResult denoised(PatchLevels levels, const NoiseSmoothing& options) {
+Denoising denoisingOf(const OperationValues& values, NumberType numbers) {
+  Denoising options;
+  options.method = static_cast<NoiseMethod>(values.whole("method"));
+  options.bilateral.normalSpread = values.number("angle");
+  options.bilateral.movesBorder = values.flag("borders");
+  options.laplace.isBending = options.method == NoiseMethod::Bending;
+  options.laplace.passes = static_cast<int>(values.whole("passes"));
+  options.bilateral.numbers = options.laplace.numbers = numbers;
+  return options;
+}
+
+SculptResult denoised(PatchLevels levels, Denoising options, Progress progress) {
   OperationValues values = patchValues("smooth-noise", levels);
-  values.setValid("angle", options.normalSpread);
-  values.setValid("borders", options.movesBorder);
-  setNumbers(values, options.numbers);
+  values.setValid("method", static_cast<double>(options.method));
+  setNumbers(values, options.bilateral.numbers);
   HalfEdgeMesh mesh = levels.mesh();
   const FaceSelection part = levels.patch().empty() ? facesAtBorder(mesh, kBorderRings) : levels.patch();
-  FaceSelection touched;
-  if (const auto moved = smoothNoise(mesh, part, options))
-    for (const Face f : moved->faces) touched.add(f);
+  std::vector<Face> moved;
+  const char* problem = nullptr;
+  if (options.method == NoiseMethod::Bilateral) {
+    values.setValid("angle", options.bilateral.normalSpread);
+    values.setValid("borders", options.bilateral.movesBorder);
+    options.bilateral.progress = progress;
+    if (auto smooth = smoothNoise(mesh, part, options.bilateral)) moved = std::move(smooth->faces);
+  } else {
+    values.setValid("passes", static_cast<double>(options.laplace.passes));
+    options.laplace.progress = progress;
+    LaplaceSmoothed smooth = smoothByLaplace(mesh, part, options.laplace);
+    moved = std::move(smooth.moved.faces);
+    if (smooth.refusal != OpenMeshRefusal::None)
+      problem =
+          QT_TRANSLATE_NOOP("Property", "This filter does not support degenerate or duplicate triangles or edges.");
+  }
   levels.replace(levels.finest(), std::move(mesh));
-  return {std::move(levels), std::move(touched), nullptr, StepWriter("smooth-noise").options(values).text()};
+  return {std::move(levels), FaceSelection(moved), problem, StepWriter("smooth-noise").options(values).text()};
 }
 
 SculptResult coarsened(PatchLevels levels) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/sculpt/LaplaceSmoothing.h"
 #include "mesh/sculpt/NoiseSmoothing.h"
 #include "tools/mesh/StepText.h"
+#include "tools/mesh/sculpt/SculptSettings.h"
 #include "tools/mesh/sculpt/SculptStroke.h"
 
 #include <functional>
@@ -23,8 +25,16 @@ struct SculptResult {
 
 // Subdivides a patch. times: number of levels to add; none: until it is as fine as its surroundings.
 SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
+// How noise is smoothed: by the options of the method that is chosen.
+struct Denoising {
+  NoiseMethod method = NoiseMethod::Bilateral;
+  NoiseSmoothing bilateral;
+  LaplaceSmoothing laplace;
+};
+Denoising denoisingOf(const OperationValues& values, NumberType numbers);
+
 // Smooths noise on the patch, or along the border without one.
-SculptResult denoised(PatchLevels levels, const NoiseSmoothing& options);
+SculptResult denoised(PatchLevels levels, Denoising options, Progress progress);
 // Removes the finest level of a patch.
 SculptResult coarsened(PatchLevels levels);
 // The result of a finished stroke.

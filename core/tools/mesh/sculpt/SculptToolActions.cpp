@@ -160,15 +160,15 @@ void SculptTool::refine(const char* text, std::optional<int> times) {
 }
 
 void SculptTool::smoothNoiseLater() {
-  NoiseSmoothing options;
-  options.normalSpread = m_settings.noiseAngle;
-  options.movesBorder = m_settings.movesBorder;
-  options.numbers = m_document.fileNumbers();
+  Denoising options;
+  options.method = m_settings.noiseMethod;
+  options.bilateral.normalSpread = m_settings.noiseAngle;
+  options.bilateral.movesBorder = m_settings.movesBorder;
+  options.laplace.isBending = m_settings.noiseMethod == NoiseMethod::Bending;
+  options.laplace.passes = static_cast<int>(m_settings.noisePasses);
+  options.bilateral.numbers = options.laplace.numbers = m_document.fileNumbers();
   start(QT_TRANSLATE_NOOP("Tool", "Smoothing noise"), QT_TRANSLATE_NOOP("Tool", "Smooth noise"),
-        [options](PatchLevels levels, Progress progress) mutable {
-          options.progress = progress;
-          return denoised(std::move(levels), options);
-        });
+        [options](PatchLevels levels, Progress progress) { return denoised(std::move(levels), options, progress); });
 }
 
 void SculptTool::goBackALevel() {

@@ -25,6 +25,7 @@ class VertexGoalsTest : public QObject {
   void noFaceTurnsOver();
   void roundsToTheFile();
   void oddGoals();
+  void cancelled();
   void facesWithoutAreaHoldNobodyBack();
   void sameInEverySizeAndPlace();
 };
@@ -106,6 +107,25 @@ void VertexGoalsTest::oddGoals() {
   moveTowards(mesh, std::array{VertexGoal{h, Vec3(0, 0, 1e300)}}, NumberType::Float32);
   moveTowards(mesh, std::array{VertexGoal{h, mesh.position(kVertexGoalsMiddle)}}, NumberType::Float32);
   QVERIFY(test::sameMesh(mesh, before));
+}
+
+// The last of the polls is before anything moves.
+void VertexGoalsTest::cancelled() {
+  const HalfEdgeMesh before = buildMesh(test::bumpySphere(5)).mesh;
+  std::vector<HalfEdge> leaving(before.vertexSlots());
+  for (HalfEdge h = 0; h < before.halfEdgeSlots(); ++h) leaving[before.from(h)] = h;
+  std::vector<VertexGoal> moves;
+  for (const HalfEdge h : leaving) moves.push_back({h, 1.5 * before.position(before.from(h))});
+  std::size_t midst = 0;
+  for (std::size_t effort = 0;; effort += 256) {
+    WorkBudget budget(effort);
+    HalfEdgeMesh mesh = before;
+    const bool isDone = !moveTowards(mesh, moves, NumberType::Float64, Progress().within(budget)).faces.empty();
+    QCOMPARE(test::sameMesh(mesh, before), !isDone);
+    if (isDone) break;
+    ++midst;
+  }
+  QVERIFY(midst > 3);
 }
 
 void VertexGoalsTest::facesWithoutAreaHoldNobodyBack() {

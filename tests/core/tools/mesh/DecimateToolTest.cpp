@@ -7,6 +7,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/simplify/DecimationFidelity.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
@@ -38,6 +39,7 @@ class DecimateToolTest : public QObject {
   void distanceThatWasChosen();
   void whatCannotBe();
   void afterUndo();
+  void quadric();
 };
 
 void DecimateToolTest::toACount() {
@@ -102,6 +104,22 @@ void DecimateToolTest::afterUndo() {
   tool.perform("commit");
   tool.documentChanged();
   QVERIFY(valueOf(tool, "faces") < static_cast<double>(document->mesh().liveFaceCount()));
+}
+
+// It bounds no distance and looks at no crossings, so these are not offered, nor in its step.
+void DecimateToolTest::quadric() {
+  const auto document = test::meshDocument(test::icosphere(3));
+  FidelityValues values;
+  QVERIFY(values.set(decimationMethodSetting(), 1.0));
+  document->setFidelity(values);
+  DecimateTool tool(*document, immediateServices(*document));
+  QCOMPARE(valueOf(tool, "method"), 1.0);
+  tool.setSetting("goal", 1.0);
+  for (const char* id : {"goal", "error"}) QVERIFY(std::isnan(valueOf(tool, id)));
+  tool.setSetting("faces", 300.0);
+  tool.perform("commit");
+  QCOMPARE(document->mesh().liveFaceCount(), std::size_t(300));
+  QCOMPARE(validate(document->mesh()), std::string());
 }
 
 HANDWHEEL_TEST(DecimateToolTest)

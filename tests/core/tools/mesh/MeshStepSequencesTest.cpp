@@ -144,6 +144,8 @@ void MeshStepSequencesTest::hostile() {
       "stroke inflate 3:0,0,1 4:0.1,0,1 --radius 0.2 --strength -0.5",
       "subdivide --patch 3,9",
       "smooth-noise --patch 2-30 --angle 20 --borders",
+      "smooth-noise --patch 2-30 --method laplace --passes 3",
+      "subdivide-mesh --method butterfly --times 2",
       "level-back --patch 3 --finest 1",
       "unit cm"};
   const std::string pieces[] = {"0",          "9",  "-",           ",",     ":",          " ",

@@ -361,6 +361,13 @@ void MeshStepsTest::mistakes_data() {
   row("place --turn 1,2,400", "--turn takes A,B,C, each an angle from -360 to 360 degrees, not '1,2,400'");
   row("place --unit ft", "--unit takes mm, cm, m or in, not 'ft'");
   row("place --scale 2 --scale 3", "--scale is given twice");
+  row("decimate --method quadric --error 1",
+      "--method quadric does not bound the distance: give --faces N alone, or use --method bounded");
+  row("decimate --method quadric --faces 4 --no-crossings",
+      "--method quadric does not check for self-intersections: omit --no-crossings, or use --method bounded");
+  row("smooth-noise --method laplace --borders", "only --method bilateral moves open edges: omit --borders");
+  row("smooth-noise --method bending --angle 30", "--angle needs --method bilateral");
+  row("smooth-noise --passes 3", "--passes needs --method laplace or bending");
   row("decimate", "give a target: --faces N, --error MM or both");
   row("stroke paint 0:0,0,0 --radius 1", "the brushes are drag, smooth, inflate and flatten");
   row("stroke drag 0:0,0,0 --radius 1", "--by X,Y,Z is missing");

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/sculpt/SchemeSubdivision.h"
+
+#include "mesh/openmesh/OpenMeshCopy.h"
+
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+namespace Uniform = OpenMesh::Subdivider::Uniform;
+
+// Attached to a surface while it lives. A scheme that is still attached when it ends, as after a cancel, would call its
+// cleanup() from the destructor of its base, where that is pure virtual.
+template <class Scheme>
+class Attached {
+ public:
+  Attached(Scheme& scheme, OpenMeshSurface& surface) : m_scheme(scheme) { m_scheme.attach(surface); }
+  ~Attached() { m_scheme.detach(); }
+  Attached(const Attached&) = delete;
+  Attached& operator=(const Attached&) = delete;
+
+ private:
+  Scheme& m_scheme;
+};
+
+// Attached for all levels: √3 treats open edges at every other one.
+template <class Scheme>
+void subdivideBy(Scheme& scheme, OpenMeshSurface& surface, int times, const Progress& progress) {
+  const Attached<Scheme> attached(scheme, surface);
+  double before = 0.0;
+  for (int i = 0; i < times; ++i) {
+    // As many as there will be, for √3 more: to grow, all that is there would be copied, without a poll.
+    const std::size_t edges = surface.n_edges(), faces = surface.n_faces();
+    surface.reserve(surface.n_vertices() + edges, 2 * edges + 3 * faces, 4 * faces);
+    scheme(std::size_t{1});
+    before = 0.25 + 0.75 * before;  // the last level takes most of the time
+    progress.set(i + 1 == times ? 1.0 : before / double(times));
+  }
+}
+
+// The tables of weights of OpenMesh end at 50, without a check.
+template <class Scheme>
+void subdivideTabled(OpenMeshSurface& surface, std::size_t mostNeighbours, int times, const Progress& progress) {
+  Scheme scheme;
+  scheme.init_weights(mostNeighbours + 1);
+  subdivideBy(scheme, surface, times, progress);
+}
+
+std::size_t mostNeighbours(const OpenMeshSurface& surface) {
+  std::size_t most = 6;
+  for (const auto v : surface.vertices()) most = std::max(most, std::size_t(surface.valence(v)));
+  return most;
+}
+
+void subdivideSurface(OpenMeshSurface& surface, const SchemeSubdivision& subdivision, std::size_t most,
+                      const Progress& progress) {
+  switch (subdivision.scheme) {
+    case SubdivisionScheme::Loop:
+      return subdivideTabled<Uniform::LoopT<OpenMeshSurface>>(surface, most, subdivision.times, progress);
+    case SubdivisionScheme::Sqrt3:
+      return subdivideTabled<Uniform::Sqrt3T<OpenMeshSurface>>(surface, most, subdivision.times, progress);
+    case SubdivisionScheme::Butterfly: {
+      Uniform::ModifiedButterflyT<OpenMeshSurface> scheme;
+      return subdivideBy(scheme, surface, subdivision.times, progress);
+    }
+  }
+}
+
+// By the numbers of the file. False where these cannot tell the ends of an edge apart that were apart, or hold a point.
+bool roundPoints(OpenMeshSurface& surface, NumberType numbers) {
+  std::vector<Vec3> places(surface.n_vertices());
+  for (const auto v : surface.vertices()) {
+    const Vec3 exact = pointOf(surface.point(v));
+    const Vec3 place = rounded(exact, numbers);
+    if (!place.allFinite()) return false;
+    places[std::size_t(v.idx())] = place;
+    surface.set_point(v, openMeshPoint(place));
+  }
+  for (const auto e : surface.edges()) {
+    const auto h = surface.halfedge_handle(e, 0);
+    const auto from = surface.from_vertex_handle(h), to = surface.to_vertex_handle(h);
+    if (places[std::size_t(from.idx())] == places[std::size_t(to.idx())]) return false;
+  }
+  return true;
+}
+
+bool isTooMany(std::size_t faces, const SchemeSubdivision& subdivision, std::size_t most) {
+  for (int i = 0; i < subdivision.times; ++i) {
+    if (faces > most / facesOfOne(subdivision.scheme)) return true;
+    faces *= facesOfOne(subdivision.scheme);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::size_t facesOfOne(SubdivisionScheme scheme) {
+  return scheme == SubdivisionScheme::Sqrt3 ? 3 : 4;
+}
+
+SchemeOutcome subdivideAll(HalfEdgeMesh& mesh, const SchemeSubdivision& subdivision, const SubdivisionLimits& limits) {
+  if (isTooMany(mesh.liveFaceCount(), subdivision, limits.mostFaces)) return {SubdivisionFailure::TooManyFaces, {}};
+  const Progress& progress = limits.progress;
+  OpenMeshCopy copy;
+  if (const auto refusal = copy.take(mesh, progress.part(0.0, 0.1)); refusal != OpenMeshRefusal::None)
+    return {SubdivisionFailure::None, refusal};
+  if (progress.cancelled()) return {SubdivisionFailure::Cancelled, {}};  // the copy may be half linked
+  if (copy.hasSeams()) return {SubdivisionFailure::None, OpenMeshRefusal::Seam};
+  const std::size_t most = mostNeighbours(copy.surface());
+  if (subdivision.scheme == SubdivisionScheme::Butterfly && most > kMostButterflyNeighbours)
+    return {SubdivisionFailure::None, OpenMeshRefusal::Hub};
+  try {
+    copy.surface().poll(progress);
+    subdivideSurface(copy.surface(), subdivision, most, progress.part(0.1, 0.8));
+    if (!roundPoints(copy.surface(), limits.numbers)) return {SubdivisionFailure::TooFine, {}};
+    if (copy.bringBack(mesh, progress.part(0.8, 1.0))) return {};
+  } catch (const OpenMeshSurface::Cancelled&) {
+  }
+  return {SubdivisionFailure::Cancelled, {}};
+}
+
+}  // namespace handwheel

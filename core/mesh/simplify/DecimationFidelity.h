@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Fidelity.h"
+#include "base/Translatable.h"
+#include "mesh/simplify/Decimation.h"
+
+namespace handwheel {
+
+// mesh.decimation_method: DecimationOptions::method. Presets follow from resources/fidelity, as in MeshFidelity.h.
+inline FidelitySetting decimationMethodSetting() {
+  FidelitySetting s;
+  s.id = "mesh.decimation_method";
+  s.label = translatable("Fidelity", "Method of reducing triangles");
+  setChoices(s, {translatable("Fidelity", "bounded"), translatable("Fidelity", "quadric")});  // as DecimationMethod
+  s.standard = static_cast<double>(DecimationOptions().method);
+  s.presets = {0.0, 0.0, 0.0};
+  s.error = {translatable("Fidelity", "largest distance from the mesh, in diagonals"), "%"};
+  s.cost = {translatable("Fidelity", "CPU time to remove triangles"), "ms"};
+  return s;
+}
+
+inline DecimationMethod decimationMethodOf(const FidelityValues& values) {
+  return static_cast<DecimationMethod>(values.of(decimationMethodSetting()));
+}
+
+}  // namespace handwheel

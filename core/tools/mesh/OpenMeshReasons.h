@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/sculpt/SchemeSubdivision.h"
+
+namespace handwheel {
+
+// Why OpenMesh changed nothing, as MeshChange::reason. Null where it did what was asked for.
+const char* reasonOf(OpenMeshRefusal refusal);
+const char* reasonOf(const SchemeOutcome& outcome);
+
+}  // namespace handwheel

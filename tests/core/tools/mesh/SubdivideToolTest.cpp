@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/SubdivideTool.h"
+
+#include "MeshChecks.h"
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
+#include "StepWork.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshValidator.h"
+#include "tools/mesh/ManualMeshChanges.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+class SubdivideToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyScheme();
+  void tooMany();
+  void aRefusalHasItsReason();
+};
+
+// In the document as one step, which does the same once more.
+void SubdivideToolTest::everyScheme() {
+  for (const auto& [method, faces] : {std::pair(0.0, 1280), std::pair(1.0, 720), std::pair(2.0, 1280)}) {
+    test::Work work(test::icosphere(1));
+    SubdivideTool tool(*work.document, work.services());
+    tool.setSetting("method", method);
+    tool.setSetting("times", 2.0);
+    QCOMPARE(tool.perform("commit"), ToolReply::Used);
+    QCOMPARE(work.document->mesh().liveFaceCount(), std::size_t(faces));
+    QCOMPARE(validate(work.document->mesh()), std::string());
+    QVERIFY2(work.step().starts_with("subdivide-mesh "), work.step().c_str());
+    QCOMPARE(work.check(1), std::string());
+  }
+}
+
+void SubdivideToolTest::tooMany() {
+  const auto document = test::meshDocument(test::icosphere(1));
+  SubdivideTool tool(*document, immediateServices(*document));
+  const auto isOffered = [&] { return tool.actions().front().enabled; };
+  QVERIFY(isOffered());
+  tool.setSetting("times", 9.0);  // 80 · 4^9 are 21 million
+  QVERIFY(!isOffered());
+  tool.setSetting("times", -3.0);
+  tool.setSetting("method", 7.0);
+  QVERIFY(isOffered());
+}
+
+void SubdivideToolTest::aRefusalHasItsReason() {
+  const auto document = test::meshDocument(test::boxWithInnerWall());
+  const HalfEdgeMesh before = document->mesh();
+  const MeshChange change = subdivideMeshChange({}, NumberType::Float64);
+  QVERIFY(!commitChange(*document, change));
+  QVERIFY(std::string(reasonOf(change)).find("more than two triangles") == 0);
+  QVERIFY(test::sameMesh(document->mesh(), before));
+}
+
+HANDWHEEL_TEST(SubdivideToolTest)
+#include "SubdivideToolTest.moc"
