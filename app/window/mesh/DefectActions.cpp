@@ -3,6 +3,7 @@
 #include "window/mesh/DefectActions.h"
 
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/repair/SheetThickening.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "window/ActionToolTip.h"
@@ -46,7 +47,9 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connect(&m_thickenSheet, &QAction::triggered, this, [this] {
     std::vector<Vertex> keys;
     for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
-    m_jobs.change(m_document, thickenFix(std::move(keys), options()));
+    MeshChange wanted = thickenFix(std::move(keys), options(), m_thickness);
+    wanted.thickness = thickness();
+    m_jobs.change(m_document, std::move(wanted));
   });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] {
     m_jobs.change(m_document, cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options()));
@@ -59,6 +62,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
 
 void DefectActions::setDocument(MeshTab* document) {
   m_document = document;
+  m_thickness = 0.0;
   choose(std::nullopt, -1);
 }
 
@@ -75,12 +79,17 @@ void DefectActions::follow() {
   m_fix.setEnabled(free && wanted);
   if (wanted) m_fix.setText(QCoreApplication::translate("Tool", wanted->text));
   m_thickenSheet.setEnabled(free && !sheets().empty());
+  if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   const int loop = m_document ? m_selection.loop() : -1;
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
                          m_preview.state().failure == FillFailure::SelfIntersecting;
   m_cutAndClose.setVisible(isBlocked);
   m_cutAndClose.setEnabled(free && isBlocked);
+}
+
+double DefectActions::thickness() const {
+  return m_thickness > 0.0 ? m_thickness : defaultSheetThickness(m_document->document.mesh());
 }
 
 std::vector<int> DefectActions::sheets() const {

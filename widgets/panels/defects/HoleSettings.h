@@ -15,6 +15,9 @@ class QToolButton;
 
 namespace handwheel {
 
+class NumberField;
+enum class LengthUnit;
+
 // The state of the fill preview.
 struct PreviewState {
   enum class Kind { Off, Working, Ready, Failed };
@@ -30,8 +33,9 @@ class HoleSettings : public QFrame {
   Q_OBJECT
 
  public:
-  // The actions are those of the menus and keys. others: further ways to close the hole, shown when they are possible.
-  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
+  // The actions are those of the menus and keys. thickenSheet, with its thickness, and cutAndClose are shown when they
+  // are possible.
+  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QAction* thickenSheet, QAction* cutAndClose,
                QWidget* parent = nullptr);
 
   // The available methods, in order.
@@ -40,6 +44,8 @@ class HoleSettings : public QFrame {
   void setMethod(FillMethod method);
   void showLoop(const QString& name, const QString& detail);
   void showPreview(const PreviewState& state);
+  // The thickness that a sheet will get, mm.
+  void showThickness(double thickness, LengthUnit unit);
   // Whether the comparison of the methods is open, and their statistics are needed.
   bool isComparing() const;
   void showTrials(const std::vector<MethodTrial>& trials);
@@ -47,15 +53,18 @@ class HoleSettings : public QFrame {
  signals:
   void methodChanged(handwheel::FillMethod method);
   void compareRequested();
+  void thicknessEdited(double thickness);  // mm
 
  private:
   QToolButton* compareButton();
+  QWidget* thicknessRow();
 
   QLabel* m_name;
   QLabel* m_detail;
   QComboBox* m_method;
   QLabel* m_status;
   MethodTable* m_trials;
+  NumberField* m_thickness;
 };
 
 }  // namespace handwheel
