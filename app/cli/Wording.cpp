@@ -113,7 +113,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
                     " the adjacent triangles have inconsistent orientation.");
   }
   if (after.insideOutBodies > 0) {
-    lines.push_back(counted(after.insideOutBodies, "closed surface is", "closed surfaces are") +
+    lines.push_back(counted(after.insideOutBodies, "body is", "bodies are") +
                     " inside out; 'handwheel edit' with the step reverse reverses them.");
   }
   if (after.nonManifoldVertices > 0) {

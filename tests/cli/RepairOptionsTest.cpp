@@ -130,6 +130,23 @@ class RepairOptionsTest : public QObject {
     QVERIFY(std::abs(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>()) - 5.0) < 1e-12);
   }
 
+  // A flat square of 10 × 10 cells of 1, thickened by 0.1: its inner vertices go down so far, its border stays.
+  void thickness() {
+    const Bench bench;
+    bench.put("a.off", flatSheet(10).off());
+    const Ran ran =
+        bench.run({"repair", "a.off", "-o", "b.ply", "--rims", "back", "--thickness", "0.1", "--report", "r.json"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY2(ran.out.contains("sheets thickened by 0.10 mm"), qPrintable(ran.out));
+    const Json report = bench.json("r.json");
+    QCOMPARE(report.at("sheet_thickness_mm").get<double>(), 0.1);
+    QCOMPARE(report.at("options").at("thickness").get<double>(), 0.1);
+    const double volume = report.at("after").at("volume_mm3").get<double>();
+    QVERIFY(volume > 8 * 8 * 0.1 && volume < 10 * 10 * 0.1);
+    QCOMPARE(bench.run({"edit", "a.off", "back 0 --thickness 0.1", "-o", "c.ply"}).code, 0);
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.ply", "--rims", "back", "--thickness", "0"}).code, 1);
+  }
+
   void removesDebrisWhenAsked() {
     Shape shape = holedBox();
     shape.add({{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}}}, {20, 0, 0});

@@ -227,6 +227,29 @@ class RepairTest : public QObject {
     QCOMPARE(report.at("touched_vertices").get<int>(), 0);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
   }
+
+  // The shell of a conveyor, open below, gets no lid of 1 by 1.5 m that nobody asked for.
+  void conveyor() {
+    const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
+    if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
+    const Bench bench;
+    const Ran ran = bench.run({"repair", data + "/scans/admesh/conveyor.stl", "-o", "b.stl"});
+    QCOMPARE(ran.code, 2);
+    QVERIFY(ran.err.contains("1 outer boundary of an open sheet stays open."));
+  }
+
+  // A range map with holes, islands in them and flakes at its border: its holes are filled, and then it is thickened.
+  void rangeMap() {
+    const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
+    if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
+    const Bench bench;
+    const QString scan = data + "/scans/meshlab-rangemaps/lato180.ply";
+    bench.run({"repair", scan, "-o", "b.ply", "--rims", "back", "--report", "r.json"});
+    const Json after = bench.json("r.json").at("after");
+    QVERIFY(after.at("closed").get<bool>());
+    QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
+    QVERIFY(after.at("volume_mm3").get<double>() > 0.0);
+  }
 };
 
 HANDWHEEL_TEST(RepairTest)

@@ -42,6 +42,7 @@ struct ExtremeMesh {
   std::size_t filled = 0;                       // loops that a repair closes
   std::size_t degenerate = 0;                   // triangles without area
   bool oriented = true;                         // in the file
+  bool flat = false;                            // an open sheet in a plane, which a repair makes a thin body on request
   bool sound = true;                            // a repair leaves it closed, manifold and oriented
   std::optional<double> volume = std::nullopt;  // when sound, after a repair (mm³)
   double volumeError = 1e-9;                    // relative: what holds for the volume
@@ -140,7 +141,8 @@ inline std::vector<ExtremeMesh> oddMeshes() {
              return TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
            },
        .loops = 1,
-       .sound = false},
+       .filled = 1,
+       .flat = true},
       {.name = "nothing", .soup = [] { return TriangleSoup(); }, .components = 0, .sound = false},
       {.name = "denormal coordinates", .soup = [] { return moved(cube(), Vec3::Zero(), 1e-310); }},
       {.name = "squares that underflow", .soup = [] { return moved(cube(), Vec3::Zero(), 1e-170); }},
@@ -151,12 +153,12 @@ inline std::vector<ExtremeMesh> oddMeshes() {
 // One-sided, open, in many parts.
 inline std::vector<ExtremeMesh> topologicalMeshes() {
   return {
-      {.name = "open sheet", .soup = [] { return disc(60, 10); }, .loops = 1, .sound = false},
+      {.name = "open sheet", .soup = [] { return disc(60, 10); }, .loops = 1, .filled = 1, .flat = true},
       {.name = "open sheet with a hole",
        .soup = [] { return annulus(60, 10, 0.2, 1.0); },
        .loops = 2,
-       .filled = 1,
-       .sound = false},
+       .filled = 2,
+       .flat = true},
       {.name = "ball whose hole has a folded border",
        .soup = [] { return withFoldedBorder(withHole(icosphere(4), Vec3(1, 2, 3).normalized(), 0.15)); },
        .loops = 1,

@@ -157,6 +157,9 @@ QStringList repairSummary(const RepairReport& report) {
     if (count > 0) parts << phrase(asInt(count));
   };
   add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) reversed", nullptr, n); });
+  add(report.reversedBodies, [](int n) { return RepairWords::tr("%n body(ies) inside out reversed", nullptr, n); });
+  if (report.thickness > 0.0)
+    parts << RepairWords::tr("sheets thickened by %1").arg(lengthText(report.thickness, LengthUnit::Millimetre));
   add(report.removedDegenerate, [](int n) { return RepairWords::tr("%n degenerate triangle(s) removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
   add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });

@@ -74,6 +74,8 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_flaps", run.repair.removedFlaps},
       {"removed_debris", run.repair.removedDebris},
       {"turned_faces", run.repair.reversedFaces},
+      {"turned_bodies", run.repair.reversedBodies},
+      {"sheet_thickness_mm", run.repair.thickness},
       {"merged_vertices", run.repair.mergedVertices},
       {"cut_crossings", run.repair.cutClusters},
       {"cut_faces", run.repair.cutFaces},

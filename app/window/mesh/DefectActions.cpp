@@ -3,6 +3,7 @@
 #include "window/mesh/DefectActions.h"
 
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/repair/SheetThickening.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "window/ActionToolTip.h"
@@ -67,6 +68,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
 
 void DefectActions::setDocument(MeshTab* document) {
   m_document = document;
+  m_thickness = 0.0;
   choose(std::nullopt, -1);
 }
 
@@ -88,6 +90,7 @@ void DefectActions::follow() {
   m_fix.setEnabled(free && wanted);
   if (wanted) m_fix.setText(QCoreApplication::translate("Tool", wanted->text));
   m_thickenSheet.setEnabled(free && !sheets().empty());
+  if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   const int loop = m_document ? m_selection.loop() : -1;
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
@@ -107,11 +110,17 @@ std::optional<MeshChange> DefectActions::offered(bool isBlocked) const {
 MeshChange DefectActions::thickening() const {
   std::vector<Vertex> keys;
   for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
-  return thickenFix(std::move(keys), options());
+  MeshChange wanted = thickenFix(std::move(keys), options(), m_thickness);
+  wanted.thickness = thickness();
+  return wanted;
 }
 
 MeshChange DefectActions::cutting() const {
   return cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options());
+}
+
+double DefectActions::thickness() const {
+  return m_thickness > 0.0 ? m_thickness : defaultSheetThickness(m_document->document.mesh());
 }
 
 std::vector<int> DefectActions::sheets() const {

@@ -34,10 +34,18 @@ class DefectActions : public QObject {
   // The pointer has left the button of a fix for the patch of the hole, which is shown again.
   void forgetPointed() { point(nullptr); }
 
+  // The thickness that sheets will get, mm: that which was set for this document, else the default. A mesh is in view.
+  double thickness() const;
+  void setThickness(double thickness) { m_thickness = thickness; }
+
   QAction* fix() { return &m_fix; }                    // hidden when there is nothing to fix
   QAction* thickenSheet() { return &m_thickenSheet; }  // makes a thin body of the selected sheet, or of all
   QAction* cutAndClose() { return &m_cutAndClose; }    // hidden unless a patch would intersect the part
   QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose}; }
+
+ signals:
+  // The thickness that sheets will get may be another.
+  void thicknessChanged();
 
  private:
   void follow();
@@ -58,6 +66,7 @@ class DefectActions : public QObject {
   std::optional<DefectKind> m_kind;
   int m_row = -1;
   const QAction* m_pointed = nullptr;  // the button under the pointer last, of those beside the patch of a hole
+  double m_thickness = 0.0;  // mm; 0: the default
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;

@@ -154,7 +154,11 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
   const auto known = document->inspection.selfIntersections();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
-    m_log.add(tr("%1: %2").arg(document->document.name(), text), command);
+    const QString name = document->document.name();
+    m_log.add(wanted.thickness > 0.0
+                  ? tr("%1: %2 by %3").arg(name, text, lengthText(wanted.thickness, document->document.displayUnit()))
+                  : tr("%1: %2").arg(name, text),
+              command);
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)

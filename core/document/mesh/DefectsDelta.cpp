@@ -17,7 +17,7 @@ bool sameBox(const Box& a, const Box& b) {
 bool sameLoop(const BoundaryLoop& a, const BoundaryLoop& b) {
   return a.halfEdges == b.halfEdges && a.borderEdges == b.borderEdges && a.length == b.length &&
          a.planarity == b.planarity && a.area == b.area && a.islands == b.islands && a.rim == b.rim &&
-         a.picture == b.picture && a.centre == b.centre && sameBox(a.box, b.box);
+         a.centre == b.centre && sameBox(a.box, b.box);
 }
 
 bool sameComponent(const Component& a, const Component& b) {

@@ -120,7 +120,7 @@ std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const Posi
     loop.id = static_cast<int>(loops.size());
     loops.push_back(std::move(loop));
   }
-  markRims(mesh, byPosition, loops, progress.part(0.5, 1.0));
+  markRims(mesh, loops, progress.part(0.5, 1.0));
   if (progress.cancelled()) return {};
   return loops;
 }

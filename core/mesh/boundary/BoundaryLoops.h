@@ -20,7 +20,6 @@ struct BoundaryLoop {
   double area = 0.0;                // mm², that it encloses as seen where that is largest
   std::size_t islands = 0;          // pieces of surface that lie in it; countIslands() sets it
   bool rim = false;                 // the outer edge of an open sheet rather than a hole in a surface
-  bool picture = false;             // a rim of a drawing or single-view scan rather than of a body
   Vec3 centre = Vec3::Zero();
   Box box;
 };

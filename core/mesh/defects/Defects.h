@@ -31,7 +31,7 @@ struct Defects {
   std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
   // Edges whose two faces cannot be oriented consistently: the surface is non-orientable.
   std::vector<std::pair<Vertex, Vertex>> nonOrientableEdges;
-  std::vector<std::vector<Face>> insideOut;             // the faces of each body whose closed surface faces inwards
+  std::vector<std::vector<Face>> insideOut;             // the faces of each body that is inside out
   std::vector<Face> degenerateFaces;                    // zero area
   std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
   std::vector<std::pair<Vertex, Vertex>> nearVertices;  // on open borders, apart but within the near weld

@@ -17,35 +17,69 @@ constexpr double kVolumeRounding = 1e-14;  // a few rounding errors of area · d
 struct Shell {
   std::vector<Face> faces;
   Box box;
-  double volume = 0.0;
+  double volume = 0.0;  // with a fan in each opening
   double area = 0.0;
-  bool closed = true;
+  double doubt = 0.0;  // of the volume: what bulges over the openings could hold, and rounding
+  bool isOpen = false;
   // By more than the rounding of a plate without thickness, which has no inside.
-  bool isInsideOut() const { return volume < -kVolumeRounding * area * box.diagonal().norm(); }
+  bool isInsideOut() const { return volume < -doubt; }
 };
 
-Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
+// The chain of open half-edges from this one, each marked as seen.
+std::vector<Vec3> openingAt(const HalfEdgeMesh& mesh, HalfEdge start, std::vector<bool>& seen) {
+  std::vector<Vec3> points;
+  for (HalfEdge h = start; !seen[h]; h = mesh.nextOpen(h)) {
+    seen[h] = true;
+    points.push_back(mesh.position(mesh.from(h)));
+  }
+  return points;
+}
+
+void addOpening(Shell& shell, const Vec3& origin, const std::vector<Vec3>& points) {
+  Vec3 centre = Vec3::Zero();
+  Box box;
+  for (const Vec3& p : points) {
+    centre += p / static_cast<double>(points.size());
+    box.extend(p);
+  }
+  double area = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 &a = points[i], &b = points[(i + 1) % points.size()];  // the fan runs against them
+    shell.volume += (b - origin).dot((a - origin).cross(centre - origin)) / 6.0;
+    area += 0.5 * (a - b).cross(centre - b).norm();
+  }
+  shell.doubt += area * box.diagonal().norm();
+  shell.isOpen = true;
+}
+
+Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces, std::vector<bool>& seen) {
   Shell shell;
   for (Face f : faces) {
     for (const Vec3& p : mesh.points(f)) shell.box.extend(p);
-    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) shell.closed = shell.closed && mesh.hasOpposite(h);
   }
   const Vec3 origin = shell.box.center();  // far from the world's origin the digits would go
   for (Face f : faces) {
+    if (!mesh.isProper(f)) continue;
     const TrianglePoints p = mesh.points(f);
     shell.volume += (p[0] - origin).dot((p[1] - origin).cross(p[2] - origin)) / 6.0;
     shell.area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      if (!mesh.hasOpposite(h) && !seen[h]) addOpening(shell, origin, openingAt(mesh, h, seen));
+    }
   }
+  shell.doubt += kVolumeRounding * shell.area * shell.box.diagonal().norm();
   shell.faces = std::move(faces);
   return shell;
 }
 
-std::vector<Shell> closedShells(const HalfEdgeMesh& mesh, Progress progress) {
+// Those that are closed, or so nearly closed that they have an inside.
+std::vector<Shell> shellsWithInside(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<Shell> shells;
+  std::vector<bool> seen(mesh.halfEdgeSlots(), false);
   for (std::vector<Face>& faces : findShells(mesh, progress)) {
     if (progress.cancelled()) return {};
-    Shell shell = shellOf(mesh, std::move(faces));
-    if (shell.closed) shells.push_back(std::move(shell));
+    Shell shell = shellOf(mesh, std::move(faces), seen);
+    if (!shell.isOpen || std::abs(shell.volume) > shell.doubt) shells.push_back(std::move(shell));
   }
   return shells;
 }
@@ -83,7 +117,7 @@ class Nesting {
 }  // namespace
 
 std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress) {
-  const std::vector<Shell> shells = closedShells(mesh, progress.part(0.0, 0.5));
+  const std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
   const auto suspects =
       static_cast<std::size_t>(std::count_if(shells.begin(), shells.end(), std::mem_fn(&Shell::isInsideOut)));
   if (suspects == 0 || suspects > kMostShellPairs / shells.size()) return {};

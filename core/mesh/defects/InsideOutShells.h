@@ -13,10 +13,11 @@ namespace handwheel {
 inline constexpr std::size_t kMostShellPairs = 10'000'000;
 inline constexpr std::size_t kMostShellVisits = 30'000'000;
 
-// Finds the bodies that are inside out. Each is a closed shell of negative volume that lies in no other closed one, and
-// all that lies in it, which has to be reversed with it, so that a cavity stays one. Open shells have no inside. One
-// list of faces a body. O(n), and for each shell in whose box a shell that is inside out lies, O(faces of that). None
-// if cancelled, or where that would exceed the limits above.
+// Finds the bodies that are inside out. Each is a shell of negative volume that lies in no other one, and all that lies
+// in it, which has to be reversed with it, so that a cavity stays one. An open shell has a volume where that is
+// certain: where it is more than its openings could hold, each with a fan from its centre and a bulge as high as it is
+// wide. One list of faces a body. O(n), and for each shell in whose box a shell that is inside out lies, O(faces of
+// that). None if cancelled, or where that would exceed the limits above.
 std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
 // Reverses the bodies that are inside out. Returns the number of reversed faces.

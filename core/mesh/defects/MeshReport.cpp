@@ -108,8 +108,10 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
   report.manifold = report.nonManifoldEdges == 0 && report.nonManifoldVertices == 0;
   const std::vector<double> volumes = signedVolumes(welded, shells, report.box.center());
+  // The volumes of open shells depend on where they are taken from.
   const bool mayBeInsideOut =
-      report.oriented && std::any_of(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; });
+      report.oriented &&
+      (report.boundaryEdges > 0 || std::any_of(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; }));
   const bool isWhole = choice == SelfIntersections::Count;
   if (report.boundaryEdges > 0 || mayBeInsideOut ||
       (isWhole && (report.inconsistentEdges > 0 || report.components > 1))) {

@@ -12,7 +12,7 @@ namespace handwheel {
 struct MeshState {
   bool closed = false;    // there are faces, and no open edges
   bool manifold = false;  // no edge has more than two faces, and nowhere do faces touch that share no edge
-  bool oriented = false;  // the faces at each edge agree on which side is outside, and no closed surface is inside out
+  bool oriented = false;  // the faces at each edge agree on which side is outside, and no body is inside out
   std::optional<std::size_t> selfIntersectingPairs = {};  // absent when not looked for
   std::size_t components = 0;
 

@@ -6,8 +6,8 @@
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/SheetThickening.h"
 #include "mesh/search/MovedFaces.h"
-#include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/OrientationReversal.h"
 #include "mesh/structure/PositionTriangles.h"
@@ -183,7 +183,7 @@ void closeSlits(HalfEdgeMesh& mesh, const std::vector<Vertex>& cut, const FillOp
   std::vector<ObstructedHole> left;
   for (BoundaryLoop& loop : slitsOf(mesh, cut, progress.part(0.4, 0.5))) left.push_back({std::move(loop), false});
   if (left.empty() || progress.cancelled()) return;
-  closeObstructedHoles(mesh, left, options, tolerance::kSheetThickness * diagonalOf(mesh), progress.part(0.5, 0.9));
+  closeObstructedHoles(mesh, left, options, defaultSheetThickness(mesh), progress.part(0.5, 0.9));
   if (!separateCoincidentVertices(mesh, options.numbers, progress.part(0.9, 0.95)).empty())
     relink(mesh, progress.part(0.95, 1.0));
 }

@@ -126,7 +126,7 @@ class Closer {
       insertPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
-    thickenSheets(changed, sheets, newFaces);
+    thicken(changed, sheets, newFaces);
     return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
   }
 
@@ -275,18 +275,19 @@ class Closer {
                         [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
   }
 
-  void thickenSheets(HalfEdgeMesh& mesh, const std::vector<Face>& sheets, std::vector<Face>& newFaces) const {
+  void thicken(HalfEdgeMesh& mesh, const std::vector<Face>& seeds, std::vector<Face>& newFaces) const {
+    if (seeds.empty()) return;
     std::vector<bool> backed(m_mesh.faceSlots(), false);
-    for (Face seed : sheets) {
+    std::vector<std::vector<Face>> sheets;
+    for (Face seed : seeds) {
       if (backed[seed]) continue;  // another loop of the same sheet
-      std::vector<Face> sheet = sheetOf(mesh, seed);
-      for (Face f : sheet) {
+      for (Face f : sheets.emplace_back(sheetOf(mesh, seed))) {
         if (f < backed.size()) backed[f] = true;
       }
-      const std::vector<Face> faces = thickenSheet(mesh, sheet, m_thickness, m_options.numbers);
-      newFaces.insert(newFaces.end(), faces.begin(), faces.end());
     }
-    if (!sheets.empty()) relink(mesh, m_progress);
+    const std::vector<Face> faces = thickenSheets(mesh, sheets, m_thickness, m_options.numbers, m_progress);
+    newFaces.insert(newFaces.end(), faces.begin(), faces.end());
+    relink(mesh, m_progress);
   }
 
   bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,

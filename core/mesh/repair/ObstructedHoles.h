@@ -29,7 +29,7 @@ struct ObstructedClosings {
 };
 
 // Closes obstructed holes by patches that may intersect the part, or by thickening. Where a patch intersects the part,
-// both are cut and the self-intersections removed (removeSelfIntersections()). Thickening a sheet (thickenSheet())
+// both are cut and the self-intersections removed (removeSelfIntersections()). Thickening a sheet (thickenSheets())
 // closes every loop of the sheet, so it is not done where one has FillOptions::keptCorners. A closing is kept only if
 // it leaves no more self-intersections than there were, and fewer edges without two faces. All are tried together, then
 // by halves, so that a bad one costs its own closing only. thickness: of thickened sheets, mm. Takes no more than the

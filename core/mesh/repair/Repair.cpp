@@ -16,10 +16,12 @@
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/SheetThickening.h"
 #include "mesh/structure/BitRange.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/Shells.h"
 #include "mesh/structure/Weld.h"
 
 #include <algorithm>
@@ -45,6 +47,7 @@ class Repairer {
         m_mesh(input),
         m_options(options),
         m_results(input, progress),
+        m_thickness(options.thickness > 0.0 ? options.thickness : defaultSheetThickness(input)),
         m_fillEffort(repairBudget(input.liveFaceCount())),
         m_slowness(std::max(1.0, std::pow(static_cast<double>(bitsOf(input)) / tolerance::kCutBits, 2))),
         m_closeEffort(most(1.0, m_fillEffort.left())),
@@ -70,8 +73,13 @@ class Repairer {
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
     if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
-    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.95));
-    if (!progress.cancelled()) orientOutward(m_mesh, progress.part(0.95, 0.96));
+    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.945));
+    if (!progress.cancelled()) removeOwnDebris(progress.part(0.945, 0.95));
+    if (!progress.cancelled()) {
+      const std::vector<std::vector<Face>> insideOut = findInsideOutShells(m_mesh, progress.part(0.95, 0.96));
+      for (const std::vector<Face>& body : insideOut) reverseShells(m_mesh, body);
+      m_report.reversedBodies = insideOut.size();
+    }
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
     m_report.isSeparationIncomplete = m_separationBudget.isSpent();
     m_report.effort = m_fillEffort.spent() + m_closeEffort.spent();
@@ -173,13 +181,12 @@ class Repairer {
       std::set<int> of = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, of);
       const bool back = reason == FillFailure::Rim;
-      if (!mayClose(reason) || (back && loop.picture)) continue;
+      if (!mayClose(reason)) continue;
       holes.push_back({loop, back});
       owners.push_back(std::move(of));
     }
     const auto start = Clock::now();
-    const ObstructedClosings closings =
-        closeObstructedHoles(m_mesh, holes, m_options.fill, tolerance::kSheetThickness * diagonalOf(m_mesh), progress);
+    const ObstructedClosings closings = closeObstructedHoles(m_mesh, holes, m_options.fill, m_thickness, progress);
     m_report.cutFaces += closings.cutFaces;
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
@@ -188,6 +195,7 @@ class Repairer {
       if (closings.holes[i].isCutShort) noteCutShort(owners[i]);
       if (!closings.holes[i].closed) continue;
       any = true;
+      if (closings.holes[i].method == FillMethod::ThickenedSheet) m_report.thickness = m_thickness;
       LoopResult result;
       result.edges = holes[i].loop.borderEdges;
       result.outcome = LoopOutcome::Filled;
@@ -230,6 +238,20 @@ class Repairer {
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
   }
 
+  // What cuts left behind: small closed pieces of nothing but new faces.
+  void removeOwnDebris(Progress progress) {
+    const auto isOwn = [&](Face f) {
+      return f >= m_input.faceSlots() && m_mesh.hasOpposite(3 * f) && m_mesh.hasOpposite(3 * f + 1) &&
+             m_mesh.hasOpposite(3 * f + 2);
+    };
+    if (m_mesh.faceSlots() == m_input.faceSlots()) return;
+    for (const Component& part : findComponents(m_mesh, progress)) {
+      if (!part.debris || !std::all_of(part.faces.begin(), part.faces.end(), isOwn)) continue;
+      for (const Face f : part.faces) m_mesh.removeFace(f);
+      m_report.removedDebris += part.faces.size();
+    }
+  }
+
   // Filled holes change the shape of a sheet: what was its outer edge when it was listed remains so.
   bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
     const auto was = [&](int id) { return m_results.inputLoops()[static_cast<std::size_t>(id)].rim; };
@@ -258,7 +280,7 @@ class Repairer {
   void finish(Progress progress) {
     const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
       const FillFailure known = reasonToLeave(loop, owners);
-      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Thicken && !loop.picture;
+      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Thicken;
       const bool isGivenUp = std::any_of(owners.begin(), owners.end(), [&](int id) { return isCutShort(id); });
       return isSheet && (isGivenUp || (owners.empty() && isCutShort(kLaidOpen))) ? FillFailure::None
                                                                                  : known;  // its back was given up
@@ -306,6 +328,7 @@ class Repairer {
   HalfEdgeMesh m_mesh;
   RepairOptions m_options;  // with the corners of what stays open
   HoleOutcomes m_results;
+  double m_thickness;                // mm
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
   WorkBudget m_fillEffort;
   // Exact tests take the square of what coordinates have more bits than those of parts have: fewer are made then.

@@ -12,8 +12,7 @@ namespace handwheel {
 // How the outer edges of open sheets are treated.
 enum class RimHandling {
   Keep,     // those of the input, and those that the repair itself makes
-  Thicken,  // the sheet becomes a thin body (thickenSheet()), unless it is a drawing or a single-view scan
-            // (BoundaryLoop::picture)
+  Thicken,  // the sheet becomes a thin body (thickenSheets())
   Fill,     // as if they were holes
 };
 
@@ -23,6 +22,7 @@ struct RepairOptions {
   double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
   RimHandling rims = RimHandling::Keep;
+  double thickness = 0.0;    // of thickened sheets, mm; 0: defaultSheetThickness()
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())
@@ -51,14 +51,16 @@ struct RepairReport {
   std::size_t removedDegenerate = 0;  // faces
   std::size_t removedDuplicates = 0;
   std::size_t removedFlaps = 0;
-  std::size_t removedDebris = 0;
+  std::size_t removedDebris = 0;  // and of small closed pieces that the repair itself cut off
   std::size_t reversedFaces = 0;
+  std::size_t reversedBodies = 0;  // that were inside out; of the same faces
   std::size_t mergedVertices = 0;
   std::size_t nonOrientableCuts = 0;             // along short cycles, where the surface was non-orientable
   std::size_t cutFaces = 0;                      // where a patch intersects the part
   std::size_t cutClusters = 0;                   // clusters of self-intersections that were removed
   std::size_t replacedFaces = 0;                 // removed from folded regions around holes, which were refilled
   std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
+  double thickness = 0.0;                        // mm, of the sheets that were thickened; 0: none was
   std::vector<Vertex> touchedVertices;           // of the input: moved, merged or separated
   bool isSeparationIncomplete = false;           // by the effort: more vertices may coincide than must
   bool isIntersectionRemovalIncomplete = false;  // by the effort: more may intersect than must

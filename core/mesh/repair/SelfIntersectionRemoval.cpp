@@ -111,9 +111,13 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
 
 }  // namespace
 
+std::vector<std::pair<Face, Face>> selfIntersectingPairs(const HalfEdgeMesh& mesh, NumberType numbers,
+                                                         Progress progress) {
+  return crossings(mesh, numbers, progress).value_or(std::vector<TrianglePair>());
+}
+
 std::size_t countSelfIntersections(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  const auto pairs = crossings(mesh, numbers, progress);
-  return pairs ? pairs->size() : 0;
+  return selfIntersectingPairs(mesh, numbers, progress).size();
 }
 
 std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,

@@ -5,11 +5,15 @@
 #include "base/Progress.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
+#include <utility>
 #include <vector>
 
 namespace handwheel {
 
-// Counts the pairs of intersecting faces, as a file of these numbers stores the mesh. 0 if cancelled.
+// Finds the pairs of intersecting faces, as a file of these numbers stores the mesh. Empty if cancelled.
+std::vector<std::pair<Face, Face>> selfIntersectingPairs(const HalfEdgeMesh& mesh, NumberType numbers,
+                                                         Progress progress = {});
+// Counts them. 0 if cancelled.
 std::size_t countSelfIntersections(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
 
 // Finds all faces connected to the given ones through self-intersections. These are the faces that intersect them, as

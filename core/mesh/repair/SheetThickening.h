@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <vector>
 
 namespace handwheel {
 
-// Thickens an open sheet into a thin body by an offset copy. A copy of its faces with reversed orientation is offset by
-// the thickness (mm), less at vertices with short edges, and joined to them at the open edges, which stay where they
-// are; this closes all of them at once. Edges and faces that have only open vertices get a vertex in their middle for
-// that. sheet: live, proper faces that share no paired edge with any other face. Returns the new faces; they may
-// intersect others where the sheet bends sharply, or where others intersect or touch it. Leaves the mesh to be linked
-// anew (relink()). O(faces of the sheet).
-std::vector<Face> thickenSheet(HalfEdgeMesh& mesh, const std::vector<Face>& sheet, double thickness,
-                               NumberType numbers);
+// Thickens open sheets into thin bodies by an offset copy of each. A copy of its faces with reversed orientation is
+// offset by the thickness (mm), less at vertices with short edges, and joined to them at the open edges, which stay
+// where they are; this closes all of them at once. So does a vertex in a fold behind which no way leads. Edges and
+// faces of which all vertices stay get a vertex in their middle. Where new faces intersect any other, their vertices
+// come nearer to the sheet by halves, a few times; a face whose back lies on it then is removed with it. sheets: live,
+// proper faces, each list without a paired edge to any other face. Returns the new faces; they may still intersect
+// others where the sheet is folded, or where others intersect or touch it. Leaves the mesh to be linked anew
+// (relink()). O(n log n) for the mesh, as often as an offset is halved.
+std::vector<Face> thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<Face>>& sheets, double thickness,
+                                NumberType numbers, Progress progress = {});
+
+// The thickness of thickened sheets where nobody names one, mm: a share of the mesh's diagonal.
+double defaultSheetThickness(const HalfEdgeMesh& mesh);
 
 // Finds all faces connected with this one through paired edges, this one first.
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f);

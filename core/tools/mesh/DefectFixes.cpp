@@ -16,8 +16,8 @@
 #include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SheetThickening.h"
 #include "mesh/structure/FaceComponents.h"
-#include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/PositionKey.h"
 #include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
 #include "tools/mesh/LoopText.h"
@@ -32,16 +32,25 @@
 namespace handwheel {
 namespace {
 
+constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
+constexpr const char* kBoundaryIsKept =
+    QT_TRANSLATE_NOOP("Tool", "a boundary of the sheet is marked to stay open, and a thin body has none");
+
+// A change that finds out why it does nothing. work: returns the reason, or null where it found none.
+MeshChange explained(const char* text, std::function<const char*(HalfEdgeMesh&, Progress)> work, const char* reason) {
+  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
+  MeshChange change{
+      text, [work = std::move(work), found](HalfEdgeMesh& mesh, Progress progress) { *found = work(mesh, progress); },
+      reason};
+  change.found = std::move(found);
+  return change;
+}
+
 // A change that counts what it does. work: false where it was given up because that was too much.
 MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason) {
-  auto isCutShort = std::make_shared<std::atomic<bool>>(false);
-  MeshChange change{text,
-                    [work = std::move(work), isCutShort](HalfEdgeMesh& mesh, Progress progress) {
-                      *isCutShort = !work(mesh, progress);
-                    },
-                    reason};
-  change.isCutShort = std::move(isCutShort);
-  return change;
+  return explained(
+      text, [work = std::move(work)](HalfEdgeMesh& mesh, Progress p) { return work(mesh, p) ? nullptr : kTooLong; },
+      reason);
 }
 
 // Of trials.
@@ -49,15 +58,20 @@ std::size_t mostEffort(const HalfEdgeMesh& mesh, std::size_t fixed = tolerance::
   return repairBudget(mesh.liveFaceCount(), 1.0, fixed);
 }
 
-bool closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, const FillOptions& options,
-               Progress progress) {
+std::vector<ObstructedHole> holesWith(const HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back,
+                                      Progress progress) {
   std::vector<ObstructedHole> holes;
-  for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress.part(0.0, 0.1))) {
+  for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress)) {
     if (std::find(keys.begin(), keys.end(), keyOf(mesh, loop)) != keys.end()) holes.push_back({std::move(loop), back});
   }
+  return holes;
+}
+
+// thickness: of sheets that get a back.
+bool closeHard(HalfEdgeMesh& mesh, const std::vector<ObstructedHole>& holes, const FillOptions& options,
+               double thickness, Progress progress) {
   WorkBudget effort = progress.share(mostEffort(mesh));
-  const ObstructedClosings closings = closeObstructedHoles(
-      mesh, holes, options, tolerance::kSheetThickness * diagonalOf(mesh), progress.part(0.1, 1.0).within(effort));
+  const ObstructedClosings closings = closeObstructedHoles(mesh, holes, options, thickness, progress.within(effort));
   return std::none_of(closings.holes.begin(), closings.holes.end(),
                       [](const ObstructedClosing& hole) { return hole.isCutShort; });
 }
@@ -249,7 +263,7 @@ MeshChange allDebrisFix() {
 MeshChange insideOutFix() {
   return withStep(
       {meshOperation("reverse").title, [](HalfEdgeMesh& mesh, Progress progress) { orientOutward(mesh, progress); },
-       QT_TRANSLATE_NOOP("Tool", "no closed surface is inside out")},
+       QT_TRANSLATE_NOOP("Tool", "no body is inside out")},
       "reverse");
 }
 
@@ -267,19 +281,26 @@ MeshChange reverseChange(const FaceSelection& faces) {
                   step.text());
 }
 
-MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {
+MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, double thickness) {
+  OperationValues values = filling("back", options);
+  if (thickness > 0.0) values.setValid("thickness", thickness);
   StepWriter step("back");
-  step.word(loopsText(loops)).options(filling("back", options));
-  return withStep(
-      counted(
-          meshOperation("back").title,
-          [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
-            const bool closed = closeHard(mesh, loops, true, options, progress);
-            const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, {}, progress);
-            return closed && parted;
-          },
-          QT_TRANSLATE_NOOP("Tool", "thickening would intersect the part, or close a hole that is kept open")),
-      step.text());
+  step.word(loopsText(loops)).options(values);
+  const auto work = [loops = std::move(loops), options, thickness](HalfEdgeMesh& mesh, Progress progress) {
+    const std::vector<ObstructedHole> holes = holesWith(mesh, loops, true, progress.part(0.0, 0.1));
+    const bool isKept = std::any_of(holes.begin(), holes.end(), [&](const ObstructedHole& hole) {
+      const std::vector<Face> sheet = sheetOf(mesh, HalfEdgeMesh::face(hole.loop.halfEdges.front()));
+      return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, options.keptCorners); });
+    });
+    const double depth = thickness > 0.0 ? thickness : defaultSheetThickness(mesh);
+    bool done = closeHard(mesh, holes, options, depth, progress.part(0.1, 0.8));
+    if (!progress.cancelled()) done = partNonManifold(mesh, options.numbers, {}, progress.part(0.8, 1.0)) && done;
+    return isKept ? kBoundaryIsKept : done ? nullptr : kTooLong;
+  };
+  MeshChange change = explained(meshOperation("back").title, work,
+                                QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part"));
+  change.thickness = thickness;
+  return withStep(std::move(change), step.text());
 }
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
@@ -288,7 +309,8 @@ MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   return withStep(counted(
                       meshOperation("cut-and-close").title,
                       [loop, options](HalfEdgeMesh& mesh, Progress progress) {
-                        bool done = closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
+                        bool done = closeHard(mesh, holesWith(mesh, {loop}, false, progress.part(0.0, 0.1)), options,
+                                              defaultSheetThickness(mesh), progress.part(0.1, 0.6));
                         if (!progress.cancelled())
                           done = replaceFolded(mesh, loop, options, progress.part(0.6, 0.95)) && done;
                         if (!progress.cancelled())

@@ -36,8 +36,9 @@ MeshChange allDebrisFix();
 MeshChange insideOutFix();
 // Reverses the shells that contain one of these faces. The faces of a shell always agree, so it is reversed as a whole.
 MeshChange reverseChange(const FaceSelection& faces);
-// Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()).
-MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options);
+// Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()). thickness:
+// mm; 0: defaultSheetThickness().
+MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, double thickness = 0.0);
 // Closes a loop although every patch would intersect the part. The patch is cut apart where it crosses.
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options);
 

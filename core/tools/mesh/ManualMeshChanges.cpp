@@ -50,9 +50,9 @@ MeshChange decimateChange(const DecimationOptions& options) {
   MeshChange change;
   change.text = meshOperation("decimate").title;
   change.reason = QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits");
-  change.refusal = std::make_shared<std::atomic<const char*>>(nullptr);
-  change.apply = [options, refusal = change.refusal](HalfEdgeMesh& mesh, Progress p) {
-    *refusal = reasonOf(decimate(mesh, options, p).refusal);
+  change.found = std::make_shared<std::atomic<const char*>>(nullptr);
+  change.apply = [options, found = change.found](HalfEdgeMesh& mesh, Progress p) {
+    *found = reasonOf(decimate(mesh, options, p).refusal);
   };
   return withStep(std::move(change), StepWriter("decimate").options(valuesOf(options)).text());
 }
@@ -62,9 +62,9 @@ MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType 
   setNumbers(values, numbers);
   MeshChange change;
   change.text = subdivideMeshOperation().title;
-  change.refusal = std::make_shared<std::atomic<const char*>>(nullptr);
-  change.apply = [=, refusal = change.refusal](HalfEdgeMesh& mesh, Progress p) {
-    *refusal = reasonOf(subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p}));
+  change.found = std::make_shared<std::atomic<const char*>>(nullptr);
+  change.apply = [=, found = change.found](HalfEdgeMesh& mesh, Progress p) {
+    *found = reasonOf(subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p}));
   };
   return withStep(std::move(change), StepWriter("subdivide-mesh").options(values).text());
 }

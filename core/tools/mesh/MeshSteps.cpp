@@ -192,7 +192,7 @@ constexpr Verb kVerbs[] = {
     {"repair", readRepair, nullptr},
     {"back",
      [](StepReader& r, const OperationValues& v, const MeshDocument& d) {
-       return thickenFix(readLoops(r, r.word("a loop"), d), fillOptionsFor(d, v));
+       return thickenFix(readLoops(r, r.word("a loop"), d), fillOptionsFor(d, v), v.given("thickness").value_or(0.0));
      },
      nullptr},
     {"cut-and-close",

@@ -42,22 +42,23 @@ double whereIs(double value, double most, Function rising) {
   return low;
 }
 
-// A disc in rings that go up and down by as much. Its area grows by more than its outline has over a circle's, so
-// nothing but its flatness makes it a sheet.
-TriangleSoup rippledDisc(double height) {
-  TriangleSoup s = test::disc(256, 32);
-  for (Vec3& p : s.points) p.z() = height * (static_cast<int>(std::lround(32.0 * p.norm())) % 2 == 0 ? 1.0 : -1.0);
+// The part of the unit sphere above a height, of which the faces look up by (1 + height) / 2: its lid's area, π(1 -
+// height²), in areas of its own, 2π(1 - height).
+TriangleSoup sphereAbove(double height) {
+  TriangleSoup s = test::disc(256, 64);
+  for (Vec3& p : s.points) {
+    const double z = 1.0 - (1.0 - height) * p.squaredNorm(), r = std::sqrt(1.0 - z * z);
+    p = p.norm() > 0.0 ? Vec3(r / p.norm() * p.x(), r / p.norm() * p.y(), z) : Vec3(0, 0, 1);
+  }
   return s;
 }
 
-// A dome over a star with five points, in the plane z = 0.
-TriangleSoup starDome(double height) {
-  TriangleSoup s = test::disc(200, 20);
-  for (Vec3& p : s.points) {
-    const double u = std::atan2(p.y(), p.x()), share = p.norm();
-    p = (1.0 + 0.3 * std::cos(5.0 * u)) * p + Vec3(0, 0, height * (1.0 - share * share));
-  }
-  return s;
+// A gutter of three quarters of a tube's round, of this width in lengths.
+TriangleSoup gutter(double width) {
+  return test::grid(97, 33, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 1.5 * M_PI * i / 96.0;
+    return Vec3(width * std::cos(u), width * std::sin(u), j / 32.0);
+  });
 }
 
 // A tube whose lower end has teeth.
@@ -102,7 +103,7 @@ class TolerancesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void flatSheet();
+  void oneWaySheet();
   void sheetVolume();
   void raggedOutline();
   void debris();
@@ -114,20 +115,21 @@ class TolerancesTest : public QObject {
   void pieceEdges();
 };
 
-// RMS distances with area for weight: the height, and half the radius.
-void TolerancesTest::flatSheet() {
-  constexpr double kExtent = 0.5;
-  QVERIFY(isSheet(rippledDisc(0.95 * tolerance::kFlatSheet * kExtent)));
-  QVERIFY(!isSheet(rippledDisc(1.05 * tolerance::kFlatSheet * kExtent)));
+void TolerancesTest::oneWaySheet() {
+  const auto heightOf = [](double share) { return 2.0 * share - 1.0; };
+  QVERIFY(!isSheet(sphereAbove(heightOf(kJustBelow * tolerance::kOneWaySheet))));
+  QVERIFY(isSheet(sphereAbove(heightOf(kJustAbove * tolerance::kOneWaySheet))));
 }
 
+// Closed from the centre of its outline.
 void TolerancesTest::sheetVolume() {
-  const auto share = [](double height) {
-    const TriangleSoup dome = starDome(height);
-    return test::volume(dome) / std::pow(test::area(dome), 1.5);
+  const auto share = [](double width) {
+    const TriangleSoup s = gutter(width);
+    const Vec3 centre = findBoundaryLoops(buildMesh(s).mesh).at(0).centre;
+    return std::abs(test::volume(test::moved(s, -centre))) / std::pow(test::area(s), 1.5);
   };
-  QVERIFY(isSheet(starDome(whereIs(kJustBelow * tolerance::kSheetVolume, 1.0, share))));
-  QVERIFY(!isSheet(starDome(whereIs(kJustAbove * tolerance::kSheetVolume, 1.0, share))));
+  QVERIFY(isSheet(gutter(whereIs(kJustBelow * tolerance::kSheetVolume, 0.3, share))));
+  QVERIFY(!isSheet(gutter(whereIs(kJustAbove * tolerance::kSheetVolume, 0.3, share))));
 }
 
 void TolerancesTest::raggedOutline() {

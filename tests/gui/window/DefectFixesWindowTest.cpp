@@ -129,6 +129,27 @@ class DefectFixesWindowTest : public QObject {
     QCOMPARE(driver.text("stateHeadline"), "Watertight");
   }
 
+  // The panel shows the thickness of the body, a thousandth of the diagonal, and takes another; the log says which.
+  void thicknessOfASheet() {
+    WindowDriver driver;
+    const auto flat = [](std::uint32_t i, std::uint32_t j) { return Vec3(30.0 * i, 40.0 * j, 0.0); };
+    QVERIFY(driver.open(file("plate.stl", grid(11, 11, false, false, flat))));
+    driver.clickDefect(DefectKind::KeptOpen, 0);
+    auto* line = driver.find<QWidget>("sheetThickness")->findChild<QLineEdit*>();
+    QVERIFY(line->isVisible());
+    QVERIFY2(line->text().startsWith("0.5"), qPrintable(line->text()));
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, "2");
+    QTest::keyClick(line, Qt::Key_Return);
+    driver.click("thickenSheetButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::KeptOpen), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    const auto* log = driver.find<QTreeView>("logView")->model();
+    const QString last = log->index(log->rowCount() - 1, 0).data().toString();
+    QVERIFY2(last.contains("Thicken sheets by 2.00 mm"), qPrintable(last));
+  }
+
   // Where every patch would cross what stands in the hole, the card offers to cut.
   void aRodInTheHole() {
     TriangleSoup soup = sphereWithoutCap(3, 0.5);

@@ -281,7 +281,7 @@ QString defectKindHint(DefectKind kind) {
     case DefectKind::NearVertex:
       return DefectModel::tr("Vertices on open edges that differ only by rounding in the file. A repair merges them.");
     case DefectKind::InsideOut:
-      return DefectModel::tr("Closed surfaces whose triangles face inwards, so that inside and outside are swapped.");
+      return DefectModel::tr("Bodies whose triangles face inwards, so that inside and outside are swapped.");
     case DefectKind::Flipped:
       return DefectModel::tr(
           "No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were "

@@ -62,8 +62,8 @@ DefectsPanel::DefectsPanel(const DefectsPanelActions& actions, QWidget* parent)
       m_delegate(new DefectDelegate(this)),
       m_state(new StateCard(this)),
       m_list(defectList(this, m_model, m_delegate)),
-      m_settings(new HoleSettings(actions.fill, actions.keepOpen, actions.preview,
-                                  {actions.thickenSheet, actions.cutAndClose}, this)),
+      m_settings(new HoleSettings(actions.fill, actions.keepOpen, actions.preview, actions.thickenSheet,
+                                  actions.cutAndClose, this)),
       m_card(new DefectCard(actions.fix, this)),
       m_content(new QWidget(this)),
       m_empty(emptyText(this)) {

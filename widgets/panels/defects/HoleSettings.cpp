@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/defects/HoleSettings.h"
 
+#include "controls/NumberField.h"
 #include "panels/ActionButton.h"
 #include "text/RepairText.h"
 
@@ -47,15 +48,16 @@ QCheckBox* checkBoxFor(QAction* action, QWidget* parent) {
 
 }  // namespace
 
-HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
-                           QWidget* parent)
+HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QAction* thickenSheet,
+                           QAction* cutAndClose, QWidget* parent)
     : QFrame(parent),
       m_name(new QLabel(this)),
       m_detail(new QLabel(this)),
       m_method(methodBox(this)),
       m_status(new QLabel(this)),
       m_otherStatus(new QLabel(this)),
-      m_trials(new MethodTable(this)) {
+      m_trials(new MethodTable(this)),
+      m_thickness(new NumberField(this)) {
   setObjectName(QStringLiteral("holeSettings"));
   m_name->setProperty("strong", true);
   m_detail->setProperty("muted", true);
@@ -91,13 +93,15 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
   column->addWidget(checkBoxFor(preview, this));
   column->addWidget(m_status);
   column->addLayout(buttons);
-  for (QAction* other : others) {
-    auto* button = new ActionButton(other, ActionButton::Rank::Ordinary, this);
-    const auto follow = [button, other] { button->setVisible(other->isVisible() && other->isEnabled()); };
-    connect(other, &QAction::changed, button, follow);
+  const auto addWhenPossible = [column](QWidget* widget, QAction* action) {
+    const auto follow = [widget, action] { widget->setVisible(action->isVisible() && action->isEnabled()); };
+    connect(action, &QAction::changed, widget, follow);
     follow();
-    column->addWidget(button);
-  }
+    column->addWidget(widget);
+  };
+  addWhenPossible(thicknessRow(), thickenSheet);
+  for (QAction* action : {thickenSheet, cutAndClose})
+    addWhenPossible(new ActionButton(action, ActionButton::Rank::Ordinary, this), action);
   column->addWidget(m_otherStatus);
 
   connect(m_method, &QComboBox::currentIndexChanged, this, [this] {
@@ -121,6 +125,29 @@ QToolButton* HoleSettings::compareButton() {
     if (on) emit compareRequested();
   });
   return button;
+}
+
+QWidget* HoleSettings::thicknessRow() {
+  auto* row = new QWidget(this);
+  auto* label = new QLabel(tr("Thickness"), row);
+  label->setBuddy(m_thickness);
+  m_thickness->setObjectName(QStringLiteral("sheetThickness"));
+  m_thickness->setLabel(label->text());
+  m_thickness->setToolTip(tr("Thickness of the sheet's thin body; less where that would intersect anything"));
+  constexpr double kLeast = 1e-9, kMost = 1e9;  // mm, as the operation takes it
+  m_thickness->setRange(kLeast, kMost);
+  auto* fields = new QHBoxLayout(row);
+  fields->setContentsMargins(0, 0, 0, 0);
+  fields->setSpacing(8);
+  fields->addWidget(label);
+  fields->addWidget(m_thickness, 1);
+  connect(m_thickness, &NumberField::valueEdited, this, [this](double value) { emit thicknessEdited(value); });
+  return row;
+}
+
+void HoleSettings::showThickness(double thickness, LengthUnit unit) {
+  m_thickness->setQuantity(Quantity::Length, unit);
+  m_thickness->setValue(thickness);
 }
 
 bool HoleSettings::isComparing() const {

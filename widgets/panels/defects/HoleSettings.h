@@ -15,6 +15,9 @@ class QToolButton;
 
 namespace handwheel {
 
+class NumberField;
+enum class LengthUnit;
+
 // The state of the fill preview.
 struct PreviewState {
   enum class Kind { Off, Working, Ready, Failed };
@@ -30,8 +33,9 @@ class HoleSettings : public QFrame {
   Q_OBJECT
 
  public:
-  // The actions are those of the menus and keys. others: further ways to close the hole, shown when they are possible.
-  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
+  // The actions are those of the menus and keys. thickenSheet, with its thickness, and cutAndClose are shown when they
+  // are possible.
+  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QAction* thickenSheet, QAction* cutAndClose,
                QWidget* parent = nullptr);
 
   // The available methods, in order.
@@ -42,6 +46,8 @@ class HoleSettings : public QFrame {
   void showPreview(const PreviewState& state);
   // What the other way to close it would do, of which the pointer is on the button: a sentence, or empty.
   void showOtherPreview(const QString& text);
+  // The thickness that a sheet will get, mm.
+  void showThickness(double thickness, LengthUnit unit);
   // Whether the comparison of the methods is open, and their statistics are needed.
   bool isComparing() const;
   void showTrials(const std::vector<MethodTrial>& trials);
@@ -49,9 +55,11 @@ class HoleSettings : public QFrame {
  signals:
   void methodChanged(handwheel::FillMethod method);
   void compareRequested();
+  void thicknessEdited(double thickness);  // mm
 
  private:
   QToolButton* compareButton();
+  QWidget* thicknessRow();
 
   QLabel* m_name;
   QLabel* m_detail;
@@ -59,6 +67,7 @@ class HoleSettings : public QFrame {
   QLabel* m_status;
   QLabel* m_otherStatus;
   MethodTable* m_trials;
+  NumberField* m_thickness;
 };
 
 }  // namespace handwheel

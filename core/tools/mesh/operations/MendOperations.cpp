@@ -11,12 +11,14 @@
 namespace handwheel {
 
 std::vector<Operation> mendOperations() {
+  std::vector<Parameter> thickening = fillParameters();
+  thickening.insert(thickening.begin(), thicknessParameter());
   return {
       {.id = "back",
        .title = QT_TRANSLATE_NOOP("Tool", "Thicken sheets"),
        .meaning = "Thicken each sheet with such an outer boundary to a thin body",
        .operands = "LOOPS",
-       .parameters = fillParameters()},
+       .parameters = std::move(thickening)},
       {.id = "cut-and-close",
        .title = QT_TRANSLATE_NOOP("Tool", "Cut and close"),
        .meaning = "Close it across the part, and cut where the patch intersects",

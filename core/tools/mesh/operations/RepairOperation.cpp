@@ -31,6 +31,7 @@ const Operation& repairOperation() {
     auto& all = repair.parameters;
     all.push_back(nearWeldParameter(RepairOptions().nearWeld));
     all.push_back(rimsParameter());
+    all.push_back(thicknessParameter());
     all.push_back(countParameter("max-hole", "N", "Leave loops with more edges open; 0: no limit"));
     all.push_back(flagParameter("remove-debris", "Remove parts far smaller than the largest"));
     all.push_back(flagParameter("keep-folded-regions",
@@ -47,6 +48,7 @@ RepairOptions repairOptionsOf(const OperationValues& values) {
   options.fill = fillOptionsOf(values);
   options.nearWeld = values.number("near-weld");
   options.rims = static_cast<RimHandling>(values.whole("rims"));
+  options.thickness = values.given("thickness").value_or(0.0);
   options.maxEdges = values.whole("max-hole");
   options.removeDebris = values.flag("remove-debris");
   options.replaceFoldedRegions = !values.flag("keep-folded-regions");
@@ -59,6 +61,7 @@ OperationValues valuesOf(const RepairOptions& options) {
   setFillOptions(values, options.fill);
   values.setValid("near-weld", options.nearWeld);
   values.setValid("rims", static_cast<double>(options.rims));
+  if (options.thickness > 0.0) values.setValid("thickness", options.thickness);
   values.setValid("max-hole", static_cast<double>(options.maxEdges));
   values.setValid("remove-debris", options.removeDebris);
   values.setValid("keep-folded-regions", !options.replaceFoldedRegions);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/operations/SharedParameters.h"
 
+#include <QtGlobal>
 #include <cstdint>
+#include <limits>
 
 namespace handwheel {
 
@@ -30,6 +32,19 @@ Parameter pointParameter(const char* id, std::string meaning) {
           .meaning = std::move(meaning),
           .word = "X,Y,Z",
           .parts = {{"x"}, {"y"}, {"z"}},
+          .hasDefault = false};
+}
+
+Parameter thicknessParameter() {
+  return {.property = {.id = "thickness",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Thickness"),
+                       .value = 0.0,
+                       .quantity = Quantity::Length,
+                       .least = 1e-9,
+                       .largest = 1e9},
+          .meaning = "Thickness of thickened sheets, in mm; default: a thousandth of the model's diagonal",
+          .word = "MM",
           .hasDefault = false};
 }
 

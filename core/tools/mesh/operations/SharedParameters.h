@@ -16,6 +16,8 @@ Parameter countParameter(const char* id, const char* word, std::string meaning, 
 Parameter textParameter(const char* id, const char* word, std::string meaning);
 // Three coordinates in mm, without a default.
 Parameter pointParameter(const char* id, std::string meaning);
+// Thickness of thickened sheets in mm; without it a thousandth of the diagonal.
+Parameter thicknessParameter();
 // Share of the diagonal below which vertices are one.
 Parameter nearWeldParameter(double standard);
 

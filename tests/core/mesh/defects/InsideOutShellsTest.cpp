@@ -53,7 +53,16 @@ void InsideOutShellsTest::shells_data() {
   TriangleSoup plate = test::disc(64, 8);
   for (Vec3& p : plate.points) p = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * p + Vec3(17, -3, 5);
   QTest::newRow("plate") << together({plate, test::turnedOver(plate)}) << 0 << std::nan("");
-  QTest::newRow("open") << over(test::sphereWithoutCap(2)) << 0 << std::nan("");
+  // A small opening leaves no doubt about the inside, half a sphere does.
+  const TriangleSoup nearlyClosed = test::sphereWithoutCap(2);
+  QTest::newRow("nearly closed") << nearlyClosed << 0 << std::nan("");
+  QTest::newRow("nearly closed, inside out")
+      << over(nearlyClosed) << static_cast<int>(nearlyClosed.triangles.size()) << std::nan("");
+  QTest::newRow("nearly closed, with a cavity")
+      << together({over(nearlyClosed), test::moved(test::icosphere(1), Vec3::Zero(), 0.2)})
+      << static_cast<int>(nearlyClosed.triangles.size()) + 80 << std::nan("");
+  QTest::newRow("half a sphere") << over(test::withHole(test::icosphere(3), Vec3::UnitZ(), 1.4)) << 0 << std::nan("");
+  QTest::newRow("sheet") << over(test::disc(24, 4)) << 0 << std::nan("");
 }
 
 void InsideOutShellsTest::shells() {

@@ -20,7 +20,7 @@ double volume(const HalfEdgeMesh& mesh) {
 
 HalfEdgeMesh backed(const TriangleSoup& soup, double thickness) {
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  thickenSheet(mesh, sheetOf(mesh, 0), thickness, NumberType::Float64);
+  thickenSheets(mesh, {sheetOf(mesh, 0)}, thickness, NumberType::Float64);
   relink(mesh);
   return mesh;
 }
@@ -36,6 +36,8 @@ class SheetThickeningTest : public QObject {
   void sheets();
   void flatDisc();
   void onlyThisSheet();
+  void thinnerBeforeAnObstacle();
+  void fold();
 };
 
 // A pyramid under the triangle: a third of area times height.
@@ -86,9 +88,44 @@ void SheetThickeningTest::onlyThisSheet() {
   HalfEdgeMesh mesh = buildMesh(two).mesh;
   const std::vector<Face> sheet = sheetOf(mesh, 0);
   QCOMPARE(sheet.size(), one);
-  thickenSheet(mesh, sheet, 0.01, NumberType::Float64);
+  thickenSheets(mesh, {sheet}, 0.01, NumberType::Float64);
   relink(mesh);
   QCOMPARE(test::countBorder(mesh), std::size_t{12});
+}
+
+// A flake behind the middle of a square comes nearer than the thickness: there the body is thinner, and as thick as it
+// may be elsewhere.
+void SheetThickeningTest::thinnerBeforeAnObstacle() {
+  const double thickness = 0.04;
+  TriangleSoup soup = test::grid(
+      13, 13, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i / 6.0 - 1.0, j / 6.0 - 1.0, 0.0); });
+  const double alone = volume(backed(soup, thickness));
+  test::append(soup, TriangleSoup{{{0.01, 0.01, -0.011}, {0.06, 0.01, -0.1}, {0.01, 0.06, -0.1}}, {{0, 1, 2}}});
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const std::vector<Face> sheet = sheetOf(mesh, 0);
+  thickenSheets(mesh, {sheet}, thickness, NumberType::Float64);
+  relink(mesh);
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QCOMPARE(test::countBorder(mesh), std::size_t{3});  // the flake's
+  QCOMPARE(validate(mesh), std::string());
+  mesh.removeFace(static_cast<Face>(soup.triangles.size() - 1));
+  QVERIFY(volume(mesh) < alone && volume(mesh) > 0.8 * alone);
+}
+
+// The fold of a sheet that comes back over itself at a distance of less than twice the thickness.
+void SheetThickeningTest::fold() {
+  const double gap = 0.02;
+  const TriangleSoup soup = test::grid(41, 9, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double s = (i - 20.0) / 10.0, turn = 0.5 * M_PI * gap;  // half a circle as wide as the gap
+    if (s < 0) return Vec3(-s, j / 8.0, 0.0);
+    if (i == 20) return Vec3(-turn, j / 8.0, 0.5 * gap);
+    return Vec3(s, j / 8.0, gap);
+  });
+  for (const TriangleSoup& side : {soup, test::turnedOver(soup)}) {
+    const HalfEdgeMesh mesh = backed(side, 0.05);
+    QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+    QVERIFY(test::countEdges(mesh).sound());
+  }
 }
 
 HANDWHEEL_TEST(SheetThickeningTest)

@@ -9,6 +9,7 @@
 #include "mesh/defects/Defects.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
+#include "mesh/structure/PositionKey.h"
 
 #include <QTest>
 
@@ -57,6 +58,8 @@ class DefectFixesTest : public QObject {
   void crossings();
   void debris();
   void backOfASheet();
+  void thicknessOfABack();
+  void saysWhyThereIsNoBack();
   void aRodInTheHole();
   void nothingToMend();
   void saysWhatIsTooMuch();
@@ -168,6 +171,31 @@ void DefectFixesTest::backOfASheet() {
   QVERIFY(document->defects().loops.empty());
   const double volume = test::volume(document->mesh().compact().soup), thickness = 1e-3 * M_SQRT2;
   QVERIFY(volume > 0.5 * thickness && volume < thickness);
+}
+
+void DefectFixesTest::thicknessOfABack() {
+  const auto document = open(
+      test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i / 8.0, j / 8.0, 0.0); }));
+  const double thickness = 0.02;
+  const MeshChange change = thickenFix(keysOf(*document), {}, thickness);
+  QCOMPARE(change.thickness, thickness);
+  QVERIFY(QString::fromStdString(change.step).contains(" --thickness 0.02"));
+  make(*document, change);
+  const double volume = test::volume(document->mesh().compact().soup);
+  QVERIFY(volume > 0.75 * 0.75 * thickness && volume < thickness);
+}
+
+// The one reason that is true.
+void DefectFixesTest::saysWhyThereIsNoBack() {
+  const auto document = open(test::disc(12, 4));
+  FillOptions options;
+  options.keptCorners = {positionKey(document->mesh().position(keysOf(*document).at(0)))};
+  const MeshChange kept = thickenFix(keysOf(*document), options);
+  make(*document, kept);
+  QCOMPARE(reasonOf(kept), "a boundary of the sheet is marked to stay open, and a thin body has none");
+  QCOMPARE(document->defects().loops.size(), std::size_t(1));
+  make(*document, thickenFix(keysOf(*document), {}));
+  QVERIFY(document->defects().loops.empty());
 }
 
 void DefectFixesTest::aRodInTheHole() {
