@@ -30,15 +30,18 @@ class DefectActions : public QObject {
   // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
 
-  QAction* fix() { return &m_fix; }                    // hidden when there is nothing to fix
-  QAction* thickenSheet() { return &m_thickenSheet; }  // makes a thin body of the selected sheet, or of all
-  QAction* cutAndClose() { return &m_cutAndClose; }    // hidden unless a patch would intersect the part
-  QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose}; }
+  QAction* fix() { return &m_fix; }                      // hidden when there is nothing to fix
+  QAction* thickenSheet() { return &m_thickenSheet; }    // makes a thin body of the selected sheet, or of all
+  QAction* cutAndClose() { return &m_cutAndClose; }      // hidden unless a patch would intersect the part
+  QAction* reverseBodies() { return &m_reverseBodies; }  // all that are inside out
+  QAction* resolveIntersections() { return &m_resolveIntersections; }  // all
+  QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose, &m_reverseBodies, &m_resolveIntersections}; }
 
  private:
   void follow();
-  std::optional<MeshChange> change() const;
-  std::vector<int> sheets() const;  // loop ids
+  std::optional<MeshChange> change() const { return m_kind ? changeFor(*m_kind, m_row) : std::nullopt; }
+  std::optional<MeshChange> changeFor(DefectKind kind, int row) const;  // -1: all rows
+  std::vector<int> sheets() const;                                      // loop ids
   FillOptions options() const;
 
   MeshTab* m_document = nullptr;
@@ -51,6 +54,8 @@ class DefectActions : public QObject {
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;
+  QAction m_reverseBodies;
+  QAction m_resolveIntersections;
 };
 
 }  // namespace handwheel

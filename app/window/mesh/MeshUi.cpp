@@ -262,9 +262,15 @@ std::vector<Hint> MeshUi::hints() {
 NextStep MeshUi::nextStep() {
   if (m_document && m_show.isRunning()) return m_show.step();
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
-  return nextStepFor(*m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(),
-                                   m_defectActions.thickenSheet(),
-                                   m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
+  return nextStepFor(*m_document, {.repairAll = m_actions.repairAll(),
+                                   .undoRepair = m_actions.undoRepair(),
+                                   .removeDebris = m_actions.removeDebris(),
+                                   .oneByOne = m_actions.goOneByOne(),
+                                   .thickenSheet = m_defectActions.thickenSheet(),
+                                   .reverseBodies = m_defectActions.reverseBodies(),
+                                   .resolveIntersections = m_defectActions.resolveIntersections(),
+                                   .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
+                                   .saveAs = m_parts.saveAs});
 }
 
 QString MeshUi::statistics() const {
