@@ -30,13 +30,14 @@ namespace {
 
 // A change that counts what it does. work: false where it was given up because that was too much.
 MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason) {
-  auto isCutShort = std::make_shared<std::atomic<bool>>(false);
+  static constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
+  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
   MeshChange change{text,
-                    [work = std::move(work), isCutShort](HalfEdgeMesh& mesh, Progress progress) {
-                      *isCutShort = !work(mesh, progress);
+                    [work = std::move(work), found](HalfEdgeMesh& mesh, Progress progress) {
+                      *found = work(mesh, progress) ? nullptr : kTooLong;
                     },
                     reason};
-  change.isCutShort = std::move(isCutShort);
+  change.found = std::move(found);
   return change;
 }
 
@@ -107,15 +108,14 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
   OperationValues values(meshOperation("near-vertices"));
   values.setValid("near-weld", nearWeld);
   step.options(values);
-  return withStep(
-      {meshOperation("near-vertices").title,
-       [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-         std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
-         for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
-         stitchBorders(mesh, fixed, progress, nearWeld);
-       },
-       QT_TRANSLATE_NOOP("Tool", "merging them would close no gap, or leave edges with more than two triangles")},
-      step.text());
+  return withStep({meshOperation("near-vertices").title,
+                   [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+                     std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
+                     for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
+                     stitchBorders(mesh, fixed, progress, nearWeld);
+                   },
+                   QT_TRANSLATE_NOOP("Tool", "merging them would not close the surface any further")},
+                  step.text());
 }
 
 MeshChange nonManifoldFix(NumberType numbers) {
@@ -151,8 +151,7 @@ MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>
                         WorkBudget effort = progress.share(mostEffort(mesh));
                         return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
                       },
-                      QT_TRANSLATE_NOOP(
-                          "Tool", "the triangles are coplanar, overlap others, or intersect too much to be separated")),
+                      QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
                   step.text());
 }
 

@@ -11,8 +11,8 @@
 namespace handwheel {
 
 const char* reasonOf(const MeshChange& change) {
-  const bool isCutShort = change.isCutShort && *change.isCutShort;
-  return isCutShort ? QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size") : change.reason;
+  const char* const found = change.found ? change.found->load() : nullptr;
+  return found ? found : change.reason;
 }
 
 bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress) {

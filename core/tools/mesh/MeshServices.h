@@ -28,8 +28,8 @@ struct MeshChange {
   std::function<void(std::size_t)> crossed = nullptr;
   // The change as a line of text, as MeshSteps.h reads it; empty where it has no such form.
   std::string step = {};
-  // Set by apply: it ended because it took too much effort. Null where that cannot be.
-  std::shared_ptr<std::atomic<bool>> isCutShort = nullptr;
+  // Set by apply: why it changed nothing, as `reason`, where only trying shows it. Null where it need not be tried.
+  std::shared_ptr<std::atomic<const char*>> found = nullptr;
 };
 
 // Why a change has changed nothing, once it was applied; as MeshChange::reason.
