@@ -9,7 +9,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QUndoStack>
 #include <algorithm>
 
 namespace handwheel {
@@ -87,11 +86,6 @@ bool isWorthSaving(const MeshTab& document) {
   return document.document.isModified() || (!document.written && !document.document.reversedFaces().empty());
 }
 
-// "Repair all" was what happened last.
-bool isJustRepaired(const MeshTab& document) {
-  return document.repairedRevision == document.document.revision() && document.document.history()->canUndo();
-}
-
 // What may be done about what a repair leaves, in one place.
 void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
@@ -100,7 +94,7 @@ void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& 
   if (inspection.count(DefectKind::SelfIntersection) > 0) step.actions.push_back(actions.resolveIntersections);
   if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
-  if (isJustRepaired(document)) step.actions.push_back(actions.undoRepair);
+  if (document.isJustRepaired()) step.actions.push_back(actions.undoRepair);
 }
 
 // What is closed, or kept open, with nothing else that "Repair all" mends.

@@ -104,7 +104,9 @@ QList<QAction*> RepairActions::all() {
 }
 
 void RepairActions::setDocument(MeshTab* document) {
+  if (m_document) disconnect(&m_document->document, &Document::changed, this, &RepairActions::followUndo);
   m_document = document;
+  if (document) connect(&document->document, &Document::changed, this, &RepairActions::followUndo);
   follow();
 }
 
@@ -122,6 +124,11 @@ void RepairActions::follow() {
   m_deselect.setEnabled(loop >= 0);
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
+  followUndo();
+}
+
+void RepairActions::followUndo() {
+  m_undoRepair.setEnabled(!m_jobs.isWorking() && m_document && m_document->isJustRepaired());
 }
 
 // There is no point in filling what the preview could not.

@@ -40,6 +40,7 @@ class RepairActions : public QObject {
   void connectActions();
   void follow();
   void followPreview();
+  void followUndo();
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);

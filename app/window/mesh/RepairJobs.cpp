@@ -210,6 +210,7 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   logRepair(*document, done);
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   document->repairedRevision = document->document.revision();
+  document->hasRepairChanged = isChanged;
   inspection.setFailures(failures);
   if (isChanged) return;
   emit changedNothing(document, tr("Repair all"),
