@@ -17,6 +17,7 @@
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/Shells.h"
+#include "proximity/ExactOrientation.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
@@ -28,9 +29,10 @@
 namespace handwheel {
 namespace {
 
+constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
+
 // A change that counts what it does. work: false where it was given up because that was too much.
 MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason) {
-  static constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
   auto found = std::make_shared<std::atomic<const char*>>(nullptr);
   MeshChange change{text,
                     [work = std::move(work), found](HalfEdgeMesh& mesh, Progress progress) {
@@ -85,6 +87,22 @@ bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) 
   if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort)).empty())
     relink(mesh, progress.part(0.8, 1.0));
   return !effort.isSpent();
+}
+
+bool areCoplanar(const HalfEdgeMesh& mesh, const std::pair<Face, Face>& pair) {
+  if (!mesh.isProper(pair.first) || !mesh.isProper(pair.second)) return false;
+  const auto at = [&](Face f, std::size_t k) -> const Vec3& { return mesh.position(mesh.triangle(f)[k]); };
+  const ExactPlane plane(at(pair.first, 0), at(pair.first, 1), at(pair.first, 2));
+  return plane.side(at(pair.second, 0)) == 0 && plane.side(at(pair.second, 1)) == 0 &&
+         plane.side(at(pair.second, 2)) == 0;
+}
+
+// Why intersecting triangles stay as they are, where cutting changes nothing.
+const char* reasonNotToCut(const HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs) {
+  const bool isAnyFlat =
+      std::any_of(pairs.begin(), pairs.end(), [&mesh](const auto& pair) { return areCoplanar(mesh, pair); });
+  return isAnyFlat ? QT_TRANSLATE_NOOP("Tool", "some of the triangles are coplanar, and no cut separates those")
+                   : QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly");
 }
 
 }  // namespace
@@ -145,14 +163,17 @@ MeshChange nonOrientableFix(const FillOptions& options) {
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
-  return withStep(counted(
-                      meshOperation("cut-crossings").title,
-                      [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-                        WorkBudget effort = progress.share(mostEffort(mesh));
-                        return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
-                      },
-                      QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
-                  step.text());
+  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
+  MeshChange change{meshOperation("cut-crossings").title,
+                    [numbers, pairs = std::move(pairs), found](HalfEdgeMesh& mesh, Progress progress) {
+                      const char* const ifNone = reasonNotToCut(mesh, pairs);
+                      WorkBudget effort = progress.share(mostEffort(mesh));
+                      *found = removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort
+                                   ? kTooLong
+                                   : ifNone;
+                    }};
+  change.found = std::move(found);
+  return withStep(std::move(change), step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {

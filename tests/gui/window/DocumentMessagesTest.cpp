@@ -82,6 +82,7 @@ class DocumentMessagesTest : public QObject {
     auto* unit = driver.find<QWidget>("property/unit")->findChild<QComboBox*>();
     unit->setCurrentIndex(unit->findText("m"));
     emit unit->activated(unit->currentIndex());
+    QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/commit")->isEnabled());  // the panel makes them anew
     driver.click("toolAction/commit");
     QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
     QVERIFY(driver.settle());

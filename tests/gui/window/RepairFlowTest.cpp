@@ -185,7 +185,7 @@ class RepairFlowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
     QVERIFY(driver.settle());
     QCOMPARE(driver.text("nextStepTitle"), "No holes. 1 open sheet among 2 pieces.");
-    QVERIFY(driver.find<QAbstractButton>("nextStep/saveFileAs")->isVisible());
+    QTRY_VERIFY(driver.find<QAbstractButton>("nextStep/saveFileAs")->isVisible());
     QVERIFY(driver.find<QAbstractButton>("nextStep/thickenSheet")->isEnabled());
     driver.click("nextStep/undoRepair");
     QVERIFY(driver.settle());
