@@ -7,6 +7,7 @@
 #include "document/DocumentErrors.h"
 #include "document/NewerFile.h"
 #include "document/mesh/MeshKind.h"
+#include "text/LossText.h"
 #include "text/NoteText.h"
 
 #include <QString>
@@ -30,6 +31,8 @@ Result<Input> readMesh(const DocumentKind& kind, const std::filesystem::path& pa
   input.opened.file.damage = std::move(file->damage);
   input.opened.file.unlistedDamage = file->unlistedDamage;
   input.opened.file.lost = std::move(file->lost);
+  input.opened.file.lostOther = std::move(file->lostOther);
+  input.opened.file.hasUnit = file->hasUnit;
   input.opened.file.notes = std::move(file->notes);
   input.mesh = MeshInput{file->numbers, std::move(file->soup)};
   return input;
@@ -74,7 +77,7 @@ std::vector<std::string> lossSentences(const DocumentFile& file) {
   if (file.isNewer)
     all.emplace_back("A newer version of Handwheel wrote the file; only what this version knows was read.");
   for (std::string& note : damageSentences(file)) all.push_back(std::move(note));
-  if (!file.lost.empty()) all.push_back("Not kept: " + listOf(file.lost) + ".");
+  if (!file.lost.empty()) all.push_back("Not kept: " + lostNames(file).join(", ").toStdString() + ".");
   for (const Note& note : file.notes) all.push_back(noteText(note).toStdString());
   return all;
 }

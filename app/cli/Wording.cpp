@@ -47,7 +47,7 @@ std::string wordFor(LoopOutcome outcome) {
 }
 
 std::string filledText(std::size_t filled, std::size_t holes) {
-  return holes == 0 ? "No holes" : std::to_string(filled) + " of " + std::to_string(holes) + " holes filled";
+  return holes == 0 ? "No holes" : std::to_string(filled) + " of " + counted(holes, "hole", "holes") + " filled";
 }
 
 std::string reasonSentence(FillFailure failure) {
@@ -63,12 +63,6 @@ std::vector<std::string> patchWarnings(const RepairReport& repair) {
       lines.push_back("Look at the patch of " + nameOf(loop) + ": " + warning.toStdString() + ".");
   }
   return lines;
-}
-
-std::string listOf(const std::vector<LostAttribute>& attributes) {
-  QStringList names;
-  for (LostAttribute attribute : attributes) names << lostAttributeName(attribute);
-  return names.join(", ").toStdString();
 }
 
 std::vector<std::string> damageSentences(const DocumentFile& file) {

@@ -23,9 +23,6 @@ std::string filledText(std::size_t filled, std::size_t holes);
 std::vector<std::string> patchWarnings(const RepairReport& repair);
 std::string reasonSentence(FillFailure failure);
 
-// The lost attributes as a list: "colours, normals".
-std::string listOf(const std::vector<LostAttribute>& attributes);
-
 // One sentence for each damage that was skipped or repaired on reading. The last one counts those that are not listed.
 std::vector<std::string> damageSentences(const DocumentFile& file);
 

@@ -99,6 +99,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                             .touch = m_touch,
                             .servoClock = m_servoClock,
                             .saveAs = m_fileActions.saveAs(),
+                            .chooseTool = [this](const QString& id) { m_toolChoice->choose(id); },
                             .openFile = [this](const QString& path) { openPaths({path}); },
                             .isPanelVisible = [this] { return m_kindDock->isVisible(); },
                             .showPanel = &m_showPanel};

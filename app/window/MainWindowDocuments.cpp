@@ -76,8 +76,7 @@ void MainWindow::connectDocumentsPanel() {
 
 void MainWindow::connectMessages() {
   connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
-  connect(&m_fileActions, &FileActions::saved, this,
-          [this](const Document* document) { m_messages->withdraw(document, kSavingTopic); });
+  connect(&m_fileActions, &FileActions::saved, m_messages, &MessageBar::withdraw);
   connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
   connect(&m_haptics, &HapticSession::message, m_messages, &MessageBar::showMessage);
   connect(m_spaceMouse, &SpaceMouseNavigation::message, m_messages, &MessageBar::showMessage);

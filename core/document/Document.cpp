@@ -54,6 +54,7 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   m_file.damage.clear();
   m_file.unlistedDamage = 0;
   m_file.lost.clear();
+  m_file.lostOther.clear();
   m_file.notes.clear();
   m_recovered = false;
   m_isStroking = false;  // what follows is a step of its own

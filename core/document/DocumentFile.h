@@ -29,7 +29,9 @@ struct DocumentFile {
   std::vector<Error> damage;                // what was skipped or repaired
   std::size_t unlistedDamage = 0;           // further damage beyond what is listed
   std::vector<LostAttribute> lost;          // what the file holds and the document does not
+  std::vector<std::string> lostOther;       // as MeshFile::lostOther
   std::vector<Note> notes;                  // what else there is to know of how it was read
+  bool hasUnit = true;                      // false: the format of the file has no unit of length
   bool isContainer = false;
   bool isNewer = false;  // written by a newer program
   // Keys and blobs that this program does not know; they are written back into the file. And the keys that it knew when

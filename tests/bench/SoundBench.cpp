@@ -8,6 +8,7 @@
 #include "bench/SoundJudge.h"
 #include "document/formats/MeshFormat.h"
 #include "support/MeshShapes.h"
+#include "support/OneSidedShapes.h"
 #include "support/TangledBall.h"
 
 #include <CGAL/IO/STL.h>

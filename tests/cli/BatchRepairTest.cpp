@@ -21,7 +21,7 @@ class BatchRepairTest : public QObject {
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.err, QByteArray());
     QVERIFY(lineWith(ran, "in/a.off").endsWith(" s"));
-    QVERIFY(lineWith(ran, "in/a.off").contains("[1/4] in/a.off: closed, 1 of 1 holes filled, "));
+    QVERIFY(lineWith(ran, "in/a.off").contains("[1/4] in/a.off: closed, 1 of 1 hole filled, "));
     QVERIFY(lineWith(ran, "in/bad.stl").contains("[2/4] in/bad.stl: failed: line 2: "));
     QVERIFY(lineWith(ran, "together").simplified().startsWith("together 4 1 "));
     const Json report = bench.json("out/repair-report.json");

@@ -43,7 +43,8 @@ const char* const kCubeJson = R"({
       1.0,
       1.0
     ]
-  ]
+  ],
+  "unit_doubtful": false
 }
 )";
 
@@ -87,7 +88,8 @@ const char* const kOpenCubeJson = R"({
       0.5,
       0.5
     ]
-  ]
+  ],
+  "unit_doubtful": true
 }
 )";
 
@@ -109,7 +111,10 @@ const char* const kOpenCubeText =
     "\n"
     "Holes\n"
     "    id   edges     length (mm)      area (mm2)   planarity   islands\n"
-    "     0       4               2            0.25           0         0\n";
+    "     0       4               2            0.25           0         0\n"
+    "\n"
+    "The part measures 0.5 × 0.5 × 0.5 mm, if its numbers are millimetres: the file does not say its unit. 'handwheel "
+    "edit' with the step 'place --unit m' converts it from metres; cm and in are possible, too.\n";
 
 }  // namespace
 

@@ -32,7 +32,7 @@ class RepairTest : public QObject {
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(
         ran.out,
-        QByteArray("1 of 1 holes filled. b.stl: closed, manifold, oriented, free of self-intersections, one piece.\n"));
+        QByteArray("1 of 1 hole filled. b.stl: closed, manifold, oriented, free of self-intersections, one piece.\n"));
     const Json report = bench.json("r.json");
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
     QCOMPARE(report.at("after").at("vertices").get<int>(), 8);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TangledBall.h"
 
 #include <functional>

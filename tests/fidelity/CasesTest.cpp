@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "fidelity/CaseShapes.h"
 #include "fidelity/CutSurface.h"

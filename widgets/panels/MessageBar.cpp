@@ -93,18 +93,16 @@ void MessageBar::showMessage(const Message& message) {
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
   m_messages.push_back({message, m_document, {}});
   m_messages.back().since.start();
-  if (message.about && message.untilChanged) {
-    const auto forgetIt = [this, document = message.about] {
-      std::erase_if(m_messages, [document](const Entry& entry) {
-        return entry.message.about == document && entry.message.untilChanged;
-      });
-      showLatest();
-    };
-    connect(message.about, &Document::changed, this, forgetIt, Qt::SingleShotConnection);
-  }
+  if (message.about && message.isOver)
+    connect(message.about, &Document::changed, this, &MessageBar::removeOver, Qt::UniqueConnection);
   showLatest();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
+}
+
+void MessageBar::removeOver() {
+  const auto isOver = [](const Entry& entry) { return entry.message.isOver && entry.message.isOver(); };
+  if (std::erase_if(m_messages, isOver) > 0) showLatest();
 }
 
 void MessageBar::setDocument(const Document* document) {

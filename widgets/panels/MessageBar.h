@@ -18,17 +18,17 @@ class Document;
 struct Message {
   enum class Weight { Info, Warning, Error };
   Weight weight = Weight::Info;
-  QString title;   // what: "scan.stl could not be opened"
-  QString detail;  // why
-  QString advice;  // what to do
-  QString actionText;
-  std::function<void()> action;
+  QString title;        // what: "scan.stl could not be opened"
+  QString detail = {};  // why
+  QString advice = {};  // what to do
+  QString actionText = {};
+  std::function<void()> action = {};
   QString otherText = {};
   std::function<void()> other = {};
-  const Document* about = nullptr;  // removed with this document; null: about no open document
-  QString topic = {};               // what makes it pointless is told by withdraw(); empty: nothing does
-  bool comesFirst = false;          // shown before others, and not removed unread: something may be lost
-  bool untilChanged = false;        // removed also with the next change of that document
+  const Document* about = nullptr;    // removed with this document; null: about no open document
+  QString topic = {};                 // what makes it pointless is told by withdraw(); empty: nothing does
+  bool comesFirst = false;            // shown before others, and not removed unread: something may be lost
+  std::function<bool()> isOver = {};  // asked after each change of that document; true: removed
 };
 
 // Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message
@@ -60,6 +60,7 @@ class MessageBar : public QFrame {
     QElapsedTimer since;
   };
 
+  void removeOver();
   const Entry* latest() const;  // of the visible messages, one that comes first if any; null: none
   std::size_t seenCount() const;
   bool isSeen(const Entry& entry) const;

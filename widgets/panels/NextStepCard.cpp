@@ -6,6 +6,7 @@
 #include "theme/Icons.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -15,6 +16,7 @@ namespace handwheel {
 namespace {
 constexpr int kMargin = 16;
 constexpr int kWidth = 440;
+constexpr int kButtonsInRow = 3;
 }  // namespace
 
 NextStepCard::NextStepCard(QWidget* over)
@@ -22,7 +24,7 @@ NextStepCard::NextStepCard(QWidget* over)
       m_icon(new QLabel(this)),
       m_title(new QLabel(this)),
       m_detail(new QLabel(this)),
-      m_buttons(new QHBoxLayout) {
+      m_buttons(new QGridLayout) {
   setObjectName(QStringLiteral("nextStepCard"));
   setProperty("card", true);
   m_title->setObjectName(QStringLiteral("nextStepTitle"));
@@ -45,6 +47,7 @@ NextStepCard::NextStepCard(QWidget* over)
   title->addWidget(m_title, 1);
   title->addWidget(close, 0, Qt::AlignTop);
   m_buttons->setSpacing(8);
+  m_buttons->setColumnStretch(kButtonsInRow, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 8, 8, 12);
   column->setSpacing(8);
@@ -74,10 +77,10 @@ void NextStepCard::showStep(const NextStep& step) {
   for (QAction* action : step.actions) {
     auto* button = new ActionButton(action, rank, this);
     button->setObjectName(QStringLiteral("nextStep/") + action->objectName());
-    m_buttons->addWidget(button);
+    const int place = m_buttons->count();
+    m_buttons->addWidget(button, place / kButtonsInRow, place % kButtonsInRow);
     rank = ActionButton::Rank::Ordinary;
   }
-  m_buttons->addStretch();
   show();
   raise();
   layout()->invalidate();
@@ -86,7 +89,7 @@ void NextStepCard::showStep(const NextStep& step) {
 
 void NextStepCard::place() {
   const QSize room = parentWidget()->size();
-  const int width = std::min(room.width() - 2 * kMargin, kWidth);
+  const int width = std::min(room.width() - 2 * kMargin, std::max(kWidth, layout()->minimumSize().width()));
   const int height = layout()->totalHeightForWidth(width);
   setGeometry((room.width() - width) / 2, room.height() - height - kMargin, width, height);
   if (!isHidden()) emit covers(height + kMargin);

@@ -6,7 +6,7 @@
 #include <vector>
 
 class QAction;
-class QHBoxLayout;
+class QGridLayout;
 class QLabel;
 
 namespace handwheel {
@@ -46,7 +46,7 @@ class NextStepCard : public QFrame {
   QLabel* m_icon;
   QLabel* m_title;
   QLabel* m_detail;
-  QHBoxLayout* m_buttons;
+  QGridLayout* m_buttons;
 };
 
 }  // namespace handwheel

@@ -21,6 +21,18 @@ int asInt(std::size_t n) {
   return static_cast<int>(std::min<std::size_t>(n, std::numeric_limits<int>::max()));
 }
 
+// With three significant digits, or as a whole number; what would begin with too many zeros has an exponent.
+QString significantText(double value) {
+  constexpr int kDigits = 3;
+  constexpr double kSmallestFixed = 1e-5;
+  if (value == 0.0) return QLocale().toString(0);
+  // The power of ten after rounding: 9.996 is shown as 10.0.
+  const double rounded = QString::number(value, 'e', kDigits - 1).toDouble();
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(rounded)) + 1e-9));
+  if (std::abs(value) < kSmallestFixed) return QLocale().toString(value, 'e', kDigits - 1);
+  return QLocale().toString(value, 'f', std::max(0, kDigits - 1 - power));
+}
+
 }  // namespace
 
 QString fillMethodName(FillMethod method) {
@@ -125,32 +137,6 @@ QString fillFailureReason(FillFailure failure) {
   return {};
 }
 
-QString lostAttributeName(LostAttribute attribute) {
-  switch (attribute) {
-    case LostAttribute::Colour:
-      return RepairWords::tr("colours");
-    case LostAttribute::Normals:
-      return RepairWords::tr("normals");
-    case LostAttribute::TextureCoordinates:
-      return RepairWords::tr("texture coordinates");
-    case LostAttribute::Materials:
-      return RepairWords::tr("materials");
-    case LostAttribute::Groups:
-      return RepairWords::tr("groups");
-    case LostAttribute::Lines:
-      return RepairWords::tr("lines");
-    case LostAttribute::Points:
-      return RepairWords::tr("isolated points");
-    case LostAttribute::Curves:
-      return RepairWords::tr("curves");
-    case LostAttribute::ExactSurfaces:
-      return RepairWords::tr("exact surfaces");
-    case LostAttribute::Other:
-      return RepairWords::tr("further attributes");
-  }
-  return {};
-}
-
 QStringList repairSummary(const RepairReport& report) {
   QStringList parts;
   const auto add = [&parts](std::size_t count, const auto& phrase) {
@@ -193,17 +179,12 @@ QString stateText(const MeshState& state) {
 }
 
 QString areaText(double squareMillimetres, LengthUnit unit) {
-  const double area = squareMillimetres / (millimetresPer(unit) * millimetresPer(unit));
-  return (area < 100.0 ? QLocale().toString(area, 'g', 3) : QLocale().toString(area, 'f', 0)) + QLatin1Char(' ') +
+  return significantText(squareMillimetres / (millimetresPer(unit) * millimetresPer(unit))) + QLatin1Char(' ') +
          QString::fromLatin1(symbolOf(unit)) + QChar(0xb2);
 }
 
 QString lengthText(double millimetres, LengthUnit unit) {
-  const double length = millimetres / millimetresPer(unit);
-  const int most = unit == LengthUnit::Millimetre ? 2 : 4;
-  const int decimals =
-      length == 0.0 ? most : std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(length)))), 0, most);
-  return QLocale().toString(length, 'f', decimals) + QLatin1Char(' ') + QString::fromLatin1(symbolOf(unit));
+  return significantText(millimetres / millimetresPer(unit)) + QLatin1Char(' ') + QString::fromLatin1(symbolOf(unit));
 }
 
 }  // namespace handwheel

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/Units.h"
-#include "document/formats/MeshFormat.h"
 #include "mesh/defects/MeshState.h"
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/repair/Repair.h"
@@ -22,9 +21,6 @@ QString fillMethodHint(FillMethod method);
 QString patchWarning(const PatchComparison& shape);
 QString fillFailureReason(FillFailure failure);
 
-// The name of a lost attribute: "colours", "texture coordinates", …
-QString lostAttributeName(LostAttribute attribute);
-
 // The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
 QStringList repairSummary(const RepairReport& report);
 
@@ -34,8 +30,7 @@ QString stateText(const MeshState& state);
 
 // Formats an area with three significant digits, or as a whole number: "12.3 mm²".
 QString areaText(double squareMillimetres, LengthUnit unit);
-// Formats a length with three significant digits: "31.2 mm". It has at most two decimals, or four in units other than
-// mm.
+// Formats a length with three significant digits, or as a whole number: "31.2 mm", "0.00123 mm", "1240 mm".
 QString lengthText(double millimetres, LengthUnit unit);
 
 }  // namespace handwheel

@@ -10,6 +10,8 @@
 #include "cli/ReportText.h"
 #include "document/Document.h"
 #include "document/mesh/MeshSnapshot.h"
+#include "document/mesh/UnitDoubt.h"
+#include "text/NoteText.h"
 
 namespace handwheel {
 
@@ -59,9 +61,15 @@ std::vector<int> keptOpen(const MeshSnapshot& document) {
   return ids;
 }
 
+std::string unitText(const Input& input, const MeshReport& report) {
+  if (!isUnitDoubtful(input.opened.file, report.box)) return {};
+  return "\n" + noteText(unitDoubt(report.box)).toStdString() +
+         " 'handwheel edit' with the step 'place --unit m' converts it from metres; cm and in are possible, too.\n";
+}
+
 std::string meshText(const Input& input, const MeshReport& report) {
   const MeshSnapshot* document = input.meshDocument();
-  if (!document) return handwheel::readableText(report);
+  if (!document) return handwheel::readableText(report) + unitText(input, report);
   std::string text = readableText(input.opened) + "\n" + handwheel::readableText(report);
   for (const int id : keptOpen(*document)) text += "Loop " + std::to_string(id) + " is kept open.\n";
   return text;
@@ -69,9 +77,10 @@ std::string meshText(const Input& input, const MeshReport& report) {
 
 nlohmann::ordered_json meshJson(const Input& input, const MeshReport& report) {
   const MeshSnapshot* document = input.meshDocument();
-  if (!document) return handwheel::toJson(report);
-  nlohmann::ordered_json json = heading(input.opened);
+  nlohmann::ordered_json json = document ? heading(input.opened) : nlohmann::ordered_json();
   json.update(handwheel::toJson(report));
+  json["unit_doubtful"] = isUnitDoubtful(input.opened.file, report.box);
+  if (!document) return json;
   json["kept_open"] = keptOpen(*document);
   return json;
 }

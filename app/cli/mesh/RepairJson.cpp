@@ -5,7 +5,7 @@
 #include "cli/OperationJson.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
-#include "text/RepairText.h"
+#include "text/LossText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/RepairOperation.h"
 
@@ -61,7 +61,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
   Json loops = Json::array();
   for (const LoopResult& loop : run.repair.loops) loops.push_back(toJson(loop));
   Json lost = Json::array();
-  for (LostAttribute attribute : run.file.lost) lost.push_back(lostAttributeName(attribute).toStdString());
+  for (const QString& name : lostNames(run.file)) lost.push_back(name.toStdString());
   return {
       {"input", request.input.string()},
       {"output", request.output.string()},

@@ -219,10 +219,10 @@ QString RobotCellUi::statistics() const {
 
 QString RobotCellUi::openedText(const DocumentTab& opened) const {
   const RobotModel& robot = static_cast<const RobotCellDocument&>(opened.document).robot().model;
-  return tr("Opened %1: robot %2 with %3 links and %4 joints that move")
-      .arg(opened.document.name(), QString::fromStdString(robot.name))
-      .arg(robot.links.size())
-      .arg(robot.dofs.size());
+  return tr("Opened %1: robot %2 with %3 and %4")
+      .arg(opened.document.name(), QString::fromStdString(robot.name),
+           tr("%n link(s)", nullptr, static_cast<int>(robot.links.size())),
+           tr("%n joint(s) that move", nullptr, static_cast<int>(robot.dofs.size())));
 }
 
 }  // namespace handwheel

@@ -53,7 +53,7 @@ class FileActions : public QObject {
  signals:
   void aboutToClose();  // a document is going to be closed, unless the user cancels
   void message(const handwheel::Message& message);
-  void saved(const handwheel::Document* document);  // messages about earlier tries are over
+  void saved(const handwheel::Document* document, const QString& topic);  // as FileSaver::succeeded()
 
  private:
   void askForFiles();

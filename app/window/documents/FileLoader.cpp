@@ -6,8 +6,8 @@
 #include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
+#include "text/LossText.h"
 #include "text/NoteText.h"
-#include "text/RepairText.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
@@ -38,10 +38,8 @@ bool isIncomplete(const DocumentFile& file) {
                      [](const Error& error) { return error.code == ErrorCode::ReferenceMissing; });
 }
 
-QString notKept(const std::vector<LostAttribute>& lost) {
-  QStringList names;
-  for (LostAttribute attribute : lost) names << lostAttributeName(attribute);
-  return FileLoader::tr("Not kept by Handwheel: %1.").arg(names.join(QStringLiteral(", ")));
+QString notKept(const DocumentFile& file) {
+  return FileLoader::tr("Not kept by Handwheel: %1.").arg(lostNames(file).join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -103,6 +101,7 @@ void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedF
   m_recent.add(path);
   reportNotes(added->document);
   reportLosses(added->document);
+  added->ui.opened(*added);
 }
 
 void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {
@@ -137,7 +136,8 @@ void FileLoader::reportNotes(const Document& document) {
                 {},
                 {},
                 {},
-                &document});
+                &document,
+                kOpeningTopic});
 }
 
 void FileLoader::logFindings(const DocumentFile& file, LogModel& log) {
@@ -148,7 +148,7 @@ void FileLoader::logFindings(const DocumentFile& file, LogModel& log) {
     log.add(name + QStringLiteral(": ") +
                 tr("%Ln more place(s) are damaged", nullptr, static_cast<int>(file.unlistedDamage)),
             {}, LogEntry::Weight::Warning);
-  if (!file.lost.empty()) log.add(name + QStringLiteral(": ") + notKept(file.lost), {}, LogEntry::Weight::Warning);
+  if (!file.lost.empty()) log.add(name + QStringLiteral(": ") + notKept(file), {}, LogEntry::Weight::Warning);
   for (const Note& note : file.notes) log.add(name + QStringLiteral(": ") + noteText(note));
 }
 
@@ -166,7 +166,7 @@ void FileLoader::reportLosses(const Document& document) {
   if (file.damage.size() > kDamageShown)
     lines << tr("…and %1 more, listed in the Log.").arg(file.damage.size() - kDamageShown);
   if (isIncomplete(file)) lines << errorAdvice(file.damage.front());
-  if (!file.lost.empty()) lines << notKept(file.lost);
+  if (!file.lost.empty()) lines << notKept(file);
   for (const Note& note : file.notes) lines << noteText(note);
   const bool isTriangulated =
       std::find(file.lost.begin(), file.lost.end(), LostAttribute::ExactSurfaces) != file.lost.end();
@@ -183,7 +183,8 @@ void FileLoader::reportLosses(const Document& document) {
                 {},
                 {},
                 {},
-                &document});
+                &document,
+                kOpeningTopic});
 }
 
 }  // namespace handwheel

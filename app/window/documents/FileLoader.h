@@ -23,6 +23,9 @@ struct DocumentTab;
 
 using KindUis = std::map<std::string, std::unique_ptr<KindUi>>;  // by the id of the kind
 
+// The topic of messages about the file that a document was opened from: over once it has been saved as another.
+inline const QString kOpeningTopic = QStringLiteral("opening");
+
 // Opens files on a worker thread and reports losses and damage.
 class FileLoader : public QObject {
   Q_OBJECT

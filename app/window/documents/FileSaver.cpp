@@ -11,6 +11,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"
+#include "window/documents/FileLoader.h"
 #include "window/documents/RecentFiles.h"
 #include "window/kinds/KindUi.h"
 
@@ -78,7 +79,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
 
 void FileSaver::saved(DocumentTab* document, const Written& state, const WrittenFile& written) {
   Document& saved = document->document;
-  emit succeeded(&saved);
+  emit succeeded(&saved, kSavingTopic);
   const QString name = QFileInfo(state.path).fileName();
   m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
   for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
@@ -89,6 +90,7 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
     document->written = true;
     document->inFile = state.properties;
     saved.markSaved(state.path, !foreign, state.stamp);
+    emit succeeded(&saved, kOpeningTopic);  // what was said of the file that it was opened from
   } else {
     m_log.add(tr("%1 contains the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
@@ -113,7 +115,8 @@ bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const 
                    {},
                    {},
                    {},
-                   &document->document});
+                   &document->document,
+                   kSavingTopic});
   return true;
 }
 
@@ -130,7 +133,8 @@ void FileSaver::reportExport(const DocumentTab& document, const QString& name, Q
        {},
        {},
        {},
-       &document.document});
+       &document.document,
+       kSavingTopic});
 }
 
 void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {

@@ -16,7 +16,7 @@ class LogModel;
 class RecentFiles;
 struct DocumentTab;
 
-// The topic of messages about saving that a later success makes pointless.
+// The topic of messages about saving, which the next success makes pointless.
 inline const QString kSavingTopic = QStringLiteral("saving");
 
 // Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged.
@@ -39,8 +39,8 @@ class FileSaver : public QObject {
   void message(const handwheel::Message& message);
   // Saving failed; the document is still open and unsaved. message: describes it, without an action.
   void failed(handwheel::DocumentTab* document, const handwheel::Message& message);
-  // The document was saved: what was said of earlier tries is over. Messages about them have the topic kSavingTopic.
-  void succeeded(const handwheel::Document* document);
+  // The document was saved: messages about it with this topic are over.
+  void succeeded(const handwheel::Document* document, const QString& topic);
   // The file was written, but its format cannot hold all of the document. message: describes it, without an action.
   void incomplete(handwheel::DocumentTab* document, const handwheel::Message& message);
 

@@ -30,11 +30,13 @@ Message lostMessage(const QString& name, DeviceStatus status) {
   return {Message::Weight::Warning,
           isGone ? DeviceMessagesWords::tr("%1 is not connected").arg(name)
                  : DeviceMessagesWords::tr("%1 has failed").arg(name),
-          isGone ? DeviceMessagesWords::tr("It was unplugged, or has no power.")
+          isGone ? DeviceMessagesWords::tr("It does not answer any more.")
                  : DeviceMessagesWords::tr("It does not respond correctly."),
-          isGone ? DeviceMessagesWords::tr("Plug it in again: it is opened automatically.")
-                 : DeviceMessagesWords::tr("Unplug it and plug it in again: it is opened automatically."),
-          {},
+          isGone ? DeviceMessagesWords::tr(
+                       "Plug it in and switch it on. If it is not opened automatically then, press “Open again”.")
+                 : DeviceMessagesWords::tr("Unplug it and plug it in again. If it is not opened automatically then, "
+                                           "press “Open again”."),
+          DeviceMessagesWords::tr("Open again"),
           {}};
 }
 

@@ -66,18 +66,26 @@ void HapticSession::setLost(std::optional<DeviceStatus> how) {
 }
 
 // A device that was unplugged comes back under the same name, at another address perhaps.
+std::optional<DeviceInfo> HapticSession::listingOf(const DeviceInfo& device) const {
+  const auto& all = m_finder.found();
+  const auto back = std::find_if(all.begin(), all.end(), [&device](const DeviceInfo& each) {
+    return each.driver == device.driver && (each.address == device.address || each.name == device.name);
+  });
+  return back == all.end() ? std::nullopt : std::optional(*back);
+}
+
 void HapticSession::takeUpReturned() {
   if (!m_lost) return;
-  const auto& all = m_finder.found();
-  const auto back = std::find_if(all.begin(), all.end(), [this](const DeviceInfo& each) {
-    return each.driver == m_chosen.driver && (each.address == m_chosen.address || each.name == m_chosen.name);
-  });
-  if (back == all.end()) {
+  if (!listingOf(m_chosen)) {
     m_isMissed = true;
   } else if (m_isMissed) {
-    const DeviceInfo listing = *back;
-    choose(listing.driver, listing.address);
+    openAgain(m_chosen);
   }
+}
+
+void HapticSession::openAgain(const DeviceInfo& device) {
+  const DeviceInfo listing = listingOf(device).value_or(device);
+  choose(listing.driver, listing.address);
 }
 
 void HapticSession::choose(const std::string& driver, const std::string& address) {

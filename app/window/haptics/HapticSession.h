@@ -143,6 +143,8 @@ class HapticSession : public QObject {
   void lose(DeviceStatus status);
   void reportPlugins();
   void setLost(std::optional<DeviceStatus> how);
+  std::optional<DeviceInfo> listingOf(const DeviceInfo& device) const;  // as it is connected now
+  void openAgain(const DeviceInfo& device);
   void takeUpReturned();
 
   Parts m_parts;

@@ -200,7 +200,9 @@ void HapticSession::reportStatus(DeviceStatus status) {
   if (m_open->mouse) return;
   if (status == DeviceStatus::Failed) m_open->failedAt = m_open->sample->tip.time;
   if (status != DeviceStatus::Absent && status != DeviceStatus::Failed) return;
-  emit message(lostMessage(nameOf(m_chosen), status));
+  Message lost = lostMessage(nameOf(m_chosen), status);
+  lost.action = [this, device = m_chosen] { openAgain(device); };
+  emit message(lost);
 }
 
 // A line that was silent for a moment speaks again by itself. A mouse is absent while it is outside the view.

@@ -50,6 +50,7 @@ struct WindowContext {
   HapticSceneBuilder& touch;
   ServoClock& servoClock;
   QAction* saveAs;
+  std::function<void(const QString& id)> chooseTool;  // of the current document
   std::function<void(const QString& path)> openFile;
   std::function<bool()> isPanelVisible;
   QAction* showPanel;
@@ -89,6 +90,8 @@ class KindUi : public QObject {
   using QObject::QObject;
 
   virtual std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) = 0;
+  // To be called when a document was read from a file and all of it is told; may add messages of the kind.
+  virtual void opened(DocumentTab& document) { (void)document; }
   // Sets the current document; null when it is of another kind, or none is open. Fills the viewport or leaves it empty.
   virtual void setDocument(DocumentTab* document) = 0;
   // To be called after DocumentTab::visible was changed.

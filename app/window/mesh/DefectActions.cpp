@@ -48,18 +48,28 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
       m_fidelity(fidelity),
       m_fix(tr("Fix"), this),
       m_thickenSheet(tr("&Thicken sheets"), this),
-      m_cutAndClose(tr("&Cut and close"), this) {
+      m_cutAndClose(tr("&Cut and close"), this),
+      m_reverseBodies(tr("Reverse &inside-out bodies"), this),
+      m_resolveIntersections(tr("Resolve &self-intersections"), this) {
   prepare(m_fix, "fixDefect", "repair", tr("Fix the defects selected in the list"));
   prepare(m_thickenSheet, "thickenSheet", "sheet-back",
           tr("Turn open sheets into thin closed bodies: the selected one, or all"));
   prepare(m_cutAndClose, "cutAndClose", "fill-hole",
           tr("Close the hole across the part, and cut the part where the patch intersects it"));
-  connect(&m_fix, &QAction::triggered, this, [this] {
-    if (auto wanted = change()) m_jobs.change(m_document, std::move(*wanted));
-  });
-  connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
+  prepare(m_reverseBodies, "reverseBodies", "inside-out", tr("Reverse all bodies whose triangles face inwards"));
+  prepare(m_resolveIntersections, "resolveIntersections", "self-intersection",
+          tr("Cut all triangles that intersect apart, and join the rest"));
+  const auto connectTo = [this](QAction& action, auto make) {
+    connect(&action, &QAction::triggered, this, [this, make] {
+      if (std::optional<MeshChange> wanted = make()) m_jobs.change(m_document, std::move(*wanted));
+    });
+  };
+  connectTo(m_fix, [this] { return change(); });
+  connectTo(m_reverseBodies, [this] { return changeFor(DefectKind::InsideOut, -1); });
+  connectTo(m_resolveIntersections, [this] { return changeFor(DefectKind::SelfIntersection, -1); });
+  connectTo(m_thickenSheet, [this] { return std::optional(thickening()); });
+  connectTo(m_cutAndClose, [this] { return std::optional(cutting()); });
   connect(&m_thickenSheet, &QAction::hovered, this, [this] { point(&m_thickenSheet); });
-  connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
   connect(&m_selection, &Selection::changed, this, [this] { point(nullptr); });
   connect(&m_preview, &HolePreview::changed, this, &DefectActions::follow);
   connect(&m_jobs, &RepairJobs::workingChanged, this, &DefectActions::follow);
@@ -67,8 +77,10 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
 }
 
 void DefectActions::setDocument(MeshTab* document) {
+  if (m_document) m_document->inspection.disconnect(this);
   m_document = document;
   m_thickness = 0.0;
+  if (document) connect(&document->inspection, &Inspection::changed, this, &DefectActions::follow);
   choose(std::nullopt, -1);
 }
 
@@ -91,6 +103,8 @@ void DefectActions::follow() {
   if (wanted) m_fix.setText(QCoreApplication::translate("Tool", wanted->text));
   m_thickenSheet.setEnabled(free && !sheets().empty());
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
+  m_reverseBodies.setEnabled(free && m_document->inspection.count(DefectKind::InsideOut) > 0);
+  m_resolveIntersections.setEnabled(free && m_document->inspection.count(DefectKind::SelfIntersection) > 0);
   const int loop = m_document ? m_selection.loop() : -1;
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
@@ -145,42 +159,41 @@ FillOptions DefectActions::options() const {
   return options;
 }
 
-std::optional<MeshChange> DefectActions::change() const {
-  if (!m_document || !m_kind) return std::nullopt;
+std::optional<MeshChange> DefectActions::changeFor(DefectKind kind, int row) const {
+  if (!m_document) return std::nullopt;
   const Inspection& inspection = m_document->inspection;
   const Defects& defects = m_document->document.defects();
   const NumberType numbers = m_document->document.fileNumbers();
-  if (const auto count = static_cast<int>(inspection.count(*m_kind)); count == 0 || m_row >= count) return std::nullopt;
-  switch (*m_kind) {
+  if (const auto count = static_cast<int>(inspection.count(kind)); count == 0 || row >= count) return std::nullopt;
+  switch (kind) {
     case DefectKind::NonManifoldEdge:
-      return nonManifoldFix(numbers, endsOf(defects.nonManifoldEdges, m_row));
+      return nonManifoldFix(numbers, endsOf(defects.nonManifoldEdges, row));
     case DefectKind::NonManifoldVertex:
-      return nonManifoldFix(numbers, m_row < 0 ? std::vector<Vertex>() : chosen(defects.nonManifoldVertices, m_row));
+      return nonManifoldFix(numbers, row < 0 ? std::vector<Vertex>() : chosen(defects.nonManifoldVertices, row));
     case DefectKind::OneSided:
-      return nonOrientableFix(options(), endsOf(defects.nonOrientableEdges, m_row));
+      return nonOrientableFix(options(), endsOf(defects.nonOrientableEdges, row));
     case DefectKind::InsideOut: {
       FaceSelection faces;
-      for (const std::vector<Face>& body : chosen(defects.insideOut, m_row))
+      for (const std::vector<Face>& body : chosen(defects.insideOut, row))
         for (const Face f : body) faces.add(f);
-      return m_row < 0 ? insideOutFix() : reverseChange(faces);
+      return row < 0 ? insideOutFix() : reverseChange(faces);
     }
     case DefectKind::Flipped: {
       FaceSelection faces;
-      for (const Face f : chosen(m_document->document.reversedFaces(), m_row)) faces.add(f);
+      for (const Face f : chosen(m_document->document.reversedFaces(), row)) faces.add(f);
       return reverseChange(faces);
     }
     case DefectKind::NearVertex:
-      return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, m_row));
+      return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, row));
     case DefectKind::Degenerate:
-      return degenerateFix(faceOf(defects.degenerateFaces, m_row));
+      return degenerateFix(faceOf(defects.degenerateFaces, row));
     case DefectKind::Duplicate:
-      return duplicateFix(faceOf(defects.duplicateFaces, m_row));
+      return duplicateFix(faceOf(defects.duplicateFaces, row));
     case DefectKind::SelfIntersection:
-      return intersectionFix(numbers, chosen(*inspection.selfIntersections(), m_row));
+      return intersectionFix(numbers, chosen(*inspection.selfIntersections(), row));
     case DefectKind::Debris: {
       std::vector<Face> faces;
-      for (const std::size_t i : chosen(inspection.debris(), m_row))
-        faces.push_back(defects.components[i].faces.front());
+      for (const std::size_t i : chosen(inspection.debris(), row)) faces.push_back(defects.components[i].faces.front());
       return debrisFix(std::move(faces));
     }
     case DefectKind::Hole:

@@ -38,10 +38,12 @@ class DefectActions : public QObject {
   double thickness() const;
   void setThickness(double thickness) { m_thickness = thickness; }
 
-  QAction* fix() { return &m_fix; }                    // hidden when there is nothing to fix
-  QAction* thickenSheet() { return &m_thickenSheet; }  // makes a thin body of the selected sheet, or of all
-  QAction* cutAndClose() { return &m_cutAndClose; }    // hidden unless a patch would intersect the part
-  QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose}; }
+  QAction* fix() { return &m_fix; }                      // hidden when there is nothing to fix
+  QAction* thickenSheet() { return &m_thickenSheet; }    // makes a thin body of the selected sheet, or of all
+  QAction* cutAndClose() { return &m_cutAndClose; }      // hidden unless a patch would intersect the part
+  QAction* reverseBodies() { return &m_reverseBodies; }  // all that are inside out
+  QAction* resolveIntersections() { return &m_resolveIntersections; }  // all
+  QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose, &m_reverseBodies, &m_resolveIntersections}; }
 
  signals:
   // The thickness that sheets will get may be another.
@@ -50,7 +52,8 @@ class DefectActions : public QObject {
  private:
   void follow();
   void point(const QAction* action);
-  std::optional<MeshChange> change() const;
+  std::optional<MeshChange> change() const { return m_kind ? changeFor(*m_kind, m_row) : std::nullopt; }
+  std::optional<MeshChange> changeFor(DefectKind kind, int row) const;  // -1: all rows
   MeshChange thickening() const;
   MeshChange cutting() const;
   std::optional<MeshChange> offered(bool isBlocked) const;
@@ -66,10 +69,12 @@ class DefectActions : public QObject {
   std::optional<DefectKind> m_kind;
   int m_row = -1;
   const QAction* m_pointed = nullptr;  // the button under the pointer last, of those beside the patch of a hole
-  double m_thickness = 0.0;  // mm; 0: the default
+  double m_thickness = 0.0;            // mm; 0: the default
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;
+  QAction m_reverseBodies;
+  QAction m_resolveIntersections;
 };
 
 }  // namespace handwheel

@@ -28,6 +28,7 @@
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/DefectScene.h"
 #include "window/mesh/EquivalentCommand.h"
+#include "window/mesh/MeshMessages.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/NextSteps.h"
 #include "window/tools/ToolHost.h"
@@ -36,6 +37,10 @@
 #include <QStackedWidget>
 
 namespace handwheel {
+
+namespace {
+const QString kTransformTool = QStringLiteral("transformTool");
+}  // namespace
 
 MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
     : m_parts(parts),
@@ -100,12 +105,10 @@ void MeshUi::connectSelection() {
     m_defectActions.choose(index.isValid() ? std::optional(kind) : std::nullopt,
                            index.parent().isValid() ? index.row() : -1);
   });
-  connect(
-      &m_jobs, &RepairJobs::changedNothing, this,
-      [this](const MeshTab* document, const QString& what, const QString& why) {
-        const QString title = tr("%1: nothing was changed").arg(what);
-        emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document, {}, false, true});
-      });
+  connect(&m_jobs, &RepairJobs::changedNothing, this,
+          [this](const MeshTab* document, const QString& what, const QString& why) {
+            emit message(nothingChangedMessage(document->document, what, why));
+          });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_tools, &MeshTools::chooseMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
@@ -162,6 +165,16 @@ std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
   connect(open->document.history(), &QUndoStack::indexChanged, this, [this, mesh = open.get()] { logMark(*mesh); });
   noteFile(*open);
   return open;
+}
+
+void MeshUi::opened(DocumentTab& tab) {
+  auto doubt = unitDoubtMessage(static_cast<MeshTab&>(tab).document);
+  if (!doubt) return;
+  doubt->action = [this, &tab] {
+    m_parts.tabs.setCurrent(&tab);
+    m_parts.chooseTool(kTransformTool);
+  };
+  emit message(*doubt);
 }
 
 // What is kept open is marked at once, without a job that would log it.
@@ -258,7 +271,7 @@ std::vector<ToolDescriptor> MeshUi::tools() {
           {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
            tr("Refine the whole mesh by a subdivision scheme, including open edges"), QStringLiteral("subdivide"),
            QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
-          {QStringLiteral("transformTool"), tr("&Place"),
+          {kTransformTool, tr("&Place"),
            tr("Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin"),
            QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",
            TransformTool::keys()},
@@ -276,9 +289,15 @@ std::vector<Hint> MeshUi::hints() {
 NextStep MeshUi::nextStep() {
   if (m_document && m_show.isRunning()) return m_show.step();
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
-  return nextStepFor(*m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(),
-                                   m_defectActions.thickenSheet(),
-                                   m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
+  return nextStepFor(*m_document, {.repairAll = m_actions.repairAll(),
+                                   .undoRepair = m_actions.undoRepair(),
+                                   .removeDebris = m_actions.removeDebris(),
+                                   .oneByOne = m_actions.goOneByOne(),
+                                   .thickenSheet = m_defectActions.thickenSheet(),
+                                   .reverseBodies = m_defectActions.reverseBodies(),
+                                   .resolveIntersections = m_defectActions.resolveIntersections(),
+                                   .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
+                                   .saveAs = m_parts.saveAs});
 }
 
 QString MeshUi::statistics() const {

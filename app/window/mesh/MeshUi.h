@@ -39,6 +39,7 @@ class MeshUi : public KindUi {
   ~MeshUi() override;
 
   std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
+  void opened(DocumentTab& document) override;
   void setDocument(DocumentTab* document) override;
   void refreshVisibility() override;
   void showPreview(const ToolPreview& preview) override;

@@ -8,6 +8,7 @@
 #include "window/mesh/MeshTab.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 
 namespace handwheel {
@@ -64,10 +65,15 @@ QString reasons(const Inspection& inspection) {
 }
 
 QString openTitle(const Inspection& inspection) {
-  const auto& open = inspection.keptOpen();
-  const bool sheet = std::all_of(open.begin(), open.end(), [&](int id) { return inspection.loop(id).rim; });
-  return sheet ? NextStepsWords::tr("No holes. This is an open sheet.")
-               : NextStepsWords::tr("No holes remain except those kept open.");
+  const auto sheets = static_cast<int>(inspection.sheetCount());
+  const auto pieces = static_cast<int>(inspection.state().components);
+  if (inspection.keptOpen().size() > inspection.sheetCount())
+    return NextStepsWords::tr("No holes remain except those kept open.");
+  if (sheets == 0) return NextStepsWords::tr("No holes.");
+  if (pieces == 1) return NextStepsWords::tr("No holes. This is an open sheet.");
+  return sheets == pieces ? NextStepsWords::tr("No holes. These are %Ln open sheet(s).", nullptr, sheets)
+                          : NextStepsWords::tr("No holes. %Ln open sheet(s) among %1 pieces.", nullptr, sheets)
+                                .arg(QLocale().toString(pieces));
 }
 
 // A hole that the repair opened itself was not.
@@ -78,6 +84,17 @@ bool wasTriedOnAll(const Inspection& inspection) {
 
 bool isWorthSaving(const MeshTab& document) {
   return document.document.isModified() || (!document.written && !document.document.reversedFaces().empty());
+}
+
+// What may be done about what a repair leaves, in one place.
+void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& actions) {
+  const Inspection& inspection = document.inspection;
+  if (inspection.sheetCount() > 0 && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
+  if (inspection.count(DefectKind::InsideOut) > 0) step.actions.push_back(actions.reverseBodies);
+  if (inspection.count(DefectKind::SelfIntersection) > 0) step.actions.push_back(actions.resolveIntersections);
+  if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
+  if (actions.showDefects) step.actions.push_back(actions.showDefects);
+  if (document.isJustRepaired()) step.actions.push_back(actions.undoRepair);
 }
 
 // What is closed, or kept open, with nothing else that "Repair all" mends.
@@ -91,31 +108,30 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     step.icon = QStringLiteral("watertight");
     step.colour = colours.success;
     step.title = NextStepsWords::tr("Watertight.");
-  }
-  if (const auto crossings = static_cast<int>(state.selfIntersectingPairs.value_or(0)); crossings > 0) {
+  } else if (state.selfIntersectingPairs.value_or(0) > 0) {
     step.icon = QStringLiteral("warning");
     step.colour = colours.warning;
     if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
-    step.detail = NextStepsWords::tr("%Ln pair(s) of triangles intersect. They can be fixed in the list of defects.",
-                                     nullptr, crossings);
-    if (actions.showDefects) step.actions.push_back(actions.showDefects);
-    if (isWorthSaving(document)) step.actions.push_back(actions.saveAs);
-  } else if (isWorthSaving(document)) {
-    step.actions = {actions.saveAs};
-    if (const auto turned = static_cast<int>(document.document.reversedFaces().size()); turned > 0) {
-      step.detail = NextStepsWords::tr("%Ln triangle(s) had the wrong orientation and were reversed.", nullptr, turned);
-    }
-  } else {
-    step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())
-                                   : NextStepsWords::tr("There is nothing to repair.");
   }
-  if (!state.closed && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
-  if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
+  QStringList details{otherFindings(inspection)};
+  const auto turned = static_cast<int>(document.document.reversedFaces().size());
+  if (isWorthSaving(document)) {
+    step.actions.push_back(actions.saveAs);
+    if (turned > 0)
+      details << NextStepsWords::tr("%Ln triangle(s) had the wrong orientation and were reversed.", nullptr, turned);
+  } else if (document.written) {
+    details << NextStepsWords::tr("Saved as %1.").arg(document.document.name());
+  } else if (state.isSound() && inspection.debris().empty()) {
+    details << NextStepsWords::tr("There is nothing to repair.");
+  }
+  step.detail = details.join(QLatin1Char(' ')).trimmed();
+  addFurther(step, document, actions);
   return step;
 }
 
 // After a repair that left something.
-NextStep leftStep(const Inspection& inspection, const NextStepActions& actions) {
+NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
+  const Inspection& inspection = document.inspection;
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
   const QStringList what{reasons(inspection), otherFindings(inspection)};
   NextStep left{QStringLiteral("warning"),
@@ -125,8 +141,8 @@ NextStep leftStep(const Inspection& inspection, const NextStepActions& actions) 
                 what.join(QLatin1Char(' ')).trimmed(),
                 {}};
   if (holes > 0) left.actions.push_back(actions.oneByOne);
-  if (actions.showDefects) left.actions.push_back(actions.showDefects);
   left.actions.push_back(actions.saveAs);
+  addFurther(left, document, actions);
   return left;
 }
 
@@ -138,7 +154,7 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   if (inspection.isClean()) return cleanStep(document, actions);
   // Not once that is undone, or anything else was changed: then it may do something.
   if (document.repairedRevision == document.document.revision() && wasTriedOnAll(inspection))
-    return leftStep(inspection, actions);
+    return leftStep(document, actions);
   const bool holes = !inspection.holes().empty();
   NextStep step{holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
                 holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,

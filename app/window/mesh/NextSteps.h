@@ -13,9 +13,12 @@ struct MeshTab;
 // The actions that a next step may offer.
 struct NextStepActions {
   QAction* repairAll;
+  QAction* undoRepair;
   QAction* removeDebris;
   QAction* oneByOne;
   QAction* thickenSheet;
+  QAction* reverseBodies;
+  QAction* resolveIntersections;
   QAction* showDefects;  // null: the defects are visible
   QAction* saveAs;
 };

@@ -35,6 +35,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
       m_preview(preview),
       m_repairAll(tr("&Repair all"), this),
       m_removeDebris(tr("Remove &debris"), this),
+      m_undoRepair(tr("&Undo repair"), this),
       m_oneByOne(tr("&Go one by one"), this),
       m_fill(tr("&Fill"), this),
       m_keepOpen(tr("&Keep open"), this),
@@ -45,7 +46,8 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
   prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
           tr("Fill all holes except those kept open, and repair the other defects, as one step"));
   prepare(m_removeDebris, "removeDebris", "debris", {},
-          tr("Remove the small pieces that are not connected with the model"));
+          tr("Remove all pieces that are listed as debris; the list says which these are"));
+  prepare(m_undoRepair, "undoRepair", "undo", {}, tr("Undo all that “Repair all” has changed"));
   prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
   prepare(m_fill, "fillHole", "fill-hole", {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
           tr("Fill the selected hole"));
@@ -75,6 +77,7 @@ void RepairActions::connectActions() {
     m_jobs.repairAll(m_document);
   });
   connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_document); });
+  connect(&m_undoRepair, &QAction::triggered, this, [this] { m_document->document.history()->undo(); });
   connect(&m_oneByOne, &QAction::triggered, this, [this] { step(+1); });
   connect(&m_fill, &QAction::triggered, this, &RepairActions::fillSelected);
   connect(&m_keepOpen, &QAction::triggered, this, &RepairActions::toggleKeepOpen);
@@ -101,7 +104,9 @@ QList<QAction*> RepairActions::all() {
 }
 
 void RepairActions::setDocument(MeshTab* document) {
+  if (m_document) disconnect(&m_document->document, &Document::changed, this, &RepairActions::followUndo);
   m_document = document;
+  if (document) connect(&document->document, &Document::changed, this, &RepairActions::followUndo);
   follow();
 }
 
@@ -119,6 +124,11 @@ void RepairActions::follow() {
   m_deselect.setEnabled(loop >= 0);
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
+  followUndo();
+}
+
+void RepairActions::followUndo() {
+  m_undoRepair.setEnabled(!m_jobs.isWorking() && m_document && m_document->isJustRepaired());
 }
 
 // There is no point in filling what the preview could not.

@@ -23,6 +23,7 @@ class RepairActions : public QObject {
 
   QAction* repairAll() { return &m_repairAll; }
   QAction* removeDebris() { return &m_removeDebris; }
+  QAction* undoRepair() { return &m_undoRepair; }  // of what was done last; for the card
   QAction* goOneByOne() { return &m_oneByOne; }
   QAction* fill() { return &m_fill; }
   QAction* keepOpen() { return &m_keepOpen; }
@@ -39,6 +40,7 @@ class RepairActions : public QObject {
   void connectActions();
   void follow();
   void followPreview();
+  void followUndo();
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);
@@ -50,6 +52,7 @@ class RepairActions : public QObject {
   HolePreview& m_preview;
   QAction m_repairAll;
   QAction m_removeDebris;
+  QAction m_undoRepair;
   QAction m_oneByOne;
   QAction m_fill;
   QAction m_keepOpen;

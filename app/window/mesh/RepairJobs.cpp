@@ -214,6 +214,7 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   logRepair(*document, done);
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   document->repairedRevision = document->document.revision();
+  document->hasRepairChanged = isChanged;
   inspection.setFailures(failures);
   if (isChanged) return;
   emit changedNothing(document, tr("Repair all"),
@@ -224,8 +225,8 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
 void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
   const RepairReport& report = done.report;
   const std::size_t kept = countOf(report, LoopOutcome::KeptOpen);
-  QStringList parts{
-      tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size() - kept)};
+  QStringList parts{tr("%1 of %n hole(s) filled", nullptr, static_cast<int>(report.loops.size() - kept))
+                        .arg(countOf(report, LoopOutcome::Filled))};
   if (kept > 0) parts << tr("%1 kept open").arg(kept);
   parts << repairSummary(report);
   m_log.add(

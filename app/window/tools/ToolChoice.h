@@ -19,6 +19,8 @@ class ToolChoice : public QObject {
   void add(KindUi& kind);
   QList<QAction*> actions(const KindUi& kind) const { return m_actions.at(&kind); }
 
+  // Starts a tool of the current document, as the user does; an empty id: the default tool.
+  void choose(const QString& id);
   // Stops the tool; to be called before another document becomes current, and before the current one is destroyed.
   void putAway();
   // Starts the tool of the new current document; null: none is open.
@@ -30,7 +32,6 @@ class ToolChoice : public QObject {
 
  private:
   const ToolDescriptor* offer(const QString& id) const;  // of the kind of the current document
-  void choose(const QString& id);
   void start();
   void ended();
 

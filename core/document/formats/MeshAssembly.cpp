@@ -154,7 +154,19 @@ bool MeshAssembly::dropUnreadablePoints() {
   return true;
 }
 
-Result<MeshFile> MeshAssembly::finish(NumberType numbers) {
+// Names that no text should contain are left out.
+void MeshAssembly::lose(LostAttribute attribute, std::string_view name) {
+  m_lost.insert(attribute);
+  constexpr std::size_t kMostNames = 5, kLongestName = 40;
+  std::vector<std::string>& names = m_file.lostOther;
+  const auto isPlain = [](char c) { return c > ' ' && c < 127; };
+  if (attribute != LostAttribute::Other || name.empty() || name.size() > kLongestName || names.size() == kMostNames ||
+      !std::all_of(name.begin(), name.end(), isPlain) || std::find(names.begin(), names.end(), name) != names.end())
+    return;
+  names.emplace_back(name);
+}
+
+Result<MeshFile> MeshAssembly::finish(NumberType numbers, bool hasUnit) {
   const bool whole = !m_failure && resolveDeferred() && (m_unreadablePoints == 0 || dropUnreadablePoints());
   if (!whole) return *m_failure;
   // Faces that wait for their vertices are judged late.
@@ -167,6 +179,7 @@ Result<MeshFile> MeshAssembly::finish(NumberType numbers) {
     return Error{isKnown ? MeshFileError::NothingReadable : MeshError::NoTriangles, {}, first, {}};
   }
   m_file.numbers = numbers;
+  m_file.hasUnit = hasUnit;
   m_file.lost.assign(m_lost.begin(), m_lost.end());
   m_progress.set(1.0);
   return std::move(m_file);

@@ -45,7 +45,8 @@ class MeshAssembly {
   void noteExcess(std::uint64_t end, InputPosition place);
   // Reports that the file cannot be opened, not even in part.
   bool fail(Error error);
-  void lose(LostAttribute attribute) { m_lost.insert(attribute); }
+  // name: what the file calls it; kept where the attribute has no name of ours.
+  void lose(LostAttribute attribute, std::string_view name = {});
 
   // The vertex keeps its number, so that later ones keep theirs; faces that use it are dropped.
   bool addPoint(const Vec3& point);
@@ -56,7 +57,8 @@ class MeshAssembly {
   // Corners from 0; negative ones are out of range. place: for errors.
   bool addPolygon(std::span<const std::int64_t> corners, InputPosition place);
 
-  Result<MeshFile> finish(NumberType numbers);
+  // hasUnit: as in MeshFile.
+  Result<MeshFile> finish(NumberType numbers, bool hasUnit = false);
 
  private:
   struct Deferred {

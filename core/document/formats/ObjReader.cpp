@@ -74,7 +74,7 @@ class ObjParser {
     if (keyword == "v") return readVertex();
     if (isFace(keyword)) return readFace(place);
     if (const Statement* statement = findLostStatement(keyword))
-      m_assembly.lose(statement->lost);
+      m_assembly.lose(statement->lost, keyword);
     else
       m_assembly.mend(unexpectedWord("a statement of the format", keyword, place));
     return true;
@@ -93,7 +93,7 @@ class ObjParser {
       if (!m_scanner.word().empty())
         m_assembly.lose(LostAttribute::Colour);
       else if (!parseNumber(fourth, weight, why) || weight != 1.0)
-        m_assembly.lose(LostAttribute::Other);
+        m_assembly.lose(LostAttribute::Other, "weights");
     }
     return m_assembly.addPoint(point);
   }

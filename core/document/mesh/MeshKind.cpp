@@ -79,6 +79,8 @@ Result<OpenedFile> MeshKind::import(const std::filesystem::path& path, const Rea
   opened.file.damage = file->damage;
   opened.file.unlistedDamage = file->unlistedDamage;
   opened.file.lost = file->lost;
+  opened.file.lostOther = file->lostOther;
+  opened.file.hasUnit = file->hasUnit;
   opened.file.notes = file->notes;
   opened.content = meshSnapshotOf(*file, m_nearWeld, progress.part(0.5, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

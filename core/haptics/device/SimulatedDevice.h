@@ -48,10 +48,10 @@ class SimulatedDevice : public Device {
 
   // Sets the target of the hand when there is no path; any one thread, and the only one that may ask for it.
   void setTarget(const HandPose& target) noexcept {
-    m_told = target;
+    m_lastTarget = target;
     m_target.write(target);
   }
-  const HandPose& target() const { return m_told; }
+  const HandPose& target() const { return m_lastTarget; }
   // Sets the tip's initial position (mm) and velocity (mm/s), instead of at rest at the hand. Before the first reading.
   void setStart(const Vec3& position, const Vec3& velocity);
 
@@ -71,7 +71,7 @@ class SimulatedDevice : public Device {
   PoseTrajectory m_path;
   ServoClock& m_clock;
   TripleBuffer<HandPose> m_target;
-  HandPose m_told;  // to m_target
+  HandPose m_lastTarget;  // that was written to m_target; of the thread that writes
   bool m_isOpen = false;
   bool m_hasBegun = false;
   bool m_hasStart = false;

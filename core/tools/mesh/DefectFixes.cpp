@@ -20,6 +20,7 @@
 #include "mesh/structure/PositionKey.h"
 #include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
+#include "proximity/ExactOrientation.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
@@ -111,6 +112,22 @@ bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, const std::vector<V
   return !effort.isSpent();
 }
 
+bool areCoplanar(const HalfEdgeMesh& mesh, const std::pair<Face, Face>& pair) {
+  if (!mesh.isProper(pair.first) || !mesh.isProper(pair.second)) return false;
+  const auto at = [&](Face f, std::size_t k) -> const Vec3& { return mesh.position(mesh.triangle(f)[k]); };
+  const ExactPlane plane(at(pair.first, 0), at(pair.first, 1), at(pair.first, 2));
+  return plane.side(at(pair.second, 0)) == 0 && plane.side(at(pair.second, 1)) == 0 &&
+         plane.side(at(pair.second, 2)) == 0;
+}
+
+// Why intersecting triangles stay as they are, where cutting changes nothing.
+const char* reasonNotToCut(const HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs) {
+  const bool isAnyFlat =
+      std::any_of(pairs.begin(), pairs.end(), [&mesh](const auto& pair) { return areCoplanar(mesh, pair); });
+  return isAnyFlat ? QT_TRANSLATE_NOOP("Tool", "some of the triangles are coplanar, and no cut separates those")
+                   : QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly");
+}
+
 // One of the vertices at each position where parts touch without sharing an edge.
 std::vector<Vertex> touchingVertices(const HalfEdgeMesh& mesh, Progress progress) {
   const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
@@ -178,16 +195,15 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
   OperationValues values(meshOperation("near-vertices"));
   values.setValid("near-weld", nearWeld);
   step.options(values);
-  return withStep(
-      {meshOperation("near-vertices").title,
-       [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-         std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
-         for (const auto& [a, b] : pairs)
-           if (std::max(a, b) < fixed.size()) fixed[a] = fixed[b] = false;
-         stitchBorders(mesh, fixed, progress, nearWeld);
-       },
-       QT_TRANSLATE_NOOP("Tool", "merging them would close no gap, or leave edges with more than two triangles")},
-      step.text());
+  return withStep({meshOperation("near-vertices").title,
+                   [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+                     std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
+                     for (const auto& [a, b] : pairs)
+                       if (std::max(a, b) < fixed.size()) fixed[a] = fixed[b] = false;
+                     stitchBorders(mesh, fixed, progress, nearWeld);
+                   },
+                   QT_TRANSLATE_NOOP("Tool", "merging them would not close the surface any further")},
+                  step.text());
 }
 
 MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices) {
@@ -227,15 +243,12 @@ MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vert
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
-  return withStep(counted(
-                      meshOperation("cut-crossings").title,
-                      [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-                        WorkBudget effort = progress.share(mostEffort(mesh));
-                        return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
-                      },
-                      QT_TRANSLATE_NOOP(
-                          "Tool", "the triangles are coplanar, overlap others, or intersect too much to be separated")),
-                  step.text());
+  const auto work = [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+    const char* const ifNone = reasonNotToCut(mesh, pairs);
+    WorkBudget effort = progress.share(mostEffort(mesh));
+    return removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort ? kTooLong : ifNone;
+  };
+  return withStep(explained(meshOperation("cut-crossings").title, work, nullptr), step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {

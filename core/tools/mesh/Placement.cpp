@@ -13,16 +13,19 @@
 namespace handwheel {
 namespace {
 
-// What cannot be placed stays as it is, and the change says why.
-void place(HalfEdgeMesh& mesh, const Eigen::Affine3d& by) {
-  [[maybe_unused]] const Status placed = transform(mesh, by);
+constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Tool", "coordinates would become too large");
+constexpr const char* kInPlace = QT_TRANSLATE_NOOP("Tool", "it is already in place");
+constexpr const char* kNoArea = QT_TRANSLATE_NOOP("Tool", "it has no area");
+
+// What cannot be placed stays as it is. Returns why nothing changed, if nothing did.
+const char* place(HalfEdgeMesh& mesh, const Eigen::Affine3d& by) {
+  return transform(mesh, by) ? kInPlace : kTooLarge;
 }
 
-constexpr const char* kNoArea = QT_TRANSLATE_NOOP("Tool", "it is already in place, has no area, or is too large");
 constexpr StandardPlace kStandards[] = {
     {"flat", QT_TRANSLATE_NOOP("Tool", "place on the largest flat face"),
      QT_TRANSLATE_NOOP("Tool", "Place on the largest flat face"),
-     QT_TRANSLATE_NOOP("Tool", "there is no flat face that the part can stand on, or it stands on it already"),
+     QT_TRANSLATE_NOOP("Tool", "there is no flat face that the part can stand on"),
      [](const HalfEdgeMesh& mesh, Progress p) { return ontoLargestFlatFace(mesh, {}, p); }},
     {"axes", QT_TRANSLATE_NOOP("Tool", "align the principal axes"),
      QT_TRANSLATE_NOOP("Tool", "Align the principal axes"), kNoArea,
@@ -65,8 +68,7 @@ OperationValues valuesOf(const Placement& placement) {
 
 MeshChange placeChange(const Placement& placement) {
   return withStep({meshOperation("place").title,
-                   [placement](HalfEdgeMesh& mesh, Progress) { place(mesh, placement.of(boundsOf(mesh))); },
-                   QT_TRANSLATE_NOOP("Tool", "coordinates would become too large")},
+                   [placement](HalfEdgeMesh& mesh, Progress) { place(mesh, placement.of(boundsOf(mesh))); }, kTooLarge},
                   StepWriter("place").options(valuesOf(placement)).text());
 }
 
@@ -75,12 +77,14 @@ std::span<const StandardPlace> standardPlaces() {
 }
 
 MeshChange placeChange(const StandardPlace& standard) {
-  return withStep({standard.text,
-                   [find = standard.find](HalfEdgeMesh& mesh, Progress progress) {
-                     if (const auto pose = find(mesh, progress)) place(mesh, *pose);
-                   },
-                   standard.reason},
-                  standard.id);
+  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
+  MeshChange change{standard.text,
+                    [find = standard.find, found, reason = standard.reason](HalfEdgeMesh& mesh, Progress p) {
+                      const auto pose = find(mesh, p);
+                      *found = pose ? place(mesh, *pose) : reason;
+                    }};
+  change.found = std::move(found);
+  return withStep(std::move(change), standard.id);
 }
 
 }  // namespace handwheel

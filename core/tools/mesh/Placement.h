@@ -41,7 +41,7 @@ struct StandardPlace {
   const char* id;
   const char* effect;  // English, context "Tool"
   const char* text;
-  const char* reason;
+  const char* reason;  // why there is none
   std::optional<Pose> (*find)(const HalfEdgeMesh&, Progress);
 };
 std::span<const StandardPlace> standardPlaces();

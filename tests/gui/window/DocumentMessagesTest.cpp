@@ -4,6 +4,8 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 
+#include <QComboBox>
+
 using namespace handwheel;
 using namespace handwheel::test;
 
@@ -59,6 +61,65 @@ class DocumentMessagesTest : public QObject {
     const QString said = driver.text("messageText");
     QVERIFY2(said.contains("r.urdf is incomplete") && !said.contains("damaged"), qPrintable(said));
     QVERIFY2(said.contains("'elsewhere'") && said.contains(m_folder.path()), qPrintable(said));
+  }
+
+  // It says how large the part would be, and leads to the tool that converts it; then it is over.
+  void anUnlikelySizeIsDoubted() {
+    WindowDriver driver;
+    std::vector<Corners> small = quadTorus(12, 8, {});
+    for (Corners& triangle : small) {
+      for (Corner& corner : triangle) {
+        for (float& x : corner) x /= 1000;  // 80 mm in metres
+      }
+    }
+    writeStl(m_folder.filePath("metres.stl"), small);
+    QVERIFY(driver.open(m_folder.filePath("metres.stl")));
+    QTRY_VERIFY(isSeen(driver));
+    const QString said = driver.text("messageText");
+    QVERIFY2(said.contains("metres.stl") && said.contains("0.08 × ") && said.contains("unit"), qPrintable(said));
+    driver.click("messageAction");
+    QVERIFY(driver.find<QAction>("transformTool")->isChecked());
+    auto* unit = driver.find<QWidget>("property/unit")->findChild<QComboBox*>();
+    unit->setCurrentIndex(unit->findText("m"));
+    emit unit->activated(unit->currentIndex());
+    QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/commit")->isEnabled());  // the panel makes them anew
+    driver.click("toolAction/commit");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(!isSeen(driver));
+    driver.choose("undo");
+    QVERIFY(!driver.window().isWindowModified());
+  }
+
+  // One that is not converted stays doubtful, whatever else is changed, until the message is closed.
+  void aDoubtOutlastsOtherChanges() {
+    WindowDriver driver;
+    std::vector<Corners> small = quadTorus(12, 8, {{1, 1}});
+    for (Corners& triangle : small) {
+      for (Corner& corner : triangle) {
+        for (float& x : corner) x *= 1000;  // 80 m
+      }
+    }
+    writeStl(m_folder.filePath("large.stl"), small);
+    QVERIFY(driver.open(m_folder.filePath("large.stl")));
+    QTRY_VERIFY(isSeen(driver));
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(isSeen(driver));
+    driver.click("messageClose");
+    QVERIFY(!isSeen(driver));
+  }
+
+  // What the first file held is of no interest once the document has another.
+  void whatWasSaidOfAFileEndsWithSavingAs() {
+    WindowDriver driver;
+    QVERIFY(driver.open(texturedFile()));
+    QTRY_VERIFY(isSeen(driver));
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("plain-copy.stl")));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(!isSeen(driver));
   }
 
   // A file that could not be opened has no document: its message stays until it is closed.

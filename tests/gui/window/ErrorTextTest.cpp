@@ -5,6 +5,7 @@
 #include "document/formats/MeshFileErrors.h"
 #include "text/EnglishPlurals.h"
 #include "text/ErrorText.h"
+#include "text/LossText.h"
 #include "text/NoteText.h"
 #include "text/RepairText.h"
 
@@ -113,6 +114,35 @@ class ErrorTextTest : public QObject {
     QVERIFY(!state.isSound());
     QCOMPARE(noteText({"The file: %1.", {}, false, state}),
              "The file: closed, manifold, oriented, 7563 self-intersections, 2 pieces.");
+  }
+
+  // Three digits that count, whatever the size of the part.
+  void lengths_data() {
+    QTest::addColumn<double>("mm");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("none") << 0.0 << "0 mm";
+    QTest::newRow("usual") << 31.24 << "31.2 mm";
+    QTest::newRow("to be rounded up") << 9.996 << "10.0 mm";
+    QTest::newRow("large") << 123.4 << "123 mm";
+    QTest::newRow("small part") << 0.01234 << "0.0123 mm";
+    QTest::newRow("smaller") << 0.0000999 << "0.0000999 mm";
+    QTest::newRow("tiny") << 0.00000123 << "1.23e-06 mm";
+    QTest::newRow("negative") << -0.5 << "-0.500 mm";
+  }
+  void lengths() {
+    QFETCH(double, mm);
+    QFETCH(QString, text);
+    QCOMPARE(lengthText(mm, LengthUnit::Millimetre), text);
+    QCOMPARE(lengthText(25.4 * mm, LengthUnit::Inch), text.replace("mm", "in"));
+  }
+
+  void lostDataHasTheNamesOfTheFile() {
+    DocumentFile file;
+    file.lost = {LostAttribute::Colour, LostAttribute::Other};
+    file.lostOther = {"quality", "flags"};
+    QCOMPARE(lostNames(file), (QStringList{"colours", "“quality”", "“flags”"}));
+    file.lostOther.clear();
+    QCOMPARE(lostNames(file), (QStringList{"colours", "further data"}));
   }
 
   void numbersInEnglish() {

@@ -167,6 +167,32 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
+  // Beside a closed body there is a sheet, which the card names and can thicken; and the repair can be undone there.
+  void theCardAfterARepair() {
+    std::vector<Corners> triangles = quadTorus(48, 24, {{3, 5}});
+    for (int cell = 0; cell < 100; ++cell) {
+      const auto x = float(100 + cell % 10), y = float(cell / 10);
+      triangles.push_back({Corner{x, y, 0}, Corner{x + 1, y, 0}, Corner{x + 1, y + 1, 0}});
+      triangles.push_back({Corner{x, y, 0}, Corner{x + 1, y + 1, 0}, Corner{x, y + 1, 0}});
+    }
+    const QString path = m_folder.filePath("beside.stl");
+    writeStl(path, triangles);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.count(DefectKind::Hole), 1);
+    QVERIFY(!driver.find<QAction>("undoRepair")->isEnabled());
+    driver.click("nextStep/repairAll");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("nextStepTitle"), "No holes. 1 open sheet among 2 pieces.");
+    QTRY_VERIFY(driver.find<QAbstractButton>("nextStep/saveFileAs")->isVisible());
+    QVERIFY(driver.find<QAbstractButton>("nextStep/thickenSheet")->isEnabled());
+    driver.click("nextStep/undoRepair");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Hole), 1);
+    QVERIFY(!driver.find<QAction>("undoRepair")->isEnabled());
+  }
+
   // A cube that is inside out has no hole of which it would be known that it was tried.
   void aRepairWithoutHolesIsOfferedAgain() {
     WindowDriver driver;

@@ -109,9 +109,10 @@ void DefectDelegate::paintDefect(QPainter* painter, const QStyleOptionViewItem& 
   painter->setPen(colours.muted);
   const int room = rect.width() - nameWidth;
   if (room <= 0) return;
-  painter->drawText(
-      rect, Qt::AlignRight | Qt::AlignVCenter,
-      option.fontMetrics.elidedText(index.data(DefectModel::DetailRole).toString(), Qt::ElideRight, room));
+  QString detail = index.data(DefectModel::DetailRole).toString();
+  if (option.fontMetrics.horizontalAdvance(detail) > room) detail = index.data(DefectModel::BriefRole).toString();
+  painter->drawText(rect, Qt::AlignRight | Qt::AlignVCenter,
+                    option.fontMetrics.elidedText(detail, Qt::ElideRight, room));
 }
 
 void DefectDelegate::paintSpinner(QPainter* painter, const QRect& rect) const {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/defects/DefectModel.h"
 
+#include "panels/defects/DefectWords.h"
 #include "text/RepairText.h"
 #include "theme/Icons.h"
+
+#include <QLocale>
 
 namespace handwheel {
 
@@ -87,6 +90,19 @@ QVariant DefectModel::data(const QModelIndex& index, int role) const {
   return rowData(kindOfRow(index), index.row(), role);
 }
 
+QString DefectModel::hint(DefectKind kind) const {
+  const QString hint = defectKindHint(kind);
+  if (kind != DefectKind::Debris || m_inspection->debris().empty()) return hint;
+  std::size_t faces = 0;
+  for (const std::size_t i : m_inspection->debris())
+    faces += m_inspection->document().defects().components[i].faceCount;
+  const double share =
+      static_cast<double>(faces) / static_cast<double>(m_inspection->document().mesh().liveFaceCount());
+  return hint + QLatin1Char(' ') +
+         tr("Here that is %Ln triangle(s), %1 % of all.", nullptr, static_cast<int>(faces))
+             .arg(QLocale().toString(100.0 * share, 'g', 2));
+}
+
 QVariant DefectModel::groupData(DefectKind kind, int role) const {
   const bool searching = kind == DefectKind::SelfIntersection && !m_inspection->selfIntersections();
   const int count = searching ? -1 : static_cast<int>(m_inspection->count(kind));
@@ -94,7 +110,7 @@ QVariant DefectModel::groupData(DefectKind kind, int role) const {
     case Qt::DisplayRole:
       return defectKindName(kind);
     case Qt::ToolTipRole:
-      return defectKindHint(kind);
+      return hint(kind);
     case Qt::AccessibleTextRole:
       return searching ? tr("%1: searching").arg(defectKindName(kind))
                        : tr("%1: %2").arg(defectKindName(kind)).arg(count);
@@ -120,6 +136,8 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
       return rowName(kind, row);
     case DetailRole:
       return rowDetail(kind, row);
+    case BriefRole:
+      return loop >= 0 ? m_inspection->loopLength(loop) : rowDetail(kind, row);
     case Qt::AccessibleTextRole:
       return loop >= 0 ? m_inspection->loopTitle(loop) : rowName(kind, row);
     case KindRole:
@@ -232,70 +250,6 @@ std::pair<Box, Vec3> DefectModel::placeOf(const QModelIndex& index) const {
   }
   for (Vertex v : verticesOf(kind, index.row())) box.extend(mesh.position(v));
   return {box, outward};
-}
-
-QString defectKindName(DefectKind kind) {
-  switch (kind) {
-    case DefectKind::Hole:
-      return DefectModel::tr("Holes");
-    case DefectKind::KeptOpen:
-      return DefectModel::tr("Kept open");
-    case DefectKind::NonManifoldEdge:
-      return DefectModel::tr("Non-manifold edges");
-    case DefectKind::NonManifoldVertex:
-      return DefectModel::tr("Non-manifold vertices");
-    case DefectKind::OneSided:
-      return DefectModel::tr("One-sided edges");
-    case DefectKind::InsideOut:
-      return DefectModel::tr("Inside out");
-    case DefectKind::NearVertex:
-      return DefectModel::tr("Near vertices");
-    case DefectKind::Flipped:
-      return DefectModel::tr("Reversed on opening");
-    case DefectKind::Degenerate:
-      return DefectModel::tr("Degenerate triangles");
-    case DefectKind::Duplicate:
-      return DefectModel::tr("Duplicate triangles");
-    case DefectKind::SelfIntersection:
-      return DefectModel::tr("Self-intersections");
-    case DefectKind::Debris:
-      return DefectModel::tr("Debris");
-  }
-  return {};
-}
-
-QString defectKindHint(DefectKind kind) {
-  switch (kind) {
-    case DefectKind::Hole:
-      return DefectModel::tr("Places where the surface is missing. (A tunnel through the part is not a hole.)");
-    case DefectKind::KeptOpen:
-      return DefectModel::tr(
-          "Openings that are intended, and outer boundaries of open sheets. “Repair all” does not close them.");
-    case DefectKind::NonManifoldEdge:
-      return DefectModel::tr("Edges at which more than two triangles meet.");
-    case DefectKind::NonManifoldVertex:
-      return DefectModel::tr("Vertices at which parts of the surface touch without sharing an edge.");
-    case DefectKind::OneSided:
-      return DefectModel::tr(
-          "Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.");
-    case DefectKind::NearVertex:
-      return DefectModel::tr("Vertices on open edges that differ only by rounding in the file. A repair merges them.");
-    case DefectKind::InsideOut:
-      return DefectModel::tr("Bodies whose triangles face inwards, so that inside and outside are swapped.");
-    case DefectKind::Flipped:
-      return DefectModel::tr(
-          "No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were "
-          "reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.");
-    case DefectKind::Degenerate:
-      return DefectModel::tr("Triangles without area.");
-    case DefectKind::Duplicate:
-      return DefectModel::tr("Triangles that lie exactly on another one.");
-    case DefectKind::SelfIntersection:
-      return DefectModel::tr("Pairs of triangles that intersect. “Repair all” leaves them unchanged.");
-    case DefectKind::Debris:
-      return DefectModel::tr("Small pieces that are not connected with the model.");
-  }
-  return {};
 }
 
 }  // namespace handwheel

@@ -20,6 +20,7 @@ class DefectModel : public QAbstractItemModel {
     KindRole = Qt::UserRole,  // int of DefectKind
     LoopRole,                 // loop id of a hole or kept-open row, else -1
     DetailRole,               // secondary text at the right
+    BriefRole,                // its most important part, where there is too little room
     CountRole,                // of a group; -1 while still searching
     NoteRole,                 // why a hole could not be filled
     ShownRole,                // of a group: its marks are drawn in the viewport
@@ -35,6 +36,8 @@ class DefectModel : public QAbstractItemModel {
   bool isShown(DefectKind kind) const { return !m_hidden.contains(kind); }
   void setShown(DefectKind kind, bool shown);
 
+  // What a kind is, and how many triangles of this mesh are of it where that matters.
+  QString hint(DefectKind kind) const;
   // The bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
   std::pair<Box, Vec3> placeOf(const QModelIndex& index) const;
 
@@ -59,10 +62,5 @@ class DefectModel : public QAbstractItemModel {
   QPointer<const Inspection> m_inspection;
   std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // that is no defect any more
 };
-
-// The name of a kind: "Holes", "Non-manifold edges", …
-QString defectKindName(DefectKind kind);
-// A sentence that explains the kind.
-QString defectKindHint(DefectKind kind);
 
 }  // namespace handwheel

@@ -165,7 +165,7 @@ void DefectsPanel::updateSettings() {
   m_card->setVisible(!hole && defect.isValid());
   if (defect.isValid()) {
     m_card->showDefect(defect.data().toString(),
-                       defectKindHint(static_cast<DefectKind>(defect.data(DefectModel::KindRole).toInt())));
+                       m_model->hint(static_cast<DefectKind>(defect.data(DefectModel::KindRole).toInt())));
   }
   emit defectChosen(defect);
 }

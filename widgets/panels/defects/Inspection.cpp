@@ -53,6 +53,11 @@ void Inspection::sortLoops() {
   }
 }
 
+std::size_t Inspection::sheetCount() const {
+  return static_cast<std::size_t>(
+      std::count_if(m_keptOpen.begin(), m_keptOpen.end(), [this](int id) { return loop(id).rim; }));
+}
+
 void Inspection::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
   if (revision != m_document.revision()) return;
   m_selfIntersections = std::move(pairs);
@@ -109,10 +114,12 @@ QString Inspection::loopName(int id) const {
   return loop(id).rim ? tr("Outer boundary %1").arg(n) : tr("Hole %1").arg(n);
 }
 
+QString Inspection::loopLength(int id) const {
+  return lengthText(loop(id).length, m_document.displayUnit());
+}
+
 QString Inspection::loopDetail(int id) const {
-  const BoundaryLoop& l = loop(id);
-  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size()))
-      .arg(lengthText(l.length, m_document.displayUnit()));
+  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(loop(id).halfEdges.size())).arg(loopLength(id));
 }
 
 QString Inspection::loopMeasures(int id) const {

@@ -31,6 +31,7 @@ class Inspection : public QObject {
   const std::vector<int>& holes() const { return m_holes; }
   const std::vector<int>& keptOpen() const { return m_keptOpen; }
   // Indices into defects().components.
+  std::size_t sheetCount() const;  // open sheets, which keptOpen() has with their outer boundaries
   const std::vector<std::size_t>& debris() const { return m_debris; }
 
   // Absent until computed for the present mesh.
@@ -51,6 +52,7 @@ class Inspection : public QObject {
   QString loopName(int id) const;
   // "Hole 3 — 42 edges, 31.2 mm"
   QString loopTitle(int id) const;
+  QString loopLength(int id) const;  // "31.2 mm"
   QString loopDetail(int id) const;
   // "Area 12 mm². 0.3 mm off the plane that fits best (RMS). 2 islands in it."
   QString loopMeasures(int id) const;

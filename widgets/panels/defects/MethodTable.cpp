@@ -52,10 +52,10 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   setHeaderLabels({tr("Method"), tr("Triangles"), tr("mm²"), tr("Bending")});
   headerItem()->setToolTip(kArea, tr("Area of the patch"));
   headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
-  // All in view, however narrow the panel.
+  // All in view, however narrow the panel: the names of the methods give way.
   header()->setMinimumSectionSize(24);
-  header()->setSectionResizeMode(QHeaderView::Stretch);
-  header()->setSectionResizeMode(kMethod, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kMethod, QHeaderView::Stretch);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   header()->setStretchLastSection(false);
   connect(this, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem* row) {

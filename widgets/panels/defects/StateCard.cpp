@@ -44,11 +44,15 @@ Verdict verdictOn(const Inspection& inspection) {
 // The state, and what was done that is no part of it.
 QString detailsOf(const Inspection& inspection) {
   QStringList parts{stateText(inspection.state())};
-  const auto add = [&](DefectKind kind, const auto& phrase) {
-    if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
+  const auto add = [&](std::size_t count, const auto& phrase) {
+    if (const auto n = static_cast<int>(count); n > 0) parts << phrase(n);
   };
-  add(DefectKind::KeptOpen, [](int n) { return StateCard::tr("%Ln kept open", nullptr, n); });
-  add(DefectKind::Flipped, [](int n) { return StateCard::tr("%Ln reversed on opening", nullptr, n); });
+  const std::size_t sheets = inspection.sheetCount();
+  add(sheets, [](int n) { return StateCard::tr("%Ln open sheet(s)", nullptr, n); });
+  add(inspection.count(DefectKind::KeptOpen) - sheets,
+      [](int n) { return StateCard::tr("%Ln hole(s) kept open", nullptr, n); });
+  add(inspection.count(DefectKind::Flipped),
+      [](int n) { return StateCard::tr("%Ln reversed on opening", nullptr, n); });
   // Lines break between the findings, not within one.
   QString text = parts.join(QStringLiteral(", ")).replace(QLatin1Char(' '), QChar::Nbsp);
   text.replace(QLatin1Char(',') + QString(QChar::Nbsp), QStringLiteral(", "));

@@ -48,13 +48,14 @@ QString DeviceText::status(DeviceStatus status) {
 QString DeviceText::advice(DeviceStatus status, const std::string& driver) {
   switch (status) {
     case DeviceStatus::Absent:
-      return tr("Plug it in: it is opened automatically.");
+      return tr("Plug it in. If it is not opened automatically then, choose it again.");
     case DeviceStatus::Starting:
       return tr("Connecting; the firmware may be loading. This can take some seconds.");
     case DeviceStatus::NeedsHoming:
       return homingAdvice(driver);
     case DeviceStatus::Failed:
-      return tr("Unplug it, wait for some seconds, and plug it in: it is opened automatically.");
+      return tr(
+          "Unplug it, wait for some seconds, and plug it in. If it is not opened automatically then, choose it again.");
     case DeviceStatus::Ready:
       break;
   }

@@ -66,12 +66,13 @@ PlyLayout layoutOf(const PlyElement& element) {
   const bool hasCorners = layout.kind == Kind::Faces || layout.kind == Kind::Strips;
   const PlyProperty* corners = hasCorners ? cornersOf(element) : nullptr;
   if (hasCorners && !corners) layout.missing = "vertex_indices";
-  if (layout.kind == Kind::Other) layout.lost.push_back(lostWithElement(element.name));
+  if (layout.kind == Kind::Other) layout.lost.emplace_back(lostWithElement(element.name), element.name);
   bool found[3] = {};
   for (const PlyProperty& property : element.properties) {
     const Role role = roleOf(property, layout, corners);
     layout.fields.push_back({role, property.type, property.countType});
-    if (role == Role::Skipped && layout.kind != Kind::Other) layout.lost.push_back(lostWithProperty(property.name));
+    if (role == Role::Skipped && layout.kind != Kind::Other)
+      layout.lost.emplace_back(lostWithProperty(property.name), property.name);
     if (role <= Role::Z) found[static_cast<int>(role)] = true;
   }
   if (layout.kind == Kind::Vertices) {

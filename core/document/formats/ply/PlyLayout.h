@@ -22,8 +22,8 @@ struct PlyLayout {
   Kind kind = Kind::Other;
   const char* rowsName = "rows";  // for messages
   std::vector<PlyField> fields;
-  std::vector<LostAttribute> lost;
-  std::string missing;  // a property without which the rows cannot be understood
+  std::vector<std::pair<LostAttribute, std::string>> lost;  // with the names in the file
+  std::string missing;                                      // a property without which the rows cannot be understood
 };
 
 // The layout of the rows of an element.

@@ -41,7 +41,7 @@ class BodyReader {
     if (!layout.missing.empty())
       return m_assembly.fail(
           {ErrorCode::HeaderMalformed, {"property " + layout.missing}, InputPosition::line(m_header.bodyLine - 1), {}});
-    for (LostAttribute lost : layout.lost) m_assembly.lose(lost);
+    for (const auto& [lost, name] : layout.lost) m_assembly.lose(lost, name);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!m_assembly.advance(m_rows.position())) return false;
       const InputPosition place = m_rows.place();

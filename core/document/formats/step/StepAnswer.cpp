@@ -98,6 +98,7 @@ Result<MeshFile> meshIn(std::string_view answer, const ReadOptions& options, Pro
   if (!file || !file->damage.empty()) return senseless;
   file->damage = std::move(damage);
   file->lost = {LostAttribute::ExactSurfaces};
+  file->hasUnit = true;
   file->notes = notesOn(*summary);
   return file;
 }

@@ -93,7 +93,8 @@ class ModelReader {
     const In child = step == std::end(kSteps) ? In::Foreign : step->child;
     m_within.push_back(child);
     if (parent == In::File && child != In::Model) return m_assembly.fail(malformed("model", "it is not the root"));
-    if (child == In::Foreign && parent != In::Foreign) m_assembly.lose(lostWith(m_xml.namespaceUri(), m_xml.name()));
+    if (child == In::Foreign && parent != In::Foreign)
+      m_assembly.lose(lostWith(m_xml.namespaceUri(), m_xml.name()), asciiOf(m_xml.name()));
     return begin(child, parent);
   }
 

@@ -26,7 +26,7 @@ class ThreeMfParser {
       const bool withoutBuild = m_isPartial && part.items.empty();
       ThreeMfBuild([this](const std::string& path) { return find(path); }, m_assembly).build(part, withoutBuild);
     }
-    return m_assembly.finish(NumberType::Float64);
+    return m_assembly.finish(NumberType::Float64, true);
   }
 
  private:

@@ -26,7 +26,7 @@ std::vector<Operation> mendOperations() {
        .parameters = fillParameters()},
       {.id = "debris",
        .title = QT_TRANSLATE_NOOP("Tool", "Remove debris"),
-       .meaning = "Remove all small pieces, or those with these triangles: 7,9",
+       .meaning = "Remove all debris, as 'repair --remove-debris' does, or the pieces with these triangles: 7,9",
        .operands = "[TRIANGLES]"},
       {.id = "degenerates",
        .title = QT_TRANSLATE_NOOP("Tool", "Remove degenerate triangles"),

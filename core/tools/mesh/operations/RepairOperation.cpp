@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/operations/RepairOperation.h"
 
+#include "base/Tolerance.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/SharedParameters.h"
 
@@ -9,6 +10,8 @@
 
 namespace handwheel {
 namespace {
+
+static_assert(tolerance::kDebrisArea == 0.01 && tolerance::kDebrisFaces == 0.01, "as --remove-debris says");
 
 Parameter rimsParameter() {
   return {.property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
@@ -33,7 +36,8 @@ const Operation& repairOperation() {
     all.push_back(rimsParameter());
     all.push_back(thicknessParameter());
     all.push_back(countParameter("max-hole", "N", "Leave loops with more edges open; 0: no limit"));
-    all.push_back(flagParameter("remove-debris", "Remove parts far smaller than the largest"));
+    all.push_back(flagParameter("remove-debris",
+                                "Remove parts with less than 1 % of the area and of the triangles of the largest"));
     all.push_back(flagParameter("keep-folded-regions",
                                 "Leave holes open that close only if folded triangles around them are replaced"));
     all.back().formerId = "keep-tangles";

@@ -35,6 +35,19 @@ Bytes binaryTriangle(std::endian order, const QByteArray& elements = kFloatVerti
 class PlyReaderTest : public QObject {
   Q_OBJECT
  private slots:
+  // What has no name of ours keeps that of the file, once, unless that is no plain word.
+  void namesWhatIsLost() {
+    const QByteArray vertices =
+        QByteArray(kFloatVertices)
+            .replace("element vertex 3\n", "element vertex 3\nproperty uchar red\nproperty float quality\n");
+    const QByteArray faces = QByteArray(kFaces) + "property int flags\nproperty float quality\nproperty int \x1b[31m\n";
+    const QByteArray bytes = text(vertices + faces, "1 2 0 0 0\n1 2 1 0 0\n1 2 0 1 0\n3 0 1 2 5 6 7\n");
+    const auto file = readMesh({bytes.data(), static_cast<std::size_t>(bytes.size())}, "a.ply", {});
+    QVERIFY(file.hasValue());
+    QCOMPARE(file->lostOther, (std::vector<std::string>{"quality", "flags"}));
+    QVERIFY(!file->hasUnit);
+  }
+
   void readsText_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("strict");

@@ -4,6 +4,7 @@
 
 #include "HandWorkChecks.h"
 #include "HoleShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"

@@ -5,6 +5,7 @@
 #include "HoleShapes.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 
 #include <rapidcheck.h>

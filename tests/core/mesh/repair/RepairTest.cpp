@@ -3,6 +3,7 @@
 #include "mesh/repair/Repair.h"
 
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "RepairChecks.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshBuilder.h"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "SubdivisionShapes.h"
 #include "TestClass.h"
 #include "mesh/selection/RegionGrowing.h"

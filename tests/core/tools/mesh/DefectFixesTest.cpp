@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/structure/MeshBuilder.h"

@@ -5,6 +5,7 @@
 #include "HoleShapes.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "StepWork.h"
 #include "TestClass.h"
 #include "ToolEvents.h"

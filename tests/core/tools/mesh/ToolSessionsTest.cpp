@@ -4,6 +4,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "ToolEvents.h"
 #include "mesh/selection/RegionGrowing.h"

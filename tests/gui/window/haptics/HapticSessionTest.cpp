@@ -347,6 +347,29 @@ class HapticSessionTest : public QObject {
     QCOMPARE(b.messages.size(), std::size_t(1));  // that it was gone
   }
 
+  // A driver that lists its device always never shows that it came back: the message opens it.
+  void whatNeverLeavesTheListIsOpenedByTheMessage() {
+    HapticSessionBench b;
+    auto isGone = std::make_shared<std::atomic<bool>>(false);
+    b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
+      const bool isAway = isGone->load() && log.closes == 0;
+      log.state.status = isAway ? DeviceStatus::Absent : DeviceStatus::Ready;
+    };
+    b.plugged.set({{"fake", "well", "Well"}});
+    b.session->setWatching(true);
+    QTRY_COMPARE(b.session->found().size(), 3);
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    isGone->store(true);
+    QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
+    QTRY_COMPARE(b.plugged.log->closes, 1);
+    QCOMPARE(b.messages.size(), std::size_t(1));
+    QVERIFY2(b.messages[0].advice.contains(b.messages[0].actionText), qPrintable(b.messages[0].advice));
+    b.messages[0].action();
+    QVERIFY(b.waitForOpen());
+    QCOMPARE(b.session->status(), DeviceStatus::Ready);
+  }
+
   void whatIsPluggedInIsFound() {
     HapticSessionBench b;
     QCOMPARE(b.session->found().size(), 2);

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentFile.h"
+
+#include <QStringList>
+
+namespace handwheel {
+
+// The names of what a file holds and its document does not: "colours", "texture coordinates", "“quality”"…
+QStringList lostNames(const DocumentFile& file);
+
+}  // namespace handwheel
