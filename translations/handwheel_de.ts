@@ -28,6 +28,105 @@
     </message>
 </context>
 <context>
+    <name>DefectModel</name>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Sheet edges, kept holes</source>
+        <translation>Ränder von Flächen, offene Löcher</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>Nicht-mannigf. Kanten</translation>
+    </message>
+    <message>
+        <source>Non-manifold vertices</source>
+        <translation>Nicht-mannigf. Eckpunkte</translation>
+    </message>
+    <message>
+        <source>One-sided edges</source>
+        <translation>Kanten mit nur einer Seite</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>Innenseite außen</translation>
+    </message>
+    <message>
+        <source>Near vertices</source>
+        <translation>Fast gleiche Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Reversed on opening</source>
+        <translation>Beim Öffnen umgekehrt</translation>
+    </message>
+    <message>
+        <source>Degenerate triangles</source>
+        <translation>Entartete Dreiecke</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles</source>
+        <translation>Doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>Debris</source>
+        <translation>Bruchstücke</translation>
+    </message>
+    <message>
+        <source>Places where the surface is missing. (A tunnel through the part is not a hole.)</source>
+        <translation>Stellen, an denen die Oberfläche fehlt. (Ein Tunnel durch das Teil ist kein Loch.)</translation>
+    </message>
+    <message>
+        <source>Outer boundaries of open sheets, and holes that you marked to keep open. “Repair all” does not close them.</source>
+        <translation>Außenränder offener Flächen und Löcher, die offen bleiben sollen. „Alles reparieren“ schließt sie nicht.</translation>
+    </message>
+    <message>
+        <source>Edges at which more than two triangles meet.</source>
+        <translation>Kanten, an denen sich mehr als zwei Dreiecke treffen.</translation>
+    </message>
+    <message>
+        <source>Vertices at which parts of the surface touch without sharing an edge.</source>
+        <translation>Eckpunkte, an denen sich Teile der Oberfläche ohne gemeinsame Kante berühren.</translation>
+    </message>
+    <message>
+        <source>Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.</source>
+        <translation>Kanten, an denen innen zu außen wird: Wie ein Möbiusband hat die Oberfläche nur eine Seite.</translation>
+    </message>
+    <message>
+        <source>Vertices on open edges that differ only by rounding in the file. A repair merges them.</source>
+        <translation>Eckpunkte an offenen Kanten, die sich nur durch Rundung in der Datei unterscheiden. Eine Reparatur verschmilzt sie.</translation>
+    </message>
+    <message>
+        <source>Bodies whose triangles face inwards, so that inside and outside are swapped.</source>
+        <translation>Körper, deren Dreiecke nach innen zeigen, sodass innen und außen vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
+        <translation>Kein Fehler mehr: Dreiecke, die in der Datei entgegengesetzt zu ihren Nachbarn orientiert waren, wurden beim Öffnen umgekehrt. Waren die Nachbarn falsch, kehrt „Flächen umkehren“ die ganze Schale um.</translation>
+    </message>
+    <message>
+        <source>Triangles without area.</source>
+        <translation>Dreiecke ohne Flächeninhalt.</translation>
+    </message>
+    <message>
+        <source>Triangles that lie exactly on another one.</source>
+        <translation>Dreiecke, die genau auf einem anderen liegen.</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that intersect. “Repair all” resolves only those that keep a hole from being closed; “Resolve self-intersections” resolves the others.</source>
+        <translation>Paare von Dreiecken, die sich durchdringen. „Alles reparieren“ löst nur die auf, die das Schließen eines Lochs verhindern; „Selbstdurchdringungen auflösen“ löst die anderen auf.</translation>
+    </message>
+    <message>
+        <source>Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its triangles. “Remove debris” removes all, or only the piece selected here; any other piece is removed with the tool “Select faces”.</source>
+        <translation>Stücke neben dem größten, mit weniger als %1 % seiner Fläche und weniger als %2 % seiner Dreiecke. „Bruchstücke entfernen“ entfernt alle oder nur das hier gewählte Stück; andere Stücke entfernt das Werkzeug „Flächen auswählen“.</translation>
+    </message>
+</context>
+<context>
     <name>DeviceText</name>
     <message>
         <source>Not plugged in</source>
@@ -118,16 +217,8 @@
         <translation>Antwortet nicht richtig</translation>
     </message>
     <message>
-        <source>Plug it in: it is opened automatically.</source>
-        <translation>Schließen Sie es an: Es wird automatisch geöffnet.</translation>
-    </message>
-    <message>
         <source>Connecting; the firmware may be loading. This can take some seconds.</source>
         <translation>Verbindung wird hergestellt; eventuell wird die Firmware geladen. Das kann einige Sekunden dauern.</translation>
-    </message>
-    <message>
-        <source>Unplug it, wait for some seconds, and plug it in: it is opened automatically.</source>
-        <translation>Ziehen Sie es ab, warten Sie einige Sekunden, und schließen Sie es wieder an: Es wird automatisch geöffnet.</translation>
     </message>
     <message>
         <source>No force: the requested force is not a number.</source>
@@ -184,6 +275,14 @@
     <message>
         <source>rate control: it springs back, its deflection sets the speed</source>
         <translation>Geschwindigkeitssteuerung: federt zurück, die Auslenkung gibt die Geschwindigkeit vor</translation>
+    </message>
+    <message>
+        <source>Plug it in. If it is not opened automatically then, choose it again.</source>
+        <translation>Schließen Sie es an. Wird es dann nicht von selbst geöffnet, wählen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, and plug it in. If it is not opened automatically then, choose it again.</source>
+        <translation>Ziehen Sie es ab, warten Sie einige Sekunden und schließen Sie es wieder an. Wird es dann nicht von selbst geöffnet, wählen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -1612,6 +1711,22 @@
         <source>RMS distance from its final position</source>
         <translation>RMS-Abstand von der Endlage</translation>
     </message>
+    <message>
+        <source>Method of reducing triangles</source>
+        <translation>Verfahren zum Verringern der Dreiecke</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>quadric</source>
+        <translation>Quadrik</translation>
+    </message>
+    <message>
+        <source>CPU time to remove triangles</source>
+        <translation>CPU-Zeit zum Entfernen von Dreiecken</translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -1690,24 +1805,28 @@
         <translation>%1 ist nicht angeschlossen</translation>
     </message>
     <message>
-        <source>It was unplugged, or has no power.</source>
-        <translation>Es wurde abgezogen oder hat keinen Strom.</translation>
-    </message>
-    <message>
         <source>It does not respond correctly.</source>
         <translation>Es antwortet nicht richtig.</translation>
     </message>
     <message>
-        <source>Plug it in again: it is opened automatically.</source>
-        <translation>Schließen Sie es wieder an: Es wird automatisch geöffnet.</translation>
-    </message>
-    <message>
-        <source>Unplug it and plug it in again: it is opened automatically.</source>
-        <translation>Ziehen Sie es ab, und schließen Sie es wieder an: Es wird automatisch geöffnet.</translation>
-    </message>
-    <message>
         <source>A device plugin could not be loaded</source>
         <translation>Ein Gerätemodul konnte nicht geladen werden</translation>
+    </message>
+    <message>
+        <source>It does not answer any more.</source>
+        <translation>Es antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Plug it in and switch it on. If it is not opened automatically then, press “Open again”.</source>
+        <translation>Schließen Sie es an und schalten Sie es ein. Wird es dann nicht von selbst geöffnet, drücken Sie „Erneut öffnen“.</translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again. If it is not opened automatically then, press “Open again”.</source>
+        <translation>Ziehen Sie es ab und schließen Sie es wieder an. Wird es dann nicht von selbst geöffnet, drücken Sie „Erneut öffnen“.</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Erneut öffnen</translation>
     </message>
 </context>
 <context>
@@ -1753,6 +1872,25 @@
     <message>
         <source>Document</source>
         <translation>Dokument</translation>
+    </message>
+</context>
+<context>
+    <name>MeshUi</name>
+    <message>
+        <source>%1: nothing was changed</source>
+        <translation>%1: nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>Is %1 in millimetres?</source>
+        <translation>Ist %1 in Millimetern?</translation>
+    </message>
+    <message>
+        <source>Lengths, such as a wall thickness, depend on it. Change the unit before you repair.</source>
+        <translation>Längen wie eine Wandstärke hängen davon ab. Ändern Sie die Einheit vor der Reparatur.</translation>
+    </message>
+    <message>
+        <source>Change unit…</source>
+        <translation>Einheit ändern …</translation>
     </message>
 </context>
 <context>
@@ -1937,13 +2075,6 @@
         <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
     </message>
     <message numerus="yes">
-        <source>%Ln pair(s) of triangles intersect. They can be fixed in the list of defects.</source>
-        <translation>
-            <numerusform>%Ln Paar Dreiecke durchdringt sich. Es lässt sich in der Liste der Fehler beheben.</numerusform>
-            <numerusform>%Ln Paare von Dreiecken durchdringen sich. Sie lassen sich in der Liste der Fehler beheben.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln triangle(s) had the wrong orientation and were reversed.</source>
         <translation>
             <numerusform>%Ln Dreieck war falsch orientiert und wurde umgekehrt.</numerusform>
@@ -1953,6 +2084,24 @@
     <message>
         <source>Some defects remain.</source>
         <translation>Einige Fehler sind übrig.</translation>
+    </message>
+    <message>
+        <source>No holes.</source>
+        <translation>Keine Löcher.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. These are %Ln open sheet(s).</source>
+        <translation>
+            <numerusform>Keine Löcher. Dies ist %Ln offene Fläche.</numerusform>
+            <numerusform>Keine Löcher. Dies sind %Ln offene Flächen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
+        <translation>
+            <numerusform>Keine Löcher. %Ln offene Fläche unter %1 Stücken.</numerusform>
+            <numerusform>Keine Löcher. %Ln offene Flächen unter %1 Stücken.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2036,6 +2185,10 @@
     <message>
         <source>Rounded to the numbers of this format, %1 more pairs of triangles intersect. 3MF, PLY, OBJ and OFF keep all digits.</source>
         <translation>Auf die Zahlen dieses Formats gerundet, durchdringen sich %1 weitere Paare von Dreiecken. 3MF, PLY, OBJ und OFF behalten alle Stellen.</translation>
+    </message>
+    <message>
+        <source>The part measures %1 × %2 × %3 mm, if its numbers are millimetres: the file does not say its unit.</source>
+        <translation>Das Teil misst %1 × %2 × %3 mm, wenn seine Zahlen Millimeter sind: Die Datei nennt keine Einheit.</translation>
     </message>
 </context>
 <context>
@@ -2844,6 +2997,62 @@
         <source>Flip side</source>
         <translation>Seite wechseln</translation>
     </message>
+    <message>
+        <source>Bounded</source>
+        <translation>Begrenzt</translation>
+    </message>
+    <message>
+        <source>Quadric</source>
+        <translation>Quadrik</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Scheme</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Loop</translation>
+    </message>
+    <message>
+        <source>√3</source>
+        <translation>√3</translation>
+    </message>
+    <message>
+        <source>Butterfly</source>
+        <translation>Butterfly</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Noise filter</source>
+        <translation>Rauschfilter</translation>
+    </message>
+    <message>
+        <source>Bilateral (preserves edges)</source>
+        <translation>Bilateral (erhält Kanten)</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>Laplace</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>This filter does not support degenerate or duplicate triangles or edges.</source>
+        <translation>Dieser Filter unterstützt keine entarteten oder doppelten Dreiecke oder Kanten.</translation>
+    </message>
+    <message>
+        <source>Resulting triangles</source>
+        <translation>Ergebnis: Dreiecke</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2902,10 +3111,6 @@
     <message>
         <source>curves</source>
         <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>further attributes</source>
-        <translation>weitere Attribute</translation>
     </message>
     <message numerus="yes">
         <source>%n duplicate triangle(s) removed</source>
@@ -3153,6 +3358,25 @@
         <source>the patch bulges by %1 % of the size of the hole beyond its surroundings</source>
         <translation>die Füllfläche wölbt sich um %1 % der Lochgröße über ihre Umgebung hinaus</translation>
     </message>
+    <message>
+        <source>further data</source>
+        <translation>weitere Daten</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n body(ies) inside out reversed</source>
+        <translation>
+            <numerusform>%n umgestülpter Körper umgekehrt</numerusform>
+            <numerusform>%n umgestülpte Körper umgekehrt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>sheets thickened by %1</source>
+        <translation>Flächen um %1 verdickt</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -3316,10 +3540,6 @@
         <translation>Fast gleiche Eckpunkte verschmelzen</translation>
     </message>
     <message>
-        <source>merging them would close no gap, or leave edges with more than two triangles</source>
-        <translation>verschmolzen würden sie keine Lücke schließen oder Kanten mit mehr als zwei Dreiecken hinterlassen</translation>
-    </message>
-    <message>
         <source>it would take too long for a mesh of this size</source>
         <translation>das würde für ein Netz dieser Größe zu lange dauern</translation>
     </message>
@@ -3424,10 +3644,6 @@
         <translation>ganze Oberfläche modellieren</translation>
     </message>
     <message>
-        <source>there is no flat face that the part can stand on, or it stands on it already</source>
-        <translation>es gibt keine ebene Fläche, auf der das Teil stehen kann, oder es steht schon darauf</translation>
-    </message>
-    <message>
         <source>centre on the origin</source>
         <translation>im Ursprung zentrieren</translation>
     </message>
@@ -3526,10 +3742,6 @@
     <message>
         <source>Turning pass %1: −%2 mm³</source>
         <translation>Drehschnitt %1: −%2 mm³</translation>
-    </message>
-    <message>
-        <source>no closed surface is inside out</source>
-        <translation>bei keiner geschlossenen Fläche zeigt die Innenseite nach außen</translation>
     </message>
     <message>
         <source>Thicken sheets</source>
@@ -3668,14 +3880,6 @@
         <translation>der Schnitt ließe sich nicht schließen, ohne das Teil zu durchdringen</translation>
     </message>
     <message>
-        <source>the triangles are coplanar, overlap others, or intersect too much to be separated</source>
-        <translation>die Dreiecke liegen in einer Ebene, überlappen andere oder durchdringen sich zu sehr, um getrennt zu werden</translation>
-    </message>
-    <message>
-        <source>thickening would intersect the part, or close a hole that is kept open</source>
-        <translation>Aufdicken würde das Teil durchdringen oder ein offen gelassenes Loch schließen</translation>
-    </message>
-    <message>
         <source>the region to be cut is folded too much</source>
         <translation>der zu schneidende Bereich ist zu stark gefaltet</translation>
     </message>
@@ -3714,10 +3918,6 @@
     <message>
         <source>Remove degenerate triangles</source>
         <translation>Entartete Dreiecke entfernen</translation>
-    </message>
-    <message>
-        <source>it is already in place, has no area, or is too large</source>
-        <translation>es liegt schon richtig, hat keinen Flächeninhalt oder ist zu groß</translation>
     </message>
     <message>
         <source>place on the largest flat face</source>
@@ -3798,6 +3998,78 @@
     <message>
         <source>third corner: creates the face</source>
         <translation>dritte Ecke: erzeugt die Fläche</translation>
+    </message>
+    <message>
+        <source>a boundary of the sheet is marked to stay open, and a thin body has none</source>
+        <translation>ein Rand der Fläche soll offen bleiben, und ein dünner Körper hat keinen</translation>
+    </message>
+    <message>
+        <source>some of the triangles are coplanar, and no cut separates those</source>
+        <translation>einige der Dreiecke sind komplanar, und die trennt kein Schnitt</translation>
+    </message>
+    <message>
+        <source>no cut would separate the triangles cleanly</source>
+        <translation>kein Schnitt würde die Dreiecke sauber trennen</translation>
+    </message>
+    <message>
+        <source>merging them would not close the surface any further</source>
+        <translation>sie zu verschmelzen würde die Oberfläche nicht weiter schließen</translation>
+    </message>
+    <message>
+        <source>no body is inside out</source>
+        <translation>kein Körper ist umgestülpt</translation>
+    </message>
+    <message>
+        <source>however thin, the body would intersect the part</source>
+        <translation>der Körper würde das Teil durchdringen, wie dünn er auch ist</translation>
+    </message>
+    <message>
+        <source>a triangle has a repeated vertex: remove degenerate triangles first</source>
+        <translation>ein Dreieck hat einen Eckpunkt doppelt: Entfernen Sie zuerst entartete Dreiecke</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two edges between the same vertices, as on one-sided surfaces</source>
+        <translation>OpenMesh unterstützt keine zwei Kanten zwischen denselben Eckpunkten, wie auf einseitigen Flächen</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two triangles back to back: remove debris first</source>
+        <translation>OpenMesh unterstützt keine zwei Dreiecke Rücken an Rücken: Entfernen Sie zuerst Bruchstücke</translation>
+    </message>
+    <message>
+        <source>more than two triangles share an edge: the surface would tear there</source>
+        <translation>mehr als zwei Dreiecke teilen eine Kante: Dort würde die Oberfläche reißen</translation>
+    </message>
+    <message>
+        <source>a vertex has too many triangles for this scheme: choose another</source>
+        <translation>ein Eckpunkt hat zu viele Dreiecke für dieses Schema: Wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>the result would have too many triangles</source>
+        <translation>das Ergebnis hätte zu viele Dreiecke</translation>
+    </message>
+    <message>
+        <source>the precision of the file does not allow finer triangles</source>
+        <translation>die Genauigkeit der Datei erlaubt keine feineren Dreiecke</translation>
+    </message>
+    <message>
+        <source>Subdivide the mesh</source>
+        <translation>Netz unterteilen</translation>
+    </message>
+    <message>
+        <source>it is already in place</source>
+        <translation>es ist bereits dort</translation>
+    </message>
+    <message>
+        <source>it has no area</source>
+        <translation>es hat keinen Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>there is no flat face that the part can stand on</source>
+        <translation>es gibt keine ebene Fläche, auf der das Teil stehen kann</translation>
+    </message>
+    <message>
+        <source>subdivide the mesh</source>
+        <translation>das Netz unterteilen</translation>
     </message>
 </context>
 <context>
@@ -4316,6 +4588,22 @@
         <source>Close the hole across the part, and cut the part where the patch intersects it</source>
         <translation>Das Loch quer durch das Teil schließen und das Teil schneiden, wo die Füllfläche es durchdringt</translation>
     </message>
+    <message>
+        <source>Reverse &amp;inside-out bodies</source>
+        <translation>Umgestülpte &amp;Körper umkehren</translation>
+    </message>
+    <message>
+        <source>Resolve &amp;self-intersections</source>
+        <translation>&amp;Selbstdurchdringungen auflösen</translation>
+    </message>
+    <message>
+        <source>Reverse all bodies whose triangles face inwards</source>
+        <translation>Alle Körper umkehren, deren Dreiecke nach innen zeigen</translation>
+    </message>
+    <message>
+        <source>Cut all triangles that intersect apart, and join the rest</source>
+        <translation>Alle sich durchdringenden Dreiecke zerschneiden und den Rest verbinden</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DefectModel</name>
@@ -4363,62 +4651,6 @@
         </translation>
     </message>
     <message>
-        <source>Holes</source>
-        <translation>Löcher</translation>
-    </message>
-    <message>
-        <source>Kept open</source>
-        <translation>Offen gelassen</translation>
-    </message>
-    <message>
-        <source>Non-manifold edges</source>
-        <translation>Nicht-mannigf. Kanten</translation>
-    </message>
-    <message>
-        <source>Non-manifold vertices</source>
-        <translation>Nicht-mannigf. Eckpunkte</translation>
-    </message>
-    <message>
-        <source>Near vertices</source>
-        <translation>Fast gleiche Eckpunkte</translation>
-    </message>
-    <message>
-        <source>Degenerate triangles</source>
-        <translation>Entartete Dreiecke</translation>
-    </message>
-    <message>
-        <source>Duplicate triangles</source>
-        <translation>Doppelte Dreiecke</translation>
-    </message>
-    <message>
-        <source>Self-intersections</source>
-        <translation>Selbstdurchdringungen</translation>
-    </message>
-    <message>
-        <source>Debris</source>
-        <translation>Bruchstücke</translation>
-    </message>
-    <message>
-        <source>Places where the surface is missing. (A tunnel through the part is not a hole.)</source>
-        <translation>Stellen, an denen die Oberfläche fehlt. (Ein Tunnel durch das Teil ist kein Loch.)</translation>
-    </message>
-    <message>
-        <source>Edges at which more than two triangles meet.</source>
-        <translation>Kanten, an denen sich mehr als zwei Dreiecke treffen.</translation>
-    </message>
-    <message>
-        <source>Triangles without area.</source>
-        <translation>Dreiecke ohne Flächeninhalt.</translation>
-    </message>
-    <message>
-        <source>Triangles that lie exactly on another one.</source>
-        <translation>Dreiecke, die genau auf einem anderen liegen.</translation>
-    </message>
-    <message>
-        <source>Small pieces that are not connected with the model.</source>
-        <translation>Kleine Stücke, die nicht mit dem Modell verbunden sind.</translation>
-    </message>
-    <message>
         <source>Pair %1</source>
         <translation>Paar %1</translation>
     </message>
@@ -4426,45 +4658,12 @@
         <source>Body %1</source>
         <translation>Körper %1</translation>
     </message>
-    <message>
-        <source>Inside out</source>
-        <translation>Innenseite außen</translation>
-    </message>
-    <message>
-        <source>Reversed on opening</source>
-        <translation>Beim Öffnen umgekehrt</translation>
-    </message>
-    <message>
-        <source>One-sided edges</source>
-        <translation>Kanten mit nur einer Seite</translation>
-    </message>
-    <message>
-        <source>Openings that are intended, and outer boundaries of open sheets. “Repair all” does not close them.</source>
-        <translation>Beabsichtigte Öffnungen und Außenränder offener Flächen. „Alles reparieren“ schließt sie nicht.</translation>
-    </message>
-    <message>
-        <source>Vertices at which parts of the surface touch without sharing an edge.</source>
-        <translation>Eckpunkte, an denen sich Teile der Oberfläche ohne gemeinsame Kante berühren.</translation>
-    </message>
-    <message>
-        <source>Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.</source>
-        <translation>Kanten, an denen innen zu außen wird: Wie ein Möbiusband hat die Oberfläche nur eine Seite.</translation>
-    </message>
-    <message>
-        <source>Vertices on open edges that differ only by rounding in the file. A repair merges them.</source>
-        <translation>Eckpunkte an offenen Kanten, die sich nur durch Rundung in der Datei unterscheiden. Eine Reparatur verschmilzt sie.</translation>
-    </message>
-    <message>
-        <source>Closed surfaces whose triangles face inwards, so that inside and outside are swapped.</source>
-        <translation>Geschlossene Flächen, deren Dreiecke nach innen zeigen, sodass innen und außen vertauscht sind.</translation>
-    </message>
-    <message>
-        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
-        <translation>Kein Fehler mehr: Dreiecke, die in der Datei entgegengesetzt zu ihren Nachbarn orientiert waren, wurden beim Öffnen umgekehrt. Waren die Nachbarn falsch, kehrt „Flächen umkehren“ die ganze Schale um.</translation>
-    </message>
-    <message>
-        <source>Pairs of triangles that intersect. “Repair all” leaves them unchanged.</source>
-        <translation>Paare von Dreiecken, die sich durchdringen. „Alles reparieren“ lässt sie unverändert.</translation>
+    <message numerus="yes">
+        <source>Here that is %Ln triangle(s), %1 % of all.</source>
+        <translation>
+            <numerusform>Hier ist das %Ln Dreieck, %1 % von allen.</numerusform>
+            <numerusform>Hier sind das %Ln Dreiecke, %1 % von allen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5029,6 +5228,50 @@
     </message>
 </context>
 <context>
+    <name>handwheel::FixPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Computing the preview…</source>
+        <translation>Vorschau wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Nothing would change: %1.</source>
+        <translation>Nichts würde sich ändern: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing would change.</source>
+        <translation>Nichts würde sich ändern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removes %Ln triangle(s).</source>
+        <translation>
+            <numerusform>Entfernt %Ln Dreieck.</numerusform>
+            <numerusform>Entfernt %Ln Dreiecke.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Adds %Ln triangle(s).</source>
+        <translation>
+            <numerusform>Fügt %Ln Dreieck hinzu.</numerusform>
+            <numerusform>Fügt %Ln Dreiecke hinzu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replaces %1 by %2.</source>
+        <translation>Ersetzt %1 durch %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln Dreieck</numerusform>
+            <numerusform>%Ln Dreiecke</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ForcePlot</name>
     <message>
         <source>Force of the last seconds</source>
@@ -5124,6 +5367,14 @@
     <message>
         <source>Look at it: %1.</source>
         <translation>Bitte ansehen: %1.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the sheet&apos;s thin body; less where that would intersect anything</source>
+        <translation>Dicke des dünnen Körpers der Fläche; weniger, wo er etwas durchdringen würde</translation>
     </message>
 </context>
 <context>
@@ -5496,10 +5747,6 @@
         <translation>Flächen wählen durch Klick, Pinsel, Lasso, Zusammenhang oder Winkel</translation>
     </message>
     <message>
-        <source>%1: nothing was changed</source>
-        <translation>%1: nichts wurde geändert</translation>
-    </message>
-    <message>
         <source>&amp;Make a face</source>
         <translation>Fläche er&amp;zeugen</translation>
     </message>
@@ -5594,6 +5841,14 @@
     <message>
         <source>Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
         <translation>Eine Oberfläche ziehen, glätten, aufblähen und ebnen; eine Füllfläche unterteilen und auf jeder ihrer Stufen modellieren</translation>
+    </message>
+    <message>
+        <source>Su&amp;bdivide</source>
+        <translation>&amp;Unterteilen</translation>
+    </message>
+    <message>
+        <source>Refine the whole mesh by a subdivision scheme, including open edges</source>
+        <translation>Das ganze Netz nach einem Unterteilungsschema verfeinern, auch an offenen Kanten</translation>
     </message>
 </context>
 <context>
@@ -5997,10 +6252,6 @@
         <translation>&amp;Auswahl aufheben</translation>
     </message>
     <message>
-        <source>Remove the small pieces that are not connected with the model</source>
-        <translation>Kleine Stücke entfernen, die nicht mit dem Modell verbunden sind</translation>
-    </message>
-    <message>
         <source>Look at one hole after the other</source>
         <translation>Ein Loch nach dem anderen ansehen</translation>
     </message>
@@ -6031,6 +6282,18 @@
     <message>
         <source>Mark this opening as intended: “Repair all” does not close it</source>
         <translation>Diese Öffnung als beabsichtigt markieren: „Alles reparieren“ schließt sie nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Undo repair</source>
+        <translation>Reparatur &amp;rückgängig</translation>
+    </message>
+    <message>
+        <source>Remove all pieces that are listed as debris; the list says which these are</source>
+        <translation>Alle Stücke entfernen, die als Bruchstücke gelistet sind; die Liste sagt, welche das sind</translation>
+    </message>
+    <message>
+        <source>Undo all that “Repair all” has changed</source>
+        <translation>Alles rückgängig machen, was „Alles reparieren“ geändert hat</translation>
     </message>
 </context>
 <context>
@@ -6127,10 +6390,6 @@
         <translation>Alles reparieren</translation>
     </message>
     <message>
-        <source>%1 of %2 holes filled</source>
-        <translation>%1 von %2 Löchern gefüllt</translation>
-    </message>
-    <message>
         <source>%1 kept open</source>
         <translation>%1 offen gelassen</translation>
     </message>
@@ -6185,6 +6444,17 @@
         <source>Look at the patch of %1: %2</source>
         <translation>Bitte die Füllfläche von %1 ansehen: %2</translation>
     </message>
+    <message>
+        <source>%1: %2 by %3</source>
+        <translation>%1: %2 um %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n hole(s) filled</source>
+        <translation>
+            <numerusform>%1 von %n Loch gefüllt</numerusform>
+            <numerusform>%1 von %n Löchern gefüllt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RigidPartsHaptics</name>
@@ -6224,10 +6494,6 @@
             <numerusform>%Ln Gelenk</numerusform>
             <numerusform>%Ln Gelenke</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
-        <translation>%1 geöffnet: Roboter %2 mit %3 Gliedern und %4 beweglichen Gelenken</translation>
     </message>
     <message>
         <source>&amp;Cell</source>
@@ -6279,6 +6545,24 @@
     <message>
         <source>%1 is inside another object</source>
         <translation>%1 liegt in einem anderen Objekt</translation>
+    </message>
+    <message>
+        <source>Opened %1: robot %2 with %3 and %4</source>
+        <translation>%1 geöffnet: Roboter %2 mit %3 und %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n link(s)</source>
+        <translation>
+            <numerusform>%n Glied</numerusform>
+            <numerusform>%n Gliedern</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) that move</source>
+        <translation>
+            <numerusform>%n beweglichen Gelenk</numerusform>
+            <numerusform>%n beweglichen Gelenken</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6603,13 +6887,6 @@
         <source>Not manifold</source>
         <translation>Nicht mannigfaltig</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln kept open</source>
-        <translation>
-            <numerusform>%Ln offen gelassen</numerusform>
-            <numerusform>%Ln offen gelassen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not oriented</source>
         <translation>Nicht orientiert</translation>
@@ -6627,6 +6904,20 @@
         <translation>
             <numerusform>%Ln beim Öffnen umgekehrt</numerusform>
             <numerusform>%Ln beim Öffnen umgekehrt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln open sheet(s)</source>
+        <translation>
+            <numerusform>%Ln offene Fläche</numerusform>
+            <numerusform>%Ln offene Flächen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) kept open</source>
+        <translation>
+            <numerusform>%Ln Loch bleibt offen</numerusform>
+            <numerusform>%Ln Löcher bleiben offen</numerusform>
         </translation>
     </message>
 </context>

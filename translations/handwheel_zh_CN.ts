@@ -28,6 +28,105 @@
     </message>
 </context>
 <context>
+    <name>DefectModel</name>
+    <message>
+        <source>Holes</source>
+        <translation>孔洞</translation>
+    </message>
+    <message>
+        <source>Sheet edges, kept holes</source>
+        <translation>片体边缘、保留的孔</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>非流形边</translation>
+    </message>
+    <message>
+        <source>Non-manifold vertices</source>
+        <translation>非流形顶点</translation>
+    </message>
+    <message>
+        <source>One-sided edges</source>
+        <translation>单侧面的边</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>内外翻转</translation>
+    </message>
+    <message>
+        <source>Near vertices</source>
+        <translation>邻近顶点</translation>
+    </message>
+    <message>
+        <source>Reversed on opening</source>
+        <translation>打开时已反转</translation>
+    </message>
+    <message>
+        <source>Degenerate triangles</source>
+        <translation>退化三角形</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles</source>
+        <translation>重复三角形</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>自相交</translation>
+    </message>
+    <message>
+        <source>Debris</source>
+        <translation>碎片</translation>
+    </message>
+    <message>
+        <source>Places where the surface is missing. (A tunnel through the part is not a hole.)</source>
+        <translation>表面缺失之处。（贯穿零件的通道不算孔洞。）</translation>
+    </message>
+    <message>
+        <source>Outer boundaries of open sheets, and holes that you marked to keep open. “Repair all” does not close them.</source>
+        <translation>开放片体的外边界，以及您标记为保持开放的孔。“全部修复”不会封闭它们。</translation>
+    </message>
+    <message>
+        <source>Edges at which more than two triangles meet.</source>
+        <translation>超过两个三角形共用的边。</translation>
+    </message>
+    <message>
+        <source>Vertices at which parts of the surface touch without sharing an edge.</source>
+        <translation>曲面各部分相接但没有公共边的顶点。</translation>
+    </message>
+    <message>
+        <source>Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.</source>
+        <translation>内侧在这些边处变为外侧：表面如莫比乌斯带，只有一侧。</translation>
+    </message>
+    <message>
+        <source>Vertices on open edges that differ only by rounding in the file. A repair merges them.</source>
+        <translation>开放边上仅因文件取整而不同的顶点。修复时会将其合并。</translation>
+    </message>
+    <message>
+        <source>Bodies whose triangles face inwards, so that inside and outside are swapped.</source>
+        <translation>三角形朝内的体，其内外颠倒。</translation>
+    </message>
+    <message>
+        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
+        <translation>不再是缺陷：文件中与相邻三角形方向相反的三角形在打开时已反转。如果错误的是相邻三角形，“反转面”可反转整个壳体。</translation>
+    </message>
+    <message>
+        <source>Triangles without area.</source>
+        <translation>面积为零的三角形。</translation>
+    </message>
+    <message>
+        <source>Triangles that lie exactly on another one.</source>
+        <translation>与另一个完全重合的三角形。</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that intersect. “Repair all” resolves only those that keep a hole from being closed; “Resolve self-intersections” resolves the others.</source>
+        <translation>相互穿插的三角形对。“全部修复”只处理妨碍孔封闭的那些；“消除自相交”处理其余的。</translation>
+    </message>
+    <message>
+        <source>Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its triangles. “Remove debris” removes all, or only the piece selected here; any other piece is removed with the tool “Select faces”.</source>
+        <translation>最大部件以外的碎片，其面积小于最大部件的 %1 %，三角形数小于其 %2 %。“移除碎片”移除全部或仅移除此处选中的一块；其他部分用“选择面”工具移除。</translation>
+    </message>
+</context>
+<context>
     <name>DeviceText</name>
     <message>
         <source>Not plugged in</source>
@@ -118,16 +217,8 @@
         <translation>未正确响应</translation>
     </message>
     <message>
-        <source>Plug it in: it is opened automatically.</source>
-        <translation>请插入设备：它会自动打开。</translation>
-    </message>
-    <message>
         <source>Connecting; the firmware may be loading. This can take some seconds.</source>
         <translation>正在连接，可能正在加载固件。这可能需要几秒钟。</translation>
-    </message>
-    <message>
-        <source>Unplug it, wait for some seconds, and plug it in: it is opened automatically.</source>
-        <translation>请拔下设备，等待几秒后再插入：它会自动打开。</translation>
     </message>
     <message>
         <source>No force: the requested force is not a number.</source>
@@ -184,6 +275,14 @@
     <message>
         <source>rate control: it springs back, its deflection sets the speed</source>
         <translation>速率控制：自动回弹，偏移量决定速度</translation>
+    </message>
+    <message>
+        <source>Plug it in. If it is not opened automatically then, choose it again.</source>
+        <translation>请连接设备。如果之后没有自动打开，请重新选择它。</translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, and plug it in. If it is not opened automatically then, choose it again.</source>
+        <translation>拔下设备，等待几秒后重新连接。如果之后没有自动打开，请重新选择它。</translation>
     </message>
 </context>
 <context>
@@ -1612,6 +1711,22 @@
         <source>RMS distance from its final position</source>
         <translation>与最终位置的均方根距离</translation>
     </message>
+    <message>
+        <source>Method of reducing triangles</source>
+        <translation>减少三角形的方法</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>有界</translation>
+    </message>
+    <message>
+        <source>quadric</source>
+        <translation>二次误差</translation>
+    </message>
+    <message>
+        <source>CPU time to remove triangles</source>
+        <translation>移除三角形的 CPU 时间</translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -1690,24 +1805,28 @@
         <translation>%1 未连接</translation>
     </message>
     <message>
-        <source>It was unplugged, or has no power.</source>
-        <translation>设备被拔下，或者没有电源。</translation>
-    </message>
-    <message>
         <source>It does not respond correctly.</source>
         <translation>设备未正确响应。</translation>
     </message>
     <message>
-        <source>Plug it in again: it is opened automatically.</source>
-        <translation>请重新插入设备：它会自动打开。</translation>
-    </message>
-    <message>
-        <source>Unplug it and plug it in again: it is opened automatically.</source>
-        <translation>请拔下设备后重新插入：它会自动打开。</translation>
-    </message>
-    <message>
         <source>A device plugin could not be loaded</source>
         <translation>无法加载设备插件</translation>
+    </message>
+    <message>
+        <source>It does not answer any more.</source>
+        <translation>它不再响应。</translation>
+    </message>
+    <message>
+        <source>Plug it in and switch it on. If it is not opened automatically then, press “Open again”.</source>
+        <translation>请连接并打开设备电源。如果之后没有自动打开，请按“重新打开”。</translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again. If it is not opened automatically then, press “Open again”.</source>
+        <translation>拔下设备并重新连接。如果之后没有自动打开，请按“重新打开”。</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>重新打开</translation>
     </message>
 </context>
 <context>
@@ -1753,6 +1872,25 @@
     <message>
         <source>Document</source>
         <translation>文档</translation>
+    </message>
+</context>
+<context>
+    <name>MeshUi</name>
+    <message>
+        <source>%1: nothing was changed</source>
+        <translation>%1：未作任何更改</translation>
+    </message>
+    <message>
+        <source>Is %1 in millimetres?</source>
+        <translation>%1 的单位是毫米吗？</translation>
+    </message>
+    <message>
+        <source>Lengths, such as a wall thickness, depend on it. Change the unit before you repair.</source>
+        <translation>壁厚等长度取决于此。请在修复前更改单位。</translation>
+    </message>
+    <message>
+        <source>Change unit…</source>
+        <translation>更改单位…</translation>
     </message>
 </context>
 <context>
@@ -1925,12 +2063,6 @@
         <translation>除保持开放的以外，已无孔洞。</translation>
     </message>
     <message numerus="yes">
-        <source>%Ln pair(s) of triangles intersect. They can be fixed in the list of defects.</source>
-        <translation>
-            <numerusform>有 %Ln 对三角形相交。可在缺陷列表中修复。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln triangle(s) had the wrong orientation and were reversed.</source>
         <translation>
             <numerusform>%Ln 个三角形方向错误，已反转。</numerusform>
@@ -1939,6 +2071,22 @@
     <message>
         <source>Some defects remain.</source>
         <translation>仍有一些缺陷。</translation>
+    </message>
+    <message>
+        <source>No holes.</source>
+        <translation>没有孔。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. These are %Ln open sheet(s).</source>
+        <translation>
+            <numerusform>没有孔。这是 %Ln 个开放片体。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
+        <translation>
+            <numerusform>没有孔。%1 个部分中有 %Ln 个开放片体。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2022,6 +2170,10 @@
     <message>
         <source>Rounded to the numbers of this format, %1 more pairs of triangles intersect. 3MF, PLY, OBJ and OFF keep all digits.</source>
         <translation>按此格式的数值舍入后，另有 %1 对三角形相交。3MF、PLY、OBJ 和 OFF 保留全部位数。</translation>
+    </message>
+    <message>
+        <source>The part measures %1 × %2 × %3 mm, if its numbers are millimetres: the file does not say its unit.</source>
+        <translation>如果数值以毫米为单位，则部件尺寸为 %1 × %2 × %3 mm：文件未注明单位。</translation>
     </message>
 </context>
 <context>
@@ -2830,6 +2982,62 @@
         <source>Flip side</source>
         <translation>翻转侧</translation>
     </message>
+    <message>
+        <source>Bounded</source>
+        <translation>有界</translation>
+    </message>
+    <message>
+        <source>Quadric</source>
+        <translation>二次误差</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>Scheme</source>
+        <translation>细分方案</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Loop</translation>
+    </message>
+    <message>
+        <source>√3</source>
+        <translation>√3</translation>
+    </message>
+    <message>
+        <source>Butterfly</source>
+        <translation>蝶形</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>级数</translation>
+    </message>
+    <message>
+        <source>Noise filter</source>
+        <translation>噪声滤波器</translation>
+    </message>
+    <message>
+        <source>Bilateral (preserves edges)</source>
+        <translation>双边（保留边缘）</translation>
+    </message>
+    <message>
+        <source>Laplace</source>
+        <translation>拉普拉斯</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>弯曲</translation>
+    </message>
+    <message>
+        <source>This filter does not support degenerate or duplicate triangles or edges.</source>
+        <translation>此滤波器不支持退化或重复的三角形或边。</translation>
+    </message>
+    <message>
+        <source>Resulting triangles</source>
+        <translation>结果三角形数</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2888,10 +3096,6 @@
     <message>
         <source>curves</source>
         <translation>曲线</translation>
-    </message>
-    <message>
-        <source>further attributes</source>
-        <translation>其他属性</translation>
     </message>
     <message numerus="yes">
         <source>%n duplicate triangle(s) removed</source>
@@ -3125,6 +3329,24 @@
         <source>the patch bulges by %1 % of the size of the hole beyond its surroundings</source>
         <translation>补片超出周围隆起，达孔洞尺寸的 %1 %</translation>
     </message>
+    <message>
+        <source>further data</source>
+        <translation>其他数据</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n body(ies) inside out reversed</source>
+        <translation>
+            <numerusform>已反转 %n 个内外颠倒的体</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>sheets thickened by %1</source>
+        <translation>片体加厚 %1</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -3288,10 +3510,6 @@
         <translation>合并邻近顶点</translation>
     </message>
     <message>
-        <source>merging them would close no gap, or leave edges with more than two triangles</source>
-        <translation>合并它们不能封闭任何缝隙，或会留下超过两个三角形的边</translation>
-    </message>
-    <message>
         <source>it would take too long for a mesh of this size</source>
         <translation>对于这样大小的网格，这会花费太长时间</translation>
     </message>
@@ -3396,10 +3614,6 @@
         <translation>雕刻整个表面</translation>
     </message>
     <message>
-        <source>there is no flat face that the part can stand on, or it stands on it already</source>
-        <translation>没有零件可立于其上的平面，或零件已立于其上</translation>
-    </message>
-    <message>
         <source>centre on the origin</source>
         <translation>居中到原点</translation>
     </message>
@@ -3498,10 +3712,6 @@
     <message>
         <source>Turning pass %1: −%2 mm³</source>
         <translation>车削走刀 %1：−%2 mm³</translation>
-    </message>
-    <message>
-        <source>no closed surface is inside out</source>
-        <translation>没有内外翻转的封闭曲面</translation>
     </message>
     <message>
         <source>Thicken sheets</source>
@@ -3640,14 +3850,6 @@
         <translation>无法在不与零件相交的情况下封闭切口</translation>
     </message>
     <message>
-        <source>the triangles are coplanar, overlap others, or intersect too much to be separated</source>
-        <translation>这些三角形共面、与其他三角形重叠，或相交过于复杂，无法分开</translation>
-    </message>
-    <message>
-        <source>thickening would intersect the part, or close a hole that is kept open</source>
-        <translation>加厚会与零件相交，或会封闭要保持开放的孔洞</translation>
-    </message>
-    <message>
         <source>the region to be cut is folded too much</source>
         <translation>要切割的区域折叠过多</translation>
     </message>
@@ -3686,10 +3888,6 @@
     <message>
         <source>Remove degenerate triangles</source>
         <translation>移除退化三角形</translation>
-    </message>
-    <message>
-        <source>it is already in place, has no area, or is too large</source>
-        <translation>它已就位、没有面积或尺寸过大</translation>
     </message>
     <message>
         <source>place on the largest flat face</source>
@@ -3770,6 +3968,78 @@
     <message>
         <source>third corner: creates the face</source>
         <translation>第三个角点：创建面</translation>
+    </message>
+    <message>
+        <source>a boundary of the sheet is marked to stay open, and a thin body has none</source>
+        <translation>片体有一条边界被标记为保持开放，而薄体没有边界</translation>
+    </message>
+    <message>
+        <source>some of the triangles are coplanar, and no cut separates those</source>
+        <translation>部分三角形共面，无法切开</translation>
+    </message>
+    <message>
+        <source>no cut would separate the triangles cleanly</source>
+        <translation>没有切割能将这些三角形干净地分开</translation>
+    </message>
+    <message>
+        <source>merging them would not close the surface any further</source>
+        <translation>合并它们不会使表面更封闭</translation>
+    </message>
+    <message>
+        <source>no body is inside out</source>
+        <translation>没有内外颠倒的体</translation>
+    </message>
+    <message>
+        <source>however thin, the body would intersect the part</source>
+        <translation>无论多薄，该体都会与部件相交</translation>
+    </message>
+    <message>
+        <source>a triangle has a repeated vertex: remove degenerate triangles first</source>
+        <translation>某个三角形有重复的顶点：请先移除退化三角形</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two edges between the same vertices, as on one-sided surfaces</source>
+        <translation>OpenMesh 不支持同一对顶点之间有两条边，例如单侧曲面</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two triangles back to back: remove debris first</source>
+        <translation>OpenMesh 不支持背靠背的两个三角形：请先移除碎片</translation>
+    </message>
+    <message>
+        <source>more than two triangles share an edge: the surface would tear there</source>
+        <translation>有一条边被两个以上三角形共用：表面会在该处撕裂</translation>
+    </message>
+    <message>
+        <source>a vertex has too many triangles for this scheme: choose another</source>
+        <translation>某个顶点的三角形数超出此方案的限制：请选择其他方案</translation>
+    </message>
+    <message>
+        <source>the result would have too many triangles</source>
+        <translation>结果的三角形过多</translation>
+    </message>
+    <message>
+        <source>the precision of the file does not allow finer triangles</source>
+        <translation>文件的精度不允许更细的三角形</translation>
+    </message>
+    <message>
+        <source>Subdivide the mesh</source>
+        <translation>细分网格</translation>
+    </message>
+    <message>
+        <source>it is already in place</source>
+        <translation>它已在该位置</translation>
+    </message>
+    <message>
+        <source>it has no area</source>
+        <translation>它没有面积</translation>
+    </message>
+    <message>
+        <source>there is no flat face that the part can stand on</source>
+        <translation>没有可供部件站立的平面</translation>
+    </message>
+    <message>
+        <source>subdivide the mesh</source>
+        <translation>细分网格</translation>
     </message>
 </context>
 <context>
@@ -4284,6 +4554,22 @@
         <source>Close the hole across the part, and cut the part where the patch intersects it</source>
         <translation>跨零件封闭孔洞，并在补片与零件相交处切割零件</translation>
     </message>
+    <message>
+        <source>Reverse &amp;inside-out bodies</source>
+        <translation>反转内外颠倒的体(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Resolve &amp;self-intersections</source>
+        <translation>消除自相交(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Reverse all bodies whose triangles face inwards</source>
+        <translation>反转所有三角形朝内的体</translation>
+    </message>
+    <message>
+        <source>Cut all triangles that intersect apart, and join the rest</source>
+        <translation>切开所有相交的三角形，并连接其余部分</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DefectModel</name>
@@ -4330,62 +4616,6 @@
         </translation>
     </message>
     <message>
-        <source>Holes</source>
-        <translation>孔洞</translation>
-    </message>
-    <message>
-        <source>Kept open</source>
-        <translation>保持开放</translation>
-    </message>
-    <message>
-        <source>Non-manifold edges</source>
-        <translation>非流形边</translation>
-    </message>
-    <message>
-        <source>Non-manifold vertices</source>
-        <translation>非流形顶点</translation>
-    </message>
-    <message>
-        <source>Near vertices</source>
-        <translation>邻近顶点</translation>
-    </message>
-    <message>
-        <source>Degenerate triangles</source>
-        <translation>退化三角形</translation>
-    </message>
-    <message>
-        <source>Duplicate triangles</source>
-        <translation>重复三角形</translation>
-    </message>
-    <message>
-        <source>Self-intersections</source>
-        <translation>自相交</translation>
-    </message>
-    <message>
-        <source>Debris</source>
-        <translation>碎片</translation>
-    </message>
-    <message>
-        <source>Places where the surface is missing. (A tunnel through the part is not a hole.)</source>
-        <translation>表面缺失之处。（贯穿零件的通道不算孔洞。）</translation>
-    </message>
-    <message>
-        <source>Edges at which more than two triangles meet.</source>
-        <translation>超过两个三角形共用的边。</translation>
-    </message>
-    <message>
-        <source>Triangles without area.</source>
-        <translation>面积为零的三角形。</translation>
-    </message>
-    <message>
-        <source>Triangles that lie exactly on another one.</source>
-        <translation>与另一个完全重合的三角形。</translation>
-    </message>
-    <message>
-        <source>Small pieces that are not connected with the model.</source>
-        <translation>与模型不相连的小块。</translation>
-    </message>
-    <message>
         <source>Pair %1</source>
         <translation>第 %1 对</translation>
     </message>
@@ -4393,45 +4623,11 @@
         <source>Body %1</source>
         <translation>物体 %1</translation>
     </message>
-    <message>
-        <source>Inside out</source>
-        <translation>内外翻转</translation>
-    </message>
-    <message>
-        <source>Reversed on opening</source>
-        <translation>打开时已反转</translation>
-    </message>
-    <message>
-        <source>One-sided edges</source>
-        <translation>单侧面的边</translation>
-    </message>
-    <message>
-        <source>Openings that are intended, and outer boundaries of open sheets. “Repair all” does not close them.</source>
-        <translation>有意保留的开口，以及开放曲面的外边界。“全部修复”不会封闭它们。</translation>
-    </message>
-    <message>
-        <source>Vertices at which parts of the surface touch without sharing an edge.</source>
-        <translation>曲面各部分相接但没有公共边的顶点。</translation>
-    </message>
-    <message>
-        <source>Edges at which inside becomes outside: like a Möbius strip, the surface has only one side.</source>
-        <translation>内侧在这些边处变为外侧：表面如莫比乌斯带，只有一侧。</translation>
-    </message>
-    <message>
-        <source>Vertices on open edges that differ only by rounding in the file. A repair merges them.</source>
-        <translation>开放边上仅因文件取整而不同的顶点。修复时会将其合并。</translation>
-    </message>
-    <message>
-        <source>Closed surfaces whose triangles face inwards, so that inside and outside are swapped.</source>
-        <translation>三角形朝向内侧的封闭曲面，其内外颠倒。</translation>
-    </message>
-    <message>
-        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
-        <translation>不再是缺陷：文件中与相邻三角形方向相反的三角形在打开时已反转。如果错误的是相邻三角形，“反转面”可反转整个壳体。</translation>
-    </message>
-    <message>
-        <source>Pairs of triangles that intersect. “Repair all” leaves them unchanged.</source>
-        <translation>相交的三角形对。“全部修复”不会更改它们。</translation>
+    <message numerus="yes">
+        <source>Here that is %Ln triangle(s), %1 % of all.</source>
+        <translation>
+            <numerusform>此处为 %Ln 个三角形，占全部的 %1 %。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4995,6 +5191,47 @@
     </message>
 </context>
 <context>
+    <name>handwheel::FixPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Computing the preview…</source>
+        <translation>正在计算预览…</translation>
+    </message>
+    <message>
+        <source>Nothing would change: %1.</source>
+        <translation>不会有任何变化：%1。</translation>
+    </message>
+    <message>
+        <source>Nothing would change.</source>
+        <translation>不会有任何变化。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removes %Ln triangle(s).</source>
+        <translation>
+            <numerusform>移除 %Ln 个三角形。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Adds %Ln triangle(s).</source>
+        <translation>
+            <numerusform>添加 %Ln 个三角形。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replaces %1 by %2.</source>
+        <translation>将 %1 替换为 %2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个三角形</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ForcePlot</name>
     <message>
         <source>Force of the last seconds</source>
@@ -5089,6 +5326,14 @@
     <message>
         <source>Look at it: %1.</source>
         <translation>请检查：%1。</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>Thickness of the sheet&apos;s thin body; less where that would intersect anything</source>
+        <translation>片体加厚后的厚度；会与其他部分相交处则更薄</translation>
     </message>
 </context>
 <context>
@@ -5458,10 +5703,6 @@
         <translation>通过点击、画笔、套索、连通或角度选择面</translation>
     </message>
     <message>
-        <source>%1: nothing was changed</source>
-        <translation>%1：未作任何更改</translation>
-    </message>
-    <message>
         <source>&amp;Make a face</source>
         <translation>创建面(&amp;M)</translation>
     </message>
@@ -5552,6 +5793,14 @@
     <message>
         <source>Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
         <translation>拖动、平滑、膨胀和压平表面；细分补片，并在其任一层级上雕刻</translation>
+    </message>
+    <message>
+        <source>Su&amp;bdivide</source>
+        <translation>细分(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Refine the whole mesh by a subdivision scheme, including open edges</source>
+        <translation>用细分方案细化整个网格，包括开放边</translation>
     </message>
 </context>
 <context>
@@ -5951,10 +6200,6 @@
         <translation>清除选择(&amp;C)</translation>
     </message>
     <message>
-        <source>Remove the small pieces that are not connected with the model</source>
-        <translation>移除与模型不相连的小块</translation>
-    </message>
-    <message>
         <source>Look at one hole after the other</source>
         <translation>逐个查看孔洞</translation>
     </message>
@@ -5985,6 +6230,18 @@
     <message>
         <source>Mark this opening as intended: “Repair all” does not close it</source>
         <translation>将此开口标记为有意保留：“全部修复”不会封闭它</translation>
+    </message>
+    <message>
+        <source>&amp;Undo repair</source>
+        <translation>撤销修复(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Remove all pieces that are listed as debris; the list says which these are</source>
+        <translation>移除所有列为碎片的部分；列表中说明了是哪些</translation>
+    </message>
+    <message>
+        <source>Undo all that “Repair all” has changed</source>
+        <translation>撤销“全部修复”所做的所有更改</translation>
     </message>
 </context>
 <context>
@@ -6081,10 +6338,6 @@
         <translation>全部修复</translation>
     </message>
     <message>
-        <source>%1 of %2 holes filled</source>
-        <translation>已填补 %2 个孔洞中的 %1 个</translation>
-    </message>
-    <message>
         <source>%1 kept open</source>
         <translation>%1 个保持开放</translation>
     </message>
@@ -6138,6 +6391,16 @@
         <source>Look at the patch of %1: %2</source>
         <translation>请检查 %1 的补片：%2</translation>
     </message>
+    <message>
+        <source>%1: %2 by %3</source>
+        <translation>%1：%2，%3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n hole(s) filled</source>
+        <translation>
+            <numerusform>已填充 %n 个孔中的 %1 个</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RigidPartsHaptics</name>
@@ -6175,10 +6438,6 @@
         <translation>
             <numerusform>%Ln 个关节</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
-        <translation>已打开 %1：机器人 %2，%3 个连杆，%4 个可动关节</translation>
     </message>
     <message>
         <source>&amp;Cell</source>
@@ -6229,6 +6488,22 @@
     <message>
         <source>%1 is inside another object</source>
         <translation>%1 位于另一个物体内部</translation>
+    </message>
+    <message>
+        <source>Opened %1: robot %2 with %3 and %4</source>
+        <translation>已打开 %1：机器人 %2，含 %3 和 %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n link(s)</source>
+        <translation>
+            <numerusform>%n 个连杆</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) that move</source>
+        <translation>
+            <numerusform>%n 个活动关节</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6549,12 +6824,6 @@
         <source>Not manifold</source>
         <translation>非流形</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln kept open</source>
-        <translation>
-            <numerusform>%Ln 个保持开放</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not oriented</source>
         <translation>方向不一致</translation>
@@ -6571,6 +6840,18 @@
         <source>%Ln reversed on opening</source>
         <translation>
             <numerusform>打开时反转了 %Ln 个</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln open sheet(s)</source>
+        <translation>
+            <numerusform>%Ln 个开放片体</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) kept open</source>
+        <translation>
+            <numerusform>%Ln 个孔保持开放</numerusform>
         </translation>
     </message>
 </context>
