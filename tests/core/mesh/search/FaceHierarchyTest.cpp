@@ -26,7 +26,7 @@ namespace {
 
 const double kNan = std::nan("");
 
-Ray downAt(double x, double y) {
+Ray straightDownAt(double x, double y) {
   return {Vec3(x, y, 10.0), -Vec3::UnitZ()};
 }
 
@@ -44,10 +44,10 @@ HalfEdgeMesh twoSheets() {
 
 void FaceHierarchyTest::facesKeepTheirNumbers() {
   HalfEdgeMesh mesh = twoSheets();
-  const auto upper = FaceHierarchy(mesh).firstHit(downAt(0.2, 0.6));
+  const auto upper = FaceHierarchy(mesh).firstHit(straightDownAt(0.2, 0.6));
   QVERIFY(upper && upper->face >= 2 && upper->distance == 9.0 && upper->point == Vec3(0.2, 0.6, 1.0));
   mesh.removeFace(upper->face);
-  const auto lower = FaceHierarchy(mesh).firstHit(downAt(0.2, 0.6));
+  const auto lower = FaceHierarchy(mesh).firstHit(straightDownAt(0.2, 0.6));
   QVERIFY(lower && lower->face == upper->face - 2 && lower->distance == 10.0);
 }
 
@@ -57,7 +57,7 @@ void FaceHierarchyTest::keepsItsVersion() {
   mesh.removeFace(2);
   mesh.removeFace(3);
   QCOMPARE(faces.mesh().liveFaceCount(), std::size_t(4));
-  QVERIFY(faces.firstHit(downAt(0.2, 0.6))->face >= 2);
+  QVERIFY(faces.firstHit(straightDownAt(0.2, 0.6))->face >= 2);
 }
 
 void FaceHierarchyTest::hidden() {
