@@ -12,8 +12,8 @@ namespace handwheel {
 // Writes the coarser subdivision levels of a patch to a container. They are what each level has instead of the mesh:
 // blobs "mesh/levels/NNNN/faces" (number, three corners, three opposites of each face of the patch) and
 // "mesh/levels/NNNN/points" (three doubles for each vertex of those, by rising number). Their number is in the array
-// "levels" of the object "document" of the manifest, the coarsest level first. levels: null for none; its finest mesh
-// is the one that is saved.
+// "levels" of the object "document" of the manifest, the coarsest level first, with the slots from which on the next
+// level adds vertices and faces. levels: null for none; its finest mesh is the one that is saved.
 void writeLevelBlobs(const PatchLevels* levels, Container& container);
 
 // Reads the subdivision levels of a patch from a container. Their finest mesh is `mesh`; null if it is no longer what

@@ -25,9 +25,9 @@ class MeshDocument : public Document {
   // The number type of the coordinates in its present file, or in the container.
   NumberType fileNumbers() const;
 
-  // The levels of the patch that was subdivided last before the present mesh; null for none. Saved with the document;
-  // not part of the history, which finds them again by the mesh.
-  const PatchLevels* levels() const { return m_levels.of(m_mesh); }
+  // The levels of the patch that was sculpted last, among those that have all these faces; null for none. Other edits
+  // of the patch end them. Saved with the document; not part of the history, which finds them again by the mesh.
+  const PatchLevels* levels(const FaceSelection& faces = {}) const { return m_levels.of(m_mesh, faces); }
   void keepLevels(const PatchLevels& levels) { m_levels.keep(levels); }
 
   SnapshotPointer snapshot() const override;

@@ -22,14 +22,17 @@ class PatchSplitter {
     patch.forEach([&](Face f) {
       if (f < mesh.faceSlots() && mesh.isProper(f)) m_faces.push_back(f);
     });
+    m_step.firstAdded = {static_cast<Vertex>(mesh.vertexSlots()), static_cast<Face>(mesh.faceSlots())};
   }
 
-  // With the diagonals that were chosen in the finer mesh, and its positions.
-  void repeat(const HalfEdgeMesh& fine) { m_fine = &fine; }
+  // With the diagonals that were chosen in the finer mesh, its positions, and the slots of what was added.
+  void repeat(const HalfEdgeMesh& fine, FirstSlots firstAdded) {
+    m_fine = &fine;
+    m_step.firstAdded = firstAdded;
+  }
 
   SubdivisionStep run() {
-    m_step.firstAdded = static_cast<Face>(m_before.faceSlots());
-    m_step.failure = countParts();
+    m_step.failure = makeRoom();
     if (m_step.failure != SubdivisionFailure::None) return std::move(m_step);
     addPoints();
     placePoints();
@@ -57,7 +60,8 @@ class PatchSplitter {
     return m_before.hasOpposite(h) && indexOf(HalfEdgeMesh::face(m_before.opposite(h))) < m_faces.size();
   }
 
-  SubdivisionFailure countParts() {
+  // Dead slots for what is added, where there are none yet.
+  SubdivisionFailure makeRoom() {
     std::size_t inside = 0;
     for (const Face f : m_faces) {
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) inside += isInside(h);
@@ -65,11 +69,25 @@ class PatchSplitter {
     if (inside == 0) return SubdivisionFailure::NoEdgeInside;
     const std::size_t parts = m_faces.size() + inside;  // each edge with a point adds one part to either face
     constexpr std::size_t kMostSlots = 0xffffffff / 3 - 1;
-    bool isTooMany = parts > m_limits.mostFaces || m_before.faceSlots() + inside > kMostSlots;
-    if (m_fine)
-      isTooMany = m_fine->faceSlots() != m_before.faceSlots() + inside ||
-                  m_fine->vertexSlots() != m_before.vertexSlots() + inside / 2;
-    return isTooMany ? SubdivisionFailure::TooManyFaces : SubdivisionFailure::None;
+    const bool isTooMany = m_fine ? !fitsFiner(inside, inside / 2)
+                                  : parts > m_limits.mostFaces || m_before.faceSlots() + inside > kMostSlots;
+    if (isTooMany) return SubdivisionFailure::TooManyFaces;
+    const auto [vertex, face] = m_step.firstAdded;
+    while (m_mesh.vertexSlots() < vertex + inside / 2) m_mesh.addVertex(Vec3::Zero());
+    while (m_mesh.faceSlots() < face + inside) m_mesh.addFace({kNone, kNone, kNone});
+    return SubdivisionFailure::None;
+  }
+
+  // Whether the finer mesh has slots for so many more, and nothing is in them yet.
+  bool fitsFiner(std::size_t faces, std::size_t vertices) const {
+    const auto [vertex, face] = m_step.firstAdded;
+    if (m_before.vertexSlots() > m_fine->vertexSlots() || m_before.faceSlots() > m_fine->faceSlots()) return false;
+    if (vertex > m_before.vertexSlots() || vertex + vertices > m_fine->vertexSlots()) return false;
+    if (face > m_before.faceSlots() || face + faces > m_fine->faceSlots()) return false;
+    const std::size_t end = std::min(face + faces, m_before.faceSlots());
+    for (Face f = face; f < end; ++f)
+      if (m_before.isLive(f)) return false;
+    return true;
   }
 
   // In the middle of each edge inside, and where Loop wants them.
@@ -83,8 +101,8 @@ class PatchSplitter {
         const HalfEdge o = m_before.opposite(h);
         const Vec3& a = at(m_before.from(h));
         const Vec3 middle = a + 0.5 * (at(m_before.to(h)) - a);
-        const auto next = static_cast<Vertex>(m_mesh.vertexSlots());
-        const Vertex v = m_mesh.addVertex(m_fine ? m_fine->position(next) : rounded(middle, m_limits.numbers));
+        const Vertex v = m_step.firstAdded.vertex + static_cast<Vertex>(m_edgeOf.size());
+        m_mesh.setPosition(v, rounded(middle, m_limits.numbers));
         m_sides[i].point[k] = m_sides[indexOf(HalfEdgeMesh::face(o))].point[o % 3] = v;
         m_edgeOf.push_back(h);
       }
@@ -127,7 +145,7 @@ class PatchSplitter {
       points[3 + k] = m_sides[i].point[k];
       hasPoint[k] = points[3 + k] != kNone;
       places[k] = m_before.position(points[k]);
-      if (hasPoint[k]) places[3 + k] = m_edgePlace[points[3 + k] - m_before.vertexSlots()];
+      if (hasPoint[k]) places[3 + k] = m_edgePlace[points[3 + k] - m_step.firstAdded.vertex];
     }
     const auto length = [&](std::size_t p, std::size_t q) { return (places[p] - places[q]).squaredNorm(); };
     const TriangleSplit parts = splitOf(hasPoint, [&](std::size_t p, std::size_t q, std::size_t r, std::size_t s) {
@@ -138,12 +156,9 @@ class PatchSplitter {
     for (std::size_t n = 0; n < parts.size(); ++n) {
       const auto& [p, q, r] = parts[n];
       const Triangle corners = {points[p], points[q], points[r]};
-      const Face part = n == 0 ? f : m_mesh.addFace(corners);
-      if (n == 0) {
-        m_mesh.setTriangle(f, corners);
-      } else {
-        m_step.parent.push_back(f);
-      }
+      const Face part = n == 0 ? f : m_step.firstAdded.face + static_cast<Face>(m_step.parent.size());
+      m_mesh.setTriangle(part, corners);
+      if (n > 0) m_step.parent.push_back(f);
       m_step.faces.add(part);
       along[p][q] = 3 * part;
       along[q][r] = 3 * part + 1;
@@ -203,7 +218,7 @@ class PatchSplitter {
     for (const Face f : m_faces)
       if (isFlat(f, f)) return true;
     for (std::size_t n = 0; n < m_step.parent.size(); ++n)
-      if (isFlat(m_step.firstAdded + static_cast<Face>(n), m_step.parent[n])) return true;
+      if (isFlat(m_step.firstAdded.face + static_cast<Face>(n), m_step.parent[n])) return true;
     return false;
   }
 
@@ -246,10 +261,10 @@ SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const 
 }
 
 std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
-                                                  const HalfEdgeMesh& fine) {
+                                                  const HalfEdgeMesh& fine, FirstSlots firstAdded) {
   HalfEdgeMesh made = coarse;
   PatchSplitter splitter(made, patch, {});
-  splitter.repeat(fine);
+  splitter.repeat(fine, firstAdded);
   SubdivisionStep step = splitter.run();
   if (step.failure != SubdivisionFailure::None || !MeshDelta::between(made, fine).isEmpty()) return std::nullopt;
   return step;

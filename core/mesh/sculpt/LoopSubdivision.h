@@ -61,13 +61,19 @@ enum class SubdivisionFailure {
   Cancelled,
 };
 
+// The first slots of what a subdivision step adds. The others follow without a gap.
+struct FirstSlots {
+  Vertex vertex = 0;
+  Face face = 0;
+};
+
 // The result of one subdivision step.
 struct SubdivisionStep {
   SubdivisionFailure failure = SubdivisionFailure::None;
   FaceSelection faces;       // the patch, finer
   LoopStencils stencils;     // one for each vertex of the finer patch
   std::vector<Face> parent;  // of the faces that were added; the others have the number of their parent
-  Face firstAdded = 0;
+  FirstSlots firstAdded;
   std::size_t heldBack = 0;  // vertices placed nearer to the middle of their edge than Loop's place
 };
 
@@ -79,10 +85,11 @@ struct SubdivisionStep {
 SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const SubdivisionLimits& limits = {});
 
 // Recovers the subdivision step from a coarse to a fine mesh. Vertices of the latter may have been moved since; none
-// where there was no such step: slot for slot, the faces must be those that subdivide() can make.
+// where there was no such step: slot for slot, the faces must be those that subdivide() can make, but for the slots of
+// those that were added. They begin with firstAdded, and are dead in the coarse mesh, or behind it.
 // O(patch + pages of the mesh).
 std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
-                                                  const HalfEdgeMesh& fine);
+                                                  const HalfEdgeMesh& fine, FirstSlots firstAdded);
 
 // The number of subdivisions that match a patch to the density around it. Its edges are then no more than √2 times as
 // long as those of the faces around it. 0 where nothing is around it.

@@ -3,6 +3,7 @@
 #include "mesh/sculpt/PatchLevels.h"
 
 #include "mesh/sculpt/VertexGoals.h"
+#include "mesh/structure/MeshDelta.h"
 
 #include <algorithm>
 #include <cassert>
@@ -27,15 +28,40 @@ std::vector<VertexGoal> followingMoves(const LoopStencils& stencils, const HalfE
   return moves;
 }
 
+// Whether a face is one of the patch, or shares an edge with one.
+bool isAtPatch(const HalfEdgeMesh& mesh, const FaceSelection& patch, Face f) {
+  if (f >= mesh.faceSlots()) return false;
+  if (patch.contains(f)) return true;
+  for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h)
+    if (mesh.hasOpposite(h) && patch.contains(HalfEdgeMesh::face(mesh.opposite(h)))) return true;
+  return false;
+}
+
+// As many slots as another mesh has. A new vertex stands where its own does.
+void addDeadSlots(HalfEdgeMesh& mesh, const HalfEdgeMesh& upTo) {
+  while (mesh.vertexSlots() < upTo.vertexSlots())
+    mesh.addVertex(upTo.position(static_cast<Vertex>(mesh.vertexSlots())));
+  while (mesh.faceSlots() < upTo.faceSlots()) mesh.addFace({kNone, kNone, kNone});
+}
+
+// Takes off what the step to the finer mesh added at its end, so that a level is as it was when an edit is undone.
+void truncateBefore(const SubdivisionStep& step, const HalfEdgeMesh& fine, HalfEdgeMesh& mesh) {
+  const auto [vertex, face] = step.firstAdded;
+  const std::size_t faces = step.parent.size(), vertices = faces / 2;  // a vertex adds a part to two faces
+  const std::size_t vertexSlots = fine.vertexSlots() == vertex + vertices ? vertex : fine.vertexSlots();
+  const std::size_t faceSlots = fine.faceSlots() == face + faces ? face : fine.faceSlots();
+  if (vertexSlots < mesh.vertexSlots() || faceSlots < mesh.faceSlots()) mesh.truncate(vertexSlots, faceSlots);
+}
+
 }  // namespace
 
 PatchLevels::PatchLevels(HalfEdgeMesh mesh, FaceSelection patch) {
   m_levels.push_back({std::move(mesh), std::move(patch), nullptr});
 }
 
-bool PatchLevels::addBelow(HalfEdgeMesh mesh, FaceSelection patch) {
+bool PatchLevels::addBelow(HalfEdgeMesh mesh, FaceSelection patch, FirstSlots firstAdded) {
   Level& first = m_levels.front();
-  std::optional<SubdivisionStep> step = subdivisionBetween(mesh, patch, first.mesh);
+  std::optional<SubdivisionStep> step = subdivisionBetween(mesh, patch, first.mesh, firstAdded);
   const bool isFree = finest() == 0 && first.patch.empty();
   if (!step || (!isFree && first.patch != step->faces)) return false;
   first.patch = step->faces;
@@ -55,7 +81,8 @@ SubdivisionFailure PatchLevels::refine(const SubdivisionLimits& limits) {
 Face PatchLevels::faceAt(std::size_t level, Face fine) const {
   for (std::size_t i = finest(); i > level; --i) {
     const SubdivisionStep& step = *m_levels[i].step;
-    if (fine >= step.firstAdded) fine = step.parent[fine - step.firstAdded];
+    const Face first = step.firstAdded.face;
+    if (fine >= first && fine - first < step.parent.size()) fine = step.parent[fine - first];
   }
   return fine;
 }
@@ -71,6 +98,21 @@ std::vector<Face> PatchLevels::replace(std::size_t level, HalfEdgeMesh mesh, Num
     faces = moveTowards(fine.mesh, moves, numbers).faces;
   }
   return faces;
+}
+
+bool PatchLevels::follow(const HalfEdgeMesh& after) {
+  const HalfEdgeMesh before = mesh();
+  const MeshDelta delta = MeshDelta::between(before, after);
+  for (const Face f : delta.touchedFaces(before))
+    if (isAtPatch(before, patch(), f)) return false;
+  m_levels.back().mesh = after;
+  for (std::size_t i = finest(); i-- > 0;) {
+    Level& level = m_levels[i];
+    addDeadSlots(level.mesh, before);
+    MeshDelta(delta).swap(level.mesh);
+    truncateBefore(*m_levels[i + 1].step, m_levels[i + 1].mesh, level.mesh);
+  }
+  return true;
 }
 
 }  // namespace handwheel

@@ -21,18 +21,20 @@ class PatchLevels {
 
   // Inserts a level before the first, as when levels come from a file, from fine to coarse; the patch of an only level
   // may be empty, and is set. False, and nothing changed, where subdividing the patch does not make the first level,
-  // but for what was moved since. Both meshes must be valid.
-  bool addBelow(HalfEdgeMesh mesh, FaceSelection patch);
+  // with what it adds from these slots on, but for what was moved since. Both meshes must be valid.
+  bool addBelow(HalfEdgeMesh mesh, FaceSelection patch, FirstSlots firstAdded);
 
   std::size_t finest() const { return m_levels.size() - 1; }
   const HalfEdgeMesh& mesh() const { return m_levels.back().mesh; }  // at the finest level
   const HalfEdgeMesh& mesh(std::size_t level) const { return m_levels[level].mesh; }
   const FaceSelection& patch() const { return m_levels.back().patch; }
   const FaceSelection& patch(std::size_t level) const { return m_levels[level].patch; }
+  // Where that begins which a level, not the first, has more than the one before.
+  FirstSlots firstAdded(std::size_t level) const { return m_levels[level].step->firstAdded; }
 
   // One level more, or nothing changed.
   SubdivisionFailure refine(const SubdivisionLimits& limits = {});
-  // Removes the finest level: the mesh is as it was before that was made, but for what was moved at the others since.
+  // Removes the finest level: the mesh is as it was before that was made, but for what was changed at the others since.
   // There must be one more than the first.
   void coarsen() { m_levels.pop_back(); }
 
@@ -43,6 +45,13 @@ class PatchLevels {
   // their detail, as far as that flips no face. Returns the faces of the finest level that were given other corners;
   // none where nothing is finer. O(finer levels of the patch).
   std::vector<Face> replace(std::size_t level, HalfEdgeMesh mesh, NumberType numbers = NumberType::Float64);
+
+  // Takes an edit elsewhere over to all levels. after: the mesh at the finest level when it is done. Coarser levels get
+  // dead slots for what only finer ones have, so that what the edit adds has one number in all. False, and nothing
+  // changed, where the edit changes a face of the patch or one that shares an edge with it: such a face has another
+  // neighbour at each level. The inverse edit leads back. O(what differs + finer levels of the patch), O(mesh) where
+  // vertices were moved.
+  bool follow(const HalfEdgeMesh& after);
 
  private:
   struct Level {

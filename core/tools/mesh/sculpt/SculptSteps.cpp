@@ -130,7 +130,7 @@ SculptWork readSubdivision(StepReader& reader, const OperationValues& values, co
 }  // namespace
 
 std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest) {
-  const PatchLevels* remembered = document.levels();
+  const PatchLevels* remembered = document.levels(patch);
   if (remembered && remembered->patch() == patch && remembered->finest() == finest) return *remembered;
   return finest == 0 ? std::optional(PatchLevels(document.mesh(), patch)) : std::nullopt;
 }

@@ -48,9 +48,8 @@ SculptTool::SculptTool(MeshDocument& document, MeshServices services, FaceSelect
   const Box& box = document.defects().box;
   if (!box.isEmpty()) m_settings.set("radius", nearRoundNumber(kFirstRadius * box.diagonal().norm()));
   patch.dropDead(m_known);
-  const PatchLevels* remembered = m_document.levels();
-  const bool isSame = remembered && (patch.empty() || patch == remembered->patch());
-  setLevels(isSame ? *remembered : PatchLevels(m_known, std::move(patch)));
+  const PatchLevels* remembered = m_document.levels(patch);
+  setLevels(remembered ? *remembered : PatchLevels(m_known, std::move(patch)));
 }
 
 SculptTool::~SculptTool() {

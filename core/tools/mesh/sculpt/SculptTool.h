@@ -18,7 +18,8 @@ class MeshDocument;
 // window need not wait until a stroke is in the document: the next begins on the displayed surface.
 class SculptTool : public Tool {
  public:
-  // patch: the faces to work on; empty for the whole surface. The document must outlive all calls but the destructor's.
+  // patch: the faces to work on; empty for the whole surface. Levels of a patch that has them all are taken up. The
+  // document must outlive all calls but the destructor's.
   SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch = {});
   ~SculptTool() override;
 
@@ -72,6 +73,7 @@ class SculptTool : public Tool {
   SculptSettings m_settings;
   PatchLevels m_levels;  // with the steps that wait
   std::size_t m_level = 0;
+  bool m_isWhole = false;                    // asked for the whole surface, whatever patch has levels
   std::vector<std::vector<Vec3>> m_outline;  // of the patch
   double m_aspect = 0.0;                     // and how slim the triangles along it are
   const char* m_problem = nullptr;           // of the last action

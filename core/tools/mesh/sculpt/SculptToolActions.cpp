@@ -120,9 +120,9 @@ void SculptTool::restart() {
   m_waiting.clear();
   m_touched = {};
   m_known = m_document.mesh();
-  const PatchLevels* remembered = m_document.levels();
   FaceSelection patch = m_levels.patch();
   patch.dropDead(m_known);
+  const PatchLevels* remembered = m_isWhole ? nullptr : m_document.levels(patch);
   setLevels(remembered ? *remembered : PatchLevels(m_known, std::move(patch)));
   showLive();
 }
@@ -144,6 +144,7 @@ ToolReply SculptTool::perform(std::string_view action) {
   } else if (action == "noise") {
     smoothNoiseLater();
   } else if (action == "whole") {
+    m_isWhole = true;
     setLevels(PatchLevels(m_levels.mesh(), {}));
   } else {
     return ToolReply::Ignored;

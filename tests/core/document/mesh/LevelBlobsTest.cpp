@@ -20,6 +20,7 @@ class LevelBlobsTest : public QObject {
 
  private slots:
   void loadingIsTheInverseOfSaving();
+  void afterEditsElsewhere();
   void whatComesBackCanBeSculpted();
   void onlyThoseOfThePresentMesh();
   void noLevelsAreNone();
@@ -40,8 +41,8 @@ void shake(PatchLevels& levels, std::size_t level, double most) {
   HalfEdgeMesh mesh = levels.mesh(level);
   std::vector<bool> isHeld(mesh.vertexSlots(), false);
   for (Face f = 0; f < mesh.faceSlots(); ++f)
-    for (const Vertex v : mesh.triangle(f))
-      if (!levels.patch(level).contains(f)) isHeld[v] = true;
+    for (std::size_t k = 0; k < 3 && mesh.isLive(f) && !levels.patch(level).contains(f); ++k)
+      isHeld[mesh.triangle(f)[k]] = true;
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
     if (!isHeld[v]) mesh.setPosition(v, mesh.position(v) * (1.0 + most * std::sin(17.0 * v)));
   levels.replace(level, std::move(mesh));
@@ -55,6 +56,14 @@ PatchLevels levelsOf(std::uint32_t part, int count, int moves) {
   for (int i = 0; i < count; ++i) levels.refine();
   for (int i = 0; i < moves; ++i) shake(levels, *rc::gen::inRange<std::size_t>(0, levels.finest() + 1), 0.01);
   return levels;
+}
+
+// Adds a face by itself, with vertices of its own.
+HalfEdgeMesh withFaceAdded(HalfEdgeMesh mesh) {
+  const auto v = static_cast<Vertex>(mesh.vertexSlots());
+  for (const Vec3& p : {Vec3(5, 0, 0), Vec3(6, 0, 0), Vec3(5, 1, 0)}) mesh.addVertex(p);
+  mesh.addFace({v, v + 1, v + 2});
+  return mesh;
 }
 
 PatchLevels someLevels(int count = 2) {
@@ -89,10 +98,19 @@ Loaded loaded(const Container& container) {
   return result;
 }
 
+// What the levels are made of: which position a dead vertex has is not saved.
 bool same(const PatchLevels& a, const PatchLevels& b) {
   if (a.finest() != b.finest()) return false;
-  for (std::size_t i = 0; i <= a.finest(); ++i)
-    if (!test::sameMesh(a.mesh(i), b.mesh(i)) || !(a.patch(i) == b.patch(i))) return false;
+  for (std::size_t i = 0; i <= a.finest(); ++i) {
+    const HalfEdgeMesh &m = a.mesh(i), &n = b.mesh(i);
+    if (m.faceSlots() != n.faceSlots() || m.vertexSlots() != n.vertexSlots() || a.patch(i) != b.patch(i)) return false;
+    for (Face f = 0; f < m.faceSlots(); ++f) {
+      if (m.triangle(f) != n.triangle(f)) return false;
+      for (HalfEdge h = 3 * f; h < 3 * f + 3 && m.isLive(f); ++h)
+        if (m.opposite(h) != n.opposite(h) || !test::sameBits(m.position(m.from(h)), n.position(n.from(h))))
+          return false;
+    }
+  }
   return true;
 }
 
@@ -109,6 +127,30 @@ void LevelBlobsTest::loadingIsTheInverseOfSaving() {
     const Loaded back = loaded(saved(levels));
     RC_ASSERT(back.content && back.damage.empty());
     RC_ASSERT(back.content->levels && same(*back.content->levels, levels));
+  });
+  QVERIFY(held);
+}
+
+// Levels of which some were made before faces were added elsewhere, and some after.
+void LevelBlobsTest::afterEditsElsewhere() {
+  const bool held = rc::check([] {
+    PatchLevels levels = levelsOf(*rc::gen::inRange(0u, 101u), *rc::gen::inRange(1, 3), 1);
+    for (int i = *rc::gen::inRange(1, 5); i > 0; --i) {
+      if (*rc::gen::arbitrary<bool>()) {
+        RC_ASSERT(levels.follow(withFaceAdded(levels.mesh())));
+      } else if (levels.finest() < 3) {
+        levels.refine();
+      }
+      if (*rc::gen::arbitrary<bool>()) shake(levels, *rc::gen::inRange<std::size_t>(0, levels.finest() + 1), 0.01);
+    }
+    const Loaded back = loaded(saved(levels));
+    RC_ASSERT(back.content && back.damage.empty() && back.content->levels);
+    PatchLevels read = *back.content->levels;
+    RC_ASSERT(same(read, levels));
+    shake(levels, 0, 0.01);
+    shake(read, 0, 0.01);
+    RC_ASSERT(same(read, levels));
+    for (Face f = 0; f < levels.mesh().faceSlots(); ++f) RC_ASSERT(levels.faceAt(0, f) == read.faceAt(0, f));
   });
   QVERIFY(held);
 }
@@ -192,12 +234,16 @@ void LevelBlobsTest::hostileNumbers() {
   const Container whole = saved(someLevels());
   const nlohmann::json odd[] = {
       nullptr, -1, 0.5, "1", 0, 1, 4'294'967'295u, ~std::uint64_t{0}, nlohmann::json::array()};
-  for (const char* key : {"vertices", "faces", "patch", "points"}) {
-    for (const nlohmann::json& value : odd) {
-      Container container = whole;
-      (*container.manifest)["document"]["levels"][0][key] = value;
-      const Loaded back = loaded(container);
-      QVERIFY(back.content && !back.content->levels && isSaid(back));
+  PatchLevels edited = someLevels();
+  QVERIFY(edited.follow(withFaceAdded(edited.mesh())));
+  for (const Container& sound : {whole, saved(edited)}) {
+    for (const char* key : {"vertices", "faces", "patch", "points", "next_vertex", "next_face"}) {
+      for (const nlohmann::json& value : odd) {
+        Container container = sound;
+        (*container.manifest)["document"]["levels"][0][key] = value;
+        const Loaded back = loaded(container);
+        QVERIFY(back.content && !back.content->levels && isSaid(back));
+      }
     }
   }
   for (const nlohmann::json& value : odd) {
@@ -213,7 +259,9 @@ void LevelBlobsTest::hostileNumbers() {
 }
 
 void LevelBlobsTest::whateverIsChangedIsRefusedOrALevel() {
-  const PatchLevels levels = someLevels();
+  PatchLevels levels = someLevels();
+  QVERIFY(levels.follow(withFaceAdded(levels.mesh())));
+  QVERIFY(levels.refine() == SubdivisionFailure::None);  // one of its levels has dead slots, one has none
   const Container whole = saved(levels);
   std::vector<std::string> names;
   for (const auto& [name, bytes] : whole.blobs)

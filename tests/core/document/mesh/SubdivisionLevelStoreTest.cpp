@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/SubdivisionLevelStore.h"
 
+#include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -17,6 +18,8 @@ class SubdivisionLevelStoreTest : public QObject {
   void sameVersions();
   void findsWhatItKept();
   void forgetsTheOldest();
+  void editsElsewhereKeepTheLevels();
+  void patchesApartFromOneAnother();
 };
 
 namespace {
@@ -27,6 +30,26 @@ PatchLevels subdivided(double x) {
   PatchLevels levels(mesh, FaceSelection::all(mesh));
   levels.refine();
   return levels;
+}
+
+// The faces of a sphere of radius 1 around a place on it.
+FaceSelection around(const HalfEdgeMesh& mesh, const Vec3& centre) {
+  return FaceSelection::where(mesh.faceSlots(), [&](Face f) {
+    const auto [p, q, r] = mesh.points(f);
+    return mesh.isLive(f) && ((p + q + r) / 3.0 - centre).norm() < 0.5;
+  });
+}
+
+void commitLevels(MeshDocument& document, const PatchLevels& levels) {
+  document.commit("Subdivide", inspected(levels.mesh()));
+  document.keepLevels(levels);
+}
+
+void commitMove(MeshDocument& document, const Vec3& from) {
+  HalfEdgeMesh mesh = document.mesh();
+  const Vertex v = mesh.triangle(around(mesh, from).faces().front())[0];
+  mesh.setPosition(v, 1.01 * mesh.position(v));
+  document.commit("Move", inspected(mesh));
 }
 
 }  // namespace
@@ -60,6 +83,56 @@ void SubdivisionLevelStoreTest::forgetsTheOldest() {
   for (int i = 0; i < 30; ++i) memory.keep(subdivided(0.01 * i));
   QVERIFY(!memory.of(subdivided(0.0).mesh()));
   QVERIFY(memory.of(subdivided(0.29).mesh()));
+}
+
+// Also when there have been more edits than the store has entries.
+void SubdivisionLevelStoreTest::editsElsewhereKeepTheLevels() {
+  const auto document = test::meshDocument(test::icosphere(3));
+  PatchLevels levels(document->mesh(), around(document->mesh(), Vec3::UnitZ()));
+  levels.refine();
+  levels.refine();
+  commitLevels(*document, levels);
+  constexpr int kEdits = 50;
+  for (int i = 0; i < kEdits; ++i) {
+    commitMove(*document, -Vec3::UnitZ());
+    QVERIFY(document->levels() && document->levels()->finest() == 2);
+    QVERIFY(isSameVersion(document->levels()->mesh(), document->mesh()));
+  }
+  commitMove(*document, Vec3::UnitZ());
+  QVERIFY(!document->levels());
+  for (int i = 0; i <= kEdits; ++i) {
+    document->history()->undo();
+    QVERIFY(document->levels() && document->levels()->finest() == 2);
+  }
+  for (std::size_t i = 0; i <= 2; ++i) QVERIFY(isSameVersion(document->levels()->mesh(i), levels.mesh(i)));
+  document->history()->undo();
+  QVERIFY(!document->levels());
+  document->history()->redo();
+  document->history()->redo();
+  QVERIFY(document->levels() && document->levels()->finest() == 2);
+}
+
+// To subdivide one is an edit elsewhere for the other.
+void SubdivisionLevelStoreTest::patchesApartFromOneAnother() {
+  const auto document = test::meshDocument(test::icosphere(3));
+  PatchLevels upper(document->mesh(), around(document->mesh(), Vec3::UnitZ()));
+  upper.refine();
+  commitLevels(*document, upper);
+  PatchLevels lower(document->mesh(), around(document->mesh(), -Vec3::UnitZ()));
+  lower.refine();
+  lower.refine();
+  commitLevels(*document, lower);
+  QVERIFY(document->levels()->patch() == lower.patch());  // the newest
+  QCOMPARE(document->levels(lower.patch())->finest(), std::size_t(2));
+  QCOMPARE(document->levels(upper.patch())->finest(), std::size_t(1));
+  QVERIFY(!document->levels(around(upper.mesh(), Vec3::UnitX())));
+  document->history()->undo();
+  QVERIFY(document->levels()->patch() == upper.patch());
+  QVERIFY(!document->levels(lower.patch()));
+  document->history()->redo();
+  QVERIFY(document->levels(lower.patch()) && document->levels(upper.patch()));
+  document->keepLevels(PatchLevels(document->mesh(), {}));  // of a stroke on the whole surface
+  QVERIFY(document->levels(lower.patch()) && document->levels(upper.patch()));
 }
 
 HANDWHEEL_TEST(SubdivisionLevelStoreTest)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SculptBench.h"
+#include "StepReplay.h"
 #include "TestClass.h"
 #include "WaitingServices.h"
 
@@ -16,7 +17,9 @@ class SculptToolActionsTest : public QObject {
   void levels();
   void aCoarseLevelTakesTheDetailAlong();
   void undoFindsTheLevels();
+  void anEditElsewhereKeepsTheLevels();
   void rememberedForTheNextTime();
+  void theWholeSurfaceStaysWhole();
   void rememberedInTheFile();
   void refinesToTheSurroundings();
   void warnsOfSlimTriangles();
@@ -99,11 +102,61 @@ void SculptToolActionsTest::undoFindsTheLevels() {
   QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
 }
 
+// Another hole is filled while the patch of one has levels; and so it is when the steps are done once more.
+void SculptToolActionsTest::anEditElsewhereKeepsTheLevels() {
+  TriangleSoup soup = sheet();
+  const auto square = soup.triangles.begin() + 2 * (20 * 17 + 17);
+  soup.triangles.erase(square, square + 2);
+  SculptBench b(middle(), soup);
+  b.runner.perform("subdivide");
+  b.runner.perform("subdivide");
+  b.lift(0.3);
+  const auto& loops = b.document->defects().loops;
+  const auto hole = std::find_if(loops.begin(), loops.end(), [](const auto& l) { return l.halfEdges.size() == 4; });
+  QVERIFY(hole != loops.end());
+  QVERIFY(applyStep(*b.document, "fill v" + std::to_string(keyOf(b.document->mesh(), *hole)) + " --fill ear"));
+  QCOMPARE(b.document->defects().loops.size(), std::size_t(1));
+  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
+  b.runner.setSetting("level", 0.0);
+  b.lift(1.0);
+  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
+  QCOMPARE(b.check(), std::string());
+  QCOMPARE(replayed(soup, *b.document), std::string());
+  b.document->history()->undo();
+  b.document->history()->undo();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
+  QCOMPARE(b.document->defects().loops.size(), std::size_t(2));
+  b.document->history()->redo();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
+  b.start();  // the tool was left
+  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
+  b.runner.perform("back");
+  b.runner.perform("back");
+  QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
+  QCOMPARE(b.document->defects().loops.size(), std::size_t(1));
+  QCOMPARE(b.check(), std::string());
+}
+
+// Who wants to sculpt the whole surface goes on doing so, whatever has levels.
+void SculptToolActionsTest::theWholeSurfaceStaysWhole() {
+  SculptBench b(middle());
+  b.runner.perform("subdivide");
+  b.runner.perform("whole");
+  b.lift(0.5, 2.0);
+  b.document->history()->undo();
+  QVERIFY(b.tool->levels().patch().empty());
+  b.start();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+}
+
 void SculptToolActionsTest::rememberedForTheNextTime() {
   SculptBench b(middle());
   b.runner.perform("subdivide");
   b.start();
   QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  b.start({2 * (20 * 10 + 10)});  // of the patch
+  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  QVERIFY(b.tool->levels().patch().count() > 128);
   b.start({3});
   QCOMPARE(b.tool->levels().finest(), std::size_t(0));
   QCOMPARE(b.tool->levels().patch().count(), std::size_t(1));
