@@ -146,7 +146,7 @@ void MainWindow::buildDocks() {
   connect(m_kindDock, &QDockWidget::visibilityChanged, this, &MainWindow::updateCard);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  resizeDocks({m_documentsDock, m_kindDock}, {216, 288}, Qt::Horizontal);
+  resizeDocks({m_documentsDock, m_kindDock}, {216, 280}, Qt::Horizontal);
   resizeDocks({m_documentsDock, m_historyDock}, {300, 300}, Qt::Vertical);
   resizeDocks({m_logDock}, {176}, Qt::Vertical);
 }

@@ -49,7 +49,8 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   setIndentation(0);
   setUniformRowHeights(true);
   setColumnCount(kColumns);
-  setHeaderLabels({tr("Method"), tr("Triangles"), tr("mm²"), tr("Bending")});
+  setHeaderLabels({tr("Method"), tr("Count"), tr("mm²"), tr("Bend")});
+  headerItem()->setToolTip(kTriangles, tr("Triangles of the patch"));
   headerItem()->setToolTip(kArea, tr("Area of the patch"));
   headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
   // All in view, however narrow the panel: the names of the methods give way.
