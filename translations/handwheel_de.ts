@@ -5900,12 +5900,16 @@
         <translation>Quadratisches Mittel über alle Kanten: %1</translation>
     </message>
     <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
+        <source>Count</source>
+        <translation>Anzahl</translation>
     </message>
     <message>
-        <source>Bending</source>
+        <source>Bend</source>
         <translation>Knick</translation>
+    </message>
+    <message>
+        <source>Triangles of the patch</source>
+        <translation>Dreiecke der Füllfläche</translation>
     </message>
 </context>
 <context>

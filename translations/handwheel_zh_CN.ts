@@ -5851,12 +5851,16 @@
         <translation>所有边的均方根:%1</translation>
     </message>
     <message>
-        <source>Triangles</source>
-        <translation>三角形</translation>
+        <source>Count</source>
+        <translation>数量</translation>
     </message>
     <message>
-        <source>Bending</source>
+        <source>Bend</source>
         <translation>弯折</translation>
+    </message>
+    <message>
+        <source>Triangles of the patch</source>
+        <translation>补片的三角形数</translation>
     </message>
 </context>
 <context>
