@@ -67,7 +67,7 @@ struct Errors {
 
 // Both ways.
 Errors errorsOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original) {
-  const auto d = deviation(mesh, original, {.samples = 200'000, .bins = 1});
+  const auto d = deviation(mesh, original, {.samples = 30'000, .bins = 1});
   if (!d) qFatal("no deviation");
   return {std::hypot(d->ofMesh.rms, d->ofScan.rms) / std::sqrt(2.0), d->hausdorff()};
 }

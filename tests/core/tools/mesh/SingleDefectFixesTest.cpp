@@ -3,6 +3,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshValidator.h"
 #include "tools/mesh/ChangePreview.h"
