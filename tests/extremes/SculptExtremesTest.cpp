@@ -72,7 +72,8 @@ void SculptExtremesTest::subdivides() {
       QVERIFY(test::sameMesh(mesh, before));
       break;
     }
-    const auto again = subdivisionBetween(before, patch, mesh);  // as when levels are read from a file
+    // As when levels are read from a file.
+    const auto again = subdivisionBetween(before, patch, mesh, step.firstAdded);
     QVERIFY(again && again->faces == step.faces);
     patch = step.faces;
   }
