@@ -17,7 +17,7 @@ bool contains(const FaceSelection& whole, FaceSelection part) {
 }  // namespace
 
 bool isSameVersion(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
-  return a.vertexSlots() == b.vertexSlots() && a.faceSlots() == b.faceSlots() && MeshDelta::between(a, b).isEmpty();
+  return MeshDelta::isEmptyBetween(a, b);
 }
 
 void SubdivisionLevelStore::keep(const PatchLevels& levels) {

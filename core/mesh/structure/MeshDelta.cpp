@@ -14,6 +14,18 @@ std::size_t endOfRun(std::size_t first, std::size_t runSlots, std::size_t common
   return std::min({first + runSlots, (first / page + 1) * page, common});
 }
 
+template <class T>
+bool areEqual(const PagedArray<T>& a, const PagedArray<T>& b) {
+  if (a.size() != b.size()) return false;
+  constexpr std::size_t page = PagedArray<T>::kPageSize;
+  for (std::size_t start = 0; start < a.size(); start += page) {
+    if (a.sharesPage(b, start / page)) continue;
+    for (std::size_t i = start; i < std::min(start + page, a.size()); ++i)
+      if (!(a[i] == b[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <class T>
@@ -73,6 +85,10 @@ void MeshDelta::swapSlots(PagedArray<T>& array, Slots<T>& slots) {
     slots.tail.shrink_to_fit();
   }
   slots.size = oldSize;
+}
+
+bool MeshDelta::isEmptyBetween(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
+  return areEqual(before.m_positions, after.m_positions) && areEqual(before.m_faces, after.m_faces);
 }
 
 MeshDelta MeshDelta::between(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::size_t runSlots) {

@@ -17,6 +17,9 @@ class MeshDelta {
   static constexpr std::size_t kRunSlots = 1;
   static MeshDelta between(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::size_t runSlots = kRunSlots);
 
+  // Whether two versions are the same, slot for slot. Stops at the first difference. O(pages + equal pages not shared).
+  static bool isEmptyBetween(const HalfEdgeMesh& before, const HalfEdgeMesh& after);
+
   // Turns "before" into "after" and this delta into its own inverse, so that applying it again undoes it.
   void swap(HalfEdgeMesh& mesh);
 

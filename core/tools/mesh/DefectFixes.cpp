@@ -20,7 +20,6 @@
 #include "mesh/structure/PositionKey.h"
 #include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
-#include "proximity/ExactOrientation.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
@@ -37,19 +36,9 @@ constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too lo
 constexpr const char* kBoundaryIsKept =
     QT_TRANSLATE_NOOP("Tool", "a boundary of the sheet is marked to stay open, and a thin body has none");
 
-// A change that finds out why it does nothing. work: returns the reason, or null where it found none.
-MeshChange explained(const char* text, std::function<const char*(HalfEdgeMesh&, Progress)> work, const char* reason) {
-  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
-  MeshChange change{
-      text, [work = std::move(work), found](HalfEdgeMesh& mesh, Progress progress) { *found = work(mesh, progress); },
-      reason};
-  change.found = std::move(found);
-  return change;
-}
-
 // A change that counts what it does. work: false where it was given up because that was too much.
 MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason) {
-  return explained(
+  return explainedChange(
       text, [work = std::move(work)](HalfEdgeMesh& mesh, Progress p) { return work(mesh, p) ? nullptr : kTooLong; },
       reason);
 }
@@ -104,28 +93,17 @@ std::vector<Vertex> known(const HalfEdgeMesh& mesh, std::vector<Vertex> vertices
   return vertices;
 }
 
+std::vector<std::pair<Face, Face>> known(const HalfEdgeMesh& mesh, std::vector<std::pair<Face, Face>> pairs) {
+  std::erase_if(pairs, [&](const auto& pair) { return std::max(pair.first, pair.second) >= mesh.faceSlots(); });
+  return pairs;
+}
+
 // at: as separateCoincidentVertices() has it.
 bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, const std::vector<Vertex>& at, Progress progress) {
   WorkBudget effort = progress.share(mostEffort(mesh));
   if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort), {}, at).empty())
     relink(mesh, progress.part(0.8, 1.0));
   return !effort.isSpent();
-}
-
-bool areCoplanar(const HalfEdgeMesh& mesh, const std::pair<Face, Face>& pair) {
-  if (!mesh.isProper(pair.first) || !mesh.isProper(pair.second)) return false;
-  const auto at = [&](Face f, std::size_t k) -> const Vec3& { return mesh.position(mesh.triangle(f)[k]); };
-  const ExactPlane plane(at(pair.first, 0), at(pair.first, 1), at(pair.first, 2));
-  return plane.side(at(pair.second, 0)) == 0 && plane.side(at(pair.second, 1)) == 0 &&
-         plane.side(at(pair.second, 2)) == 0;
-}
-
-// Why intersecting triangles stay as they are, where cutting changes nothing.
-const char* reasonNotToCut(const HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs) {
-  const bool isAnyFlat =
-      std::any_of(pairs.begin(), pairs.end(), [&mesh](const auto& pair) { return areCoplanar(mesh, pair); });
-  return isAnyFlat ? QT_TRANSLATE_NOOP("Tool", "some of the triangles are coplanar, and no cut separates those")
-                   : QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly");
 }
 
 // One of the vertices at each position where parts touch without sharing an edge.
@@ -243,12 +221,15 @@ MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vert
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
-  const auto work = [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-    const char* const ifNone = reasonNotToCut(mesh, pairs);
-    WorkBudget effort = progress.share(mostEffort(mesh));
-    return removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort ? kTooLong : ifNone;
-  };
-  return withStep(explained(meshOperation("cut-crossings").title, work, nullptr), step.text());
+  return withStep(
+      counted(
+          meshOperation("cut-crossings").title,
+          [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+            WorkBudget effort = progress.share(mostEffort(mesh));
+            return !removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort)).isCutShort;
+          },
+          QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
+      step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {
@@ -310,8 +291,8 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, dou
     if (!progress.cancelled()) done = partNonManifold(mesh, options.numbers, {}, progress.part(0.8, 1.0)) && done;
     return isKept ? kBoundaryIsKept : done ? nullptr : kTooLong;
   };
-  MeshChange change = explained(meshOperation("back").title, work,
-                                QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part"));
+  MeshChange change = explainedChange(meshOperation("back").title, work,
+                                      QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part"));
   change.thickness = thickness;
   return withStep(std::move(change), step.text());
 }

@@ -47,26 +47,23 @@ MeshChange deleteChange(FaceSelection faces, const char* text, const char* reaso
 }
 
 MeshChange decimateChange(const DecimationOptions& options) {
-  MeshChange change;
-  change.text = meshOperation("decimate").title;
-  change.reason = QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits");
-  change.found = std::make_shared<std::atomic<const char*>>(nullptr);
-  change.apply = [options, found = change.found](HalfEdgeMesh& mesh, Progress p) {
-    *found = reasonOf(decimate(mesh, options, p).refusal);
-  };
-  return withStep(std::move(change), StepWriter("decimate").options(valuesOf(options)).text());
+  return withStep(
+      explainedChange(
+          meshOperation("decimate").title,
+          [options](HalfEdgeMesh& mesh, Progress p) { return reasonOf(decimate(mesh, options, p).refusal); },
+          QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits")),
+      StepWriter("decimate").options(valuesOf(options)).text());
 }
 
 MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType numbers) {
   OperationValues values = valuesOf(subdivision);
   setNumbers(values, numbers);
-  MeshChange change;
-  change.text = subdivideMeshOperation().title;
-  change.found = std::make_shared<std::atomic<const char*>>(nullptr);
-  change.apply = [=, found = change.found](HalfEdgeMesh& mesh, Progress p) {
-    *found = reasonOf(subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p}));
-  };
-  return withStep(std::move(change), StepWriter("subdivide-mesh").options(values).text());
+  return withStep(
+      explainedChange(subdivideMeshOperation().title,
+                      [=](HalfEdgeMesh& mesh, Progress p) {
+                        return reasonOf(subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p}));
+                      }),
+      StepWriter("subdivide-mesh").options(values).text());
 }
 
 MeshChange faceChange(const Triangle& face) {

@@ -15,6 +15,16 @@ const char* reasonOf(const MeshChange& change) {
   return found ? found : change.reason;
 }
 
+MeshChange explainedChange(const char* text, std::function<const char*(HalfEdgeMesh&, Progress)> work,
+                           const char* reason) {
+  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
+  MeshChange change{
+      text, [work = std::move(work), found](HalfEdgeMesh& mesh, Progress progress) { *found = work(mesh, progress); },
+      reason};
+  change.found = std::move(found);
+  return change;
+}
+
 bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress) {
   HalfEdgeMesh mesh = document.mesh();
   change.apply(mesh, progress.part(0.0, 0.6));

@@ -37,6 +37,10 @@ struct MeshChange {
 // Why a change has changed nothing, once it was applied; as MeshChange::reason.
 const char* reasonOf(const MeshChange& change);
 
+// A change that finds out why it changes nothing. work: returns that reason, or null for the one given here.
+MeshChange explainedChange(const char* text, std::function<const char*(HalfEdgeMesh&, Progress)> work,
+                           const char* reason = nullptr);
+
 // A computation that takes too long for the window thread. It uses only what it captured by value, and returns a
 // function that processes the result on the window thread.
 struct ToolJob {

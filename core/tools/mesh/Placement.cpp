@@ -77,14 +77,12 @@ std::span<const StandardPlace> standardPlaces() {
 }
 
 MeshChange placeChange(const StandardPlace& standard) {
-  auto found = std::make_shared<std::atomic<const char*>>(nullptr);
-  MeshChange change{standard.text,
-                    [find = standard.find, found, reason = standard.reason](HalfEdgeMesh& mesh, Progress p) {
-                      const auto pose = find(mesh, p);
-                      *found = pose ? place(mesh, *pose) : reason;
-                    }};
-  change.found = std::move(found);
-  return withStep(std::move(change), standard.id);
+  return withStep(explainedChange(standard.text,
+                                  [find = standard.find, reason = standard.reason](HalfEdgeMesh& mesh, Progress p) {
+                                    const auto pose = find(mesh, p);
+                                    return pose ? place(mesh, *pose) : reason;
+                                  }),
+                  standard.id);
 }
 
 }  // namespace handwheel

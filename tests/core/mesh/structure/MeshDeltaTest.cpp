@@ -104,6 +104,7 @@ void MeshDeltaTest::undoAndRedo() {
       RC_ASSERT(test::sameMesh(mesh, before));
     }
     RC_ASSERT(delta.isEmpty() == test::sameMesh(before, after));
+    RC_ASSERT(MeshDelta::isEmptyBetween(before, after) == delta.isEmpty());
   }));
 }
 

@@ -216,7 +216,8 @@ void DefectFixesTest::nothingToMend() {
   const std::uint64_t revision = document->revision();
   for (const MeshChange& change :
        {degenerateFix(), duplicateFix(), nearVertexFix(tolerance::kNearWeld), nonManifoldFix(kNumbers),
-        intersectionFix(kNumbers, {}), debrisFix({}), thickenFix({}, {}), cutAndCloseFix(0, {})}) {
+        intersectionFix(kNumbers, {}), intersectionFix(kNumbers, {{0, 4'000'000'000}}), debrisFix({}),
+        thickenFix({}, {}), cutAndCloseFix(0, {})}) {
     make(*document, change);
     QCOMPARE(document->revision(), revision);
   }
