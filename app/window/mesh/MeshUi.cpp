@@ -122,7 +122,8 @@ void MeshUi::connectSelection() {
   connect(m_panel->settings(), &HoleSettings::compareRequested, this, &MeshUi::compareMethods);
   connect(m_panel->settings(), &HoleSettings::thicknessEdited, &m_defectActions, &DefectActions::setThickness);
   connect(&m_defectActions, &DefectActions::thicknessChanged, this, [this] {
-    if (m_panel) m_panel->settings()->showThickness(m_defectActions.thickness(), m_document->document.displayUnit());
+    if (!m_panel || !m_document) return;
+    m_panel->settings()->showThickness(m_defectActions.thickness(), m_document->document.displayUnit());
   });
   connect(&m_preview, &HolePreview::compared, this, &MeshUi::compareMethods);
   connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
