@@ -4,7 +4,6 @@
 
 #include "mesh/boundary/BoundaryOwners.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
-#include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/Submesh.h"
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -111,6 +110,8 @@ class Closer {
   bool tryTogether(std::span<const std::size_t> some) {
     if (m_proposals.empty()) propose();
     if (const auto done = tryNearby(some)) return *done;
+    WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
+    const Progress now = m_progress.within(effort);
     HalfEdgeMesh changed = m_mesh;
     std::vector<ObstructedClosing> closings(m_holes.size());
     std::vector<Face> newFaces, sheets;
@@ -126,8 +127,11 @@ class Closer {
       insertPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
-    thicken(changed, sheets, newFaces);
-    return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
+    const SheetThickness thickness = thicken(changed, sheets, newFaces, now);
+    const bool isDone = newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings, now);
+    if (isDone) m_result.thickness.extend(thickness);
+    m_isTrialCutShort = effort.isSpent();
+    return isDone;
   }
 
   // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
@@ -275,8 +279,10 @@ class Closer {
                         [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
   }
 
-  void thicken(HalfEdgeMesh& mesh, const std::vector<Face>& seeds, std::vector<Face>& newFaces) const {
-    if (seeds.empty()) return;
+  // Returns the thickness that was reached.
+  SheetThickness thicken(HalfEdgeMesh& mesh, const std::vector<Face>& seeds, std::vector<Face>& newFaces,
+                         Progress progress) const {
+    if (seeds.empty()) return {};
     std::vector<bool> backed(m_mesh.faceSlots(), false);
     std::vector<std::vector<Face>> sheets;
     for (Face seed : seeds) {
@@ -285,22 +291,19 @@ class Closer {
         if (f < backed.size()) backed[f] = true;
       }
     }
-    const std::vector<Face> faces = thickenSheets(mesh, sheets, m_thickness, m_options.numbers, m_progress);
-    newFaces.insert(newFaces.end(), faces.begin(), faces.end());
-    relink(mesh, m_progress);
+    const ThickenedSheets made = thickenSheets(mesh, sheets, m_thickness, m_options.numbers, progress);
+    newFaces.insert(newFaces.end(), made.faces.begin(), made.faces.end());
+    relink(mesh, progress);
+    return made.thickness;
   }
 
   bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
-                   const std::vector<ObstructedClosing>& closings) {
-    if (!areFinite(changed, newFaces)) return false;
-    WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
-    const Progress now = m_progress.within(effort);
+                   const std::vector<ObstructedClosing>& closings, Progress now) {
+    if (now.cancelled() || !areFinite(changed, newFaces)) return false;
     const IntersectionRemoval report = removeSelfIntersections(changed, newFaces, m_options.numbers, m_crossings, now);
     now.spend(m_mesh.faceSlots());
-    m_isTrialCutShort = effort.isSpent();
     if (report.intersectionsAfter > m_crossings) return false;
     const std::size_t bad = countBadEdges(changed, now);
-    m_isTrialCutShort = effort.isSpent();
     if (now.cancelled() || bad >= m_badEdges) return false;
     m_badEdges = bad;
     m_crossings = report.intersectionsAfter;

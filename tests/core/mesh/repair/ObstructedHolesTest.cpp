@@ -67,6 +67,7 @@ class ObstructedHolesTest : public QObject {
   void nothingToDo();
   void oneTangleLeavesEffortForOthers();
   void saysWhichWasCutShort();
+  void backsTakeTheirShareOnly();
 };
 
 // Every patch crosses the rod; what is cut leaves all of the ball's and the rod's surface where it was.
@@ -169,6 +170,27 @@ void ObstructedHolesTest::saysWhichWasCutShort() {
     QCOMPARE(closings.holes[0].isCutShort, !isEnough);
     QVERIFY(!closings.holes[1].isCutShort);
   }
+}
+
+// A sheet folded back over itself, so near that its back intersects it however thin it is, beside a plain one.
+void ObstructedHolesTest::backsTakeTheirShareOnly() {
+  const double gap = 1e-6;
+  const HalfEdgeMesh before = buildMesh(test::grid(41, 41, false, false, [&](std::uint32_t i, std::uint32_t j) {
+                                const double s = (i - 20.0) / 10.0;
+                                if (i == 20) return Vec3(-gap, j / 10.0, 0.5 * gap);
+                                return Vec3(std::abs(s), j / 10.0, s < 0.0 ? gap : 0.0);
+                              })).mesh;
+  const std::vector<ObstructedHole> holes = holesOf(before, true);
+  QCOMPARE(holes.size(), std::size_t{1});
+  HalfEdgeMesh mesh = before;
+  WorkBudget all(std::numeric_limits<std::size_t>::max());
+  closeObstructedHoles(mesh, holes, {}, 0.1, Progress().within(all));
+  WorkBudget effort(all.spent() / 2);
+  mesh = before;
+  const ObstructedClosings closings = closeObstructedHoles(mesh, holes, {}, 0.1, Progress().within(effort));
+  QVERIFY(!closings.holes[0].closed);
+  QVERIFY(closings.holes[0].isCutShort);
+  QVERIFY2(!effort.isSpent(), "one trial took all");
 }
 
 HANDWHEEL_TEST(ObstructedHolesTest)
