@@ -130,7 +130,8 @@ class RepairOptionsTest : public QObject {
     QVERIFY(std::abs(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>()) - 5.0) < 1e-12);
   }
 
-  // A flat square of 10 × 10 cells of 1, thickened by 0.1: its inner vertices go down so far, its border stays.
+  // A flat square of 10 × 10 cells of 1, thickened by 0.1: its inner vertices go down so far, its border stays. By 2 it
+  // cannot be: a quarter of the edges is the most, and beside two corners of the diagonals.
   void thickness() {
     const Bench bench;
     bench.put("a.off", flatSheet(10).off());
@@ -139,10 +140,22 @@ class RepairOptionsTest : public QObject {
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.out.contains("sheets thickened by 0.10 mm"), qPrintable(ran.out));
     const Json report = bench.json("r.json");
-    QCOMPARE(report.at("sheet_thickness_mm").get<double>(), 0.1);
+    const auto heightOf = [](const Json& r) {
+      const Json box = r.at("after").at("bounding_box_mm");
+      return box.at(1).at(2).get<double>() - box.at(0).at(2).get<double>();
+    };
+    QVERIFY(std::abs(report.at("sheet_thickness_mm").at("least").get<double>() - 0.1) < 1e-6);
+    QVERIFY(std::abs(report.at("sheet_thickness_mm").at("largest").get<double>() - heightOf(report)) < 1e-6);
     QCOMPARE(report.at("options").at("thickness").get<double>(), 0.1);
     const double volume = report.at("after").at("volume_mm3").get<double>();
     QVERIFY(volume > 8 * 8 * 0.1 && volume < 10 * 10 * 0.1);
+    const Ran thick =
+        bench.run({"repair", "a.off", "-o", "d.ply", "--rims", "back", "--thickness", "2", "--report", "thick.json"});
+    QCOMPARE(thick.code, 0);
+    QVERIFY2(thick.out.contains("sheets thickened by 0.25 to 0.35 mm"), qPrintable(thick.out));
+    const Json reached = bench.json("thick.json").at("sheet_thickness_mm");
+    QVERIFY(std::abs(reached.at("least").get<double>() - 0.25) < 1e-6);
+    QVERIFY(std::abs(reached.at("largest").get<double>() - heightOf(bench.json("thick.json"))) < 1e-6);
     QCOMPARE(bench.run({"edit", "a.off", "back 0 --thickness 0.1", "-o", "c.ply"}).code, 0);
     QCOMPARE(bench.run({"repair", "a.off", "-o", "b.ply", "--rims", "back", "--thickness", "0"}).code, 1);
   }

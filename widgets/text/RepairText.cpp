@@ -137,15 +137,15 @@ QString fillFailureReason(FillFailure failure) {
   return {};
 }
 
-QStringList repairSummary(const RepairReport& report) {
+QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
   QStringList parts;
   const auto add = [&parts](std::size_t count, const auto& phrase) {
     if (count > 0) parts << phrase(asInt(count));
   };
   add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) reversed", nullptr, n); });
   add(report.reversedBodies, [](int n) { return RepairWords::tr("%n body(ies) inside out reversed", nullptr, n); });
-  if (report.thickness > 0.0)
-    parts << RepairWords::tr("sheets thickened by %1").arg(lengthText(report.thickness, LengthUnit::Millimetre));
+  if (report.thickness.largest > 0.0)
+    parts << RepairWords::tr("sheets thickened by %1").arg(thicknessText(report.thickness, unit));
   add(report.removedDegenerate, [](int n) { return RepairWords::tr("%n degenerate triangle(s) removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
   add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });
@@ -163,6 +163,12 @@ QStringList repairSummary(const RepairReport& report) {
   add(report.separatedVertices,
       [](int n) { return RepairWords::tr("%n touching vertex(ices) separated", nullptr, n); });
   return parts;
+}
+
+QString thicknessText(const SheetThickness& thickness, LengthUnit unit) {
+  const QString least = significantText(thickness.least / millimetresPer(unit));
+  const QString largest = lengthText(thickness.largest, unit);
+  return lengthText(thickness.least, unit) == largest ? largest : RepairWords::tr("%1 to %2").arg(least, largest);
 }
 
 QString stateText(const MeshState& state) {

@@ -22,7 +22,9 @@ QString patchWarning(const PatchComparison& shape);
 QString fillFailureReason(FillFailure failure);
 
 // The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
-QStringList repairSummary(const RepairReport& report);
+QStringList repairSummary(const RepairReport& report, LengthUnit unit = LengthUnit::Millimetre);
+// "0.01 to 0.05 mm", or "0.01 mm" where both are written alike.
+QString thicknessText(const SheetThickness& thickness, LengthUnit unit);
 
 // The state of a surface in words. "closed, manifold, oriented, free of self-intersections, one piece", or what of it
 // does not hold; what was not looked for is left out.

@@ -33,6 +33,11 @@ std::string methodWord(FillMethod method) {
   }
 }
 
+Json toJson(const SheetThickness& thickness) {
+  if (thickness.largest == 0.0) return nullptr;
+  return {{"least", thickness.least}, {"largest", thickness.largest}};
+}
+
 Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
   return {
@@ -75,7 +80,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_debris", run.repair.removedDebris},
       {"turned_faces", run.repair.reversedFaces},
       {"turned_bodies", run.repair.reversedBodies},
-      {"sheet_thickness_mm", run.repair.thickness},
+      {"sheet_thickness_mm", toJson(run.repair.thickness)},
       {"merged_vertices", run.repair.mergedVertices},
       {"cut_crossings", run.repair.cutClusters},
       {"cut_faces", run.repair.cutFaces},

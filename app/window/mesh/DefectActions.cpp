@@ -124,9 +124,7 @@ std::optional<MeshChange> DefectActions::offered(bool isBlocked) const {
 MeshChange DefectActions::thickening() const {
   std::vector<Vertex> keys;
   for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
-  MeshChange wanted = thickenFix(std::move(keys), options(), m_thickness);
-  wanted.thickness = thickness();
-  return wanted;
+  return thickenFix(std::move(keys), options(), m_thickness);
 }
 
 MeshChange DefectActions::cutting() const {

@@ -155,10 +155,11 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
     const QString name = document->document.name();
-    m_log.add(wanted.thickness > 0.0
-                  ? tr("%1: %2 by %3").arg(name, text, lengthText(wanted.thickness, document->document.displayUnit()))
-                  : tr("%1: %2").arg(name, text),
-              command);
+    m_log.add(
+        wanted.thickness && wanted.thickness->largest > 0.0
+            ? tr("%1: %2 by %3").arg(name, text, thicknessText(*wanted.thickness, document->document.displayUnit()))
+            : tr("%1: %2").arg(name, text),
+        command);
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)
@@ -228,7 +229,7 @@ void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
   QStringList parts{tr("%1 of %n hole(s) filled", nullptr, static_cast<int>(report.loops.size() - kept))
                         .arg(countOf(report, LoopOutcome::Filled))};
   if (kept > 0) parts << tr("%1 kept open").arg(kept);
-  parts << repairSummary(report);
+  parts << repairSummary(report, document.document.displayUnit());
   m_log.add(
       tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
       document.isAsInFile() ? repairCommand(document.document.path(), done.options) : stepCommand(document, done.step));

@@ -4,7 +4,6 @@
 
 #include "mesh/boundary/BoundaryOwners.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
-#include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/Submesh.h"
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -126,8 +125,10 @@ class Closer {
       insertPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
-    thicken(changed, sheets, newFaces);
-    return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
+    const SheetThickness thickness = thicken(changed, sheets, newFaces);
+    const bool isDone = newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
+    if (isDone) m_result.thickness.extend(thickness);
+    return isDone;
   }
 
   // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
@@ -275,8 +276,9 @@ class Closer {
                         [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
   }
 
-  void thicken(HalfEdgeMesh& mesh, const std::vector<Face>& seeds, std::vector<Face>& newFaces) const {
-    if (seeds.empty()) return;
+  // Returns the thickness that was reached.
+  SheetThickness thicken(HalfEdgeMesh& mesh, const std::vector<Face>& seeds, std::vector<Face>& newFaces) const {
+    if (seeds.empty()) return {};
     std::vector<bool> backed(m_mesh.faceSlots(), false);
     std::vector<std::vector<Face>> sheets;
     for (Face seed : seeds) {
@@ -285,9 +287,10 @@ class Closer {
         if (f < backed.size()) backed[f] = true;
       }
     }
-    const std::vector<Face> faces = thickenSheets(mesh, sheets, m_thickness, m_options.numbers, m_progress);
-    newFaces.insert(newFaces.end(), faces.begin(), faces.end());
+    const ThickenedSheets made = thickenSheets(mesh, sheets, m_thickness, m_options.numbers, m_progress);
+    newFaces.insert(newFaces.end(), made.faces.begin(), made.faces.end());
     relink(mesh, m_progress);
+    return made.thickness;
   }
 
   bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,

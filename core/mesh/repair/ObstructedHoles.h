@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/holes/HoleFiller.h"
+#include "mesh/repair/SheetThickening.h"
 
 #include <span>
 
@@ -26,6 +27,7 @@ struct ObstructedClosing {
 struct ObstructedClosings {
   std::vector<ObstructedClosing> holes;  // one for each
   std::size_t cutFaces = 0;              // of the part, where patches intersect it
+  SheetThickness thickness;              // reached by the backs that were kept
 };
 
 // Closes obstructed holes by patches that may intersect the part, or by thickening. Where a patch intersects the part,

@@ -16,7 +16,6 @@
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
-#include "mesh/repair/SheetThickening.h"
 #include "mesh/structure/BitRange.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/MeshBounds.h"
@@ -188,6 +187,7 @@ class Repairer {
     const auto start = Clock::now();
     const ObstructedClosings closings = closeObstructedHoles(m_mesh, holes, m_options.fill, m_thickness, progress);
     m_report.cutFaces += closings.cutFaces;
+    m_report.thickness.extend(closings.thickness);
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
     m_cutShort.clear();
@@ -195,7 +195,6 @@ class Repairer {
       if (closings.holes[i].isCutShort) noteCutShort(owners[i]);
       if (!closings.holes[i].closed) continue;
       any = true;
-      if (closings.holes[i].method == FillMethod::ThickenedSheet) m_report.thickness = m_thickness;
       LoopResult result;
       result.edges = holes[i].loop.borderEdges;
       result.outcome = LoopOutcome::Filled;
@@ -238,11 +237,14 @@ class Repairer {
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
   }
 
-  // What cuts left behind: small closed pieces of nothing but new faces.
+  // What cuts left behind: small closed pieces of nothing but new faces and vertices. Cutting renumbers a face, but its
+  // corners remain those of the input.
   void removeOwnDebris(Progress progress) {
+    const auto isNew = [&](Vertex v) { return v >= m_input.vertexSlots(); };
     const auto isOwn = [&](Face f) {
-      return f >= m_input.faceSlots() && m_mesh.hasOpposite(3 * f) && m_mesh.hasOpposite(3 * f + 1) &&
-             m_mesh.hasOpposite(3 * f + 2);
+      const Triangle t = m_mesh.triangle(f);
+      return f >= m_input.faceSlots() && std::all_of(t.begin(), t.end(), isNew) && m_mesh.hasOpposite(3 * f) &&
+             m_mesh.hasOpposite(3 * f + 1) && m_mesh.hasOpposite(3 * f + 2);
     };
     if (m_mesh.faceSlots() == m_input.faceSlots()) return;
     for (const Component& part : findComponents(m_mesh, progress)) {

@@ -56,6 +56,7 @@ class Backs {
     for (int i = 0; i < kMostHalvings && !progress.cancelled(); ++i) {
       std::set<Vertex> nearer;
       for (const auto& [a, b] : selfIntersectingPairs(m_mesh, m_numbers, progress)) {
+        if (!m_mesh.isLive(a) || !m_mesh.isLive(b)) continue;  // removed with the other side of an earlier pair
         if (backs.contains(a) != backs.contains(b) && haveSameCorners(a, b)) {
           m_mesh.removeFace(a);
           m_mesh.removeFace(b);
@@ -76,7 +77,18 @@ class Backs {
     std::erase_if(m_faces, [&](Face f) { return !m_mesh.isLive(f); });
   }
 
-  std::vector<Face> faces() { return std::move(m_faces); }
+  ThickenedSheets result() {
+    SheetThickness reached;
+    for (const Face f : m_faces) {
+      for (const Vertex v : m_mesh.triangle(f)) {
+        const auto offset = m_offsets.find(v);
+        if (offset == m_offsets.end()) continue;
+        const double depth = (m_mesh.position(v) - offset->second.from).norm();
+        reached.extend({depth, depth});
+      }
+    }
+    return {std::move(m_faces), reached};
+  }
 
  private:
   bool haveSameCorners(Face a, Face b) const {
@@ -202,12 +214,18 @@ class Backs {
 
 }  // namespace
 
-std::vector<Face> thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<Face>>& sheets, double thickness,
-                                NumberType numbers, Progress progress) {
+void SheetThickness::extend(const SheetThickness& other) {
+  if (other.largest <= 0.0) return;
+  least = largest > 0.0 ? std::min(least, other.least) : other.least;
+  largest = std::max(largest, other.largest);
+}
+
+ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<Face>>& sheets, double thickness,
+                              NumberType numbers, Progress progress) {
   Backs backs(mesh, thickness, numbers);
   for (const std::vector<Face>& sheet : sheets) backs.add(sheet);
   backs.withdraw(progress);
-  return backs.faces();
+  return backs.result();
 }
 
 double defaultSheetThickness(const HalfEdgeMesh& mesh) {

@@ -57,13 +57,16 @@ std::vector<ObstructedHole> holesWith(const HalfEdgeMesh& mesh, const std::vecto
   return holes;
 }
 
-// thickness: of sheets that get a back.
-bool closeHard(HalfEdgeMesh& mesh, const std::vector<ObstructedHole>& holes, const FillOptions& options,
-               double thickness, Progress progress) {
-  WorkBudget effort = progress.share(mostEffort(mesh));
-  const ObstructedClosings closings = closeObstructedHoles(mesh, holes, options, thickness, progress.within(effort));
+bool isDone(const ObstructedClosings& closings) {
   return std::none_of(closings.holes.begin(), closings.holes.end(),
                       [](const ObstructedClosing& hole) { return hole.isCutShort; });
+}
+
+// thickness: of sheets that get a back.
+ObstructedClosings closeHard(HalfEdgeMesh& mesh, const std::vector<ObstructedHole>& holes, const FillOptions& options,
+                             double thickness, Progress progress) {
+  WorkBudget effort = progress.share(mostEffort(mesh));
+  return closeObstructedHoles(mesh, holes, options, thickness, progress.within(effort));
 }
 
 bool replaceFolded(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
@@ -280,20 +283,23 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, dou
   if (thickness > 0.0) values.setValid("thickness", thickness);
   StepWriter step("back");
   step.word(loopsText(loops)).options(values);
-  const auto work = [loops = std::move(loops), options, thickness](HalfEdgeMesh& mesh, Progress progress) {
+  const auto reached = std::make_shared<SheetThickness>();
+  const auto work = [loops = std::move(loops), options, thickness, reached](HalfEdgeMesh& mesh, Progress progress) {
     const std::vector<ObstructedHole> holes = holesWith(mesh, loops, true, progress.part(0.0, 0.1));
     const bool isKept = std::any_of(holes.begin(), holes.end(), [&](const ObstructedHole& hole) {
       const std::vector<Face> sheet = sheetOf(mesh, HalfEdgeMesh::face(hole.loop.halfEdges.front()));
       return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, options.keptCorners); });
     });
     const double depth = thickness > 0.0 ? thickness : defaultSheetThickness(mesh);
-    bool done = closeHard(mesh, holes, options, depth, progress.part(0.1, 0.8));
+    const ObstructedClosings closings = closeHard(mesh, holes, options, depth, progress.part(0.1, 0.8));
+    *reached = closings.thickness;
+    bool done = isDone(closings);
     if (!progress.cancelled()) done = partNonManifold(mesh, options.numbers, {}, progress.part(0.8, 1.0)) && done;
     return isKept ? kBoundaryIsKept : done ? nullptr : kTooLong;
   };
   MeshChange change = explainedChange(meshOperation("back").title, work,
                                       QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part"));
-  change.thickness = thickness;
+  change.thickness = reached;
   return withStep(std::move(change), step.text());
 }
 
@@ -303,8 +309,8 @@ MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   return withStep(counted(
                       meshOperation("cut-and-close").title,
                       [loop, options](HalfEdgeMesh& mesh, Progress progress) {
-                        bool done = closeHard(mesh, holesWith(mesh, {loop}, false, progress.part(0.0, 0.1)), options,
-                                              defaultSheetThickness(mesh), progress.part(0.1, 0.6));
+                        bool done = isDone(closeHard(mesh, holesWith(mesh, {loop}, false, progress.part(0.0, 0.1)),
+                                                     options, defaultSheetThickness(mesh), progress.part(0.1, 0.6)));
                         if (!progress.cancelled())
                           done = replaceFolded(mesh, loop, options, progress.part(0.6, 0.95)) && done;
                         if (!progress.cancelled())

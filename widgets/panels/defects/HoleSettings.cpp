@@ -133,7 +133,9 @@ QWidget* HoleSettings::thicknessRow() {
   label->setBuddy(m_thickness);
   m_thickness->setObjectName(QStringLiteral("sheetThickness"));
   m_thickness->setLabel(label->text());
-  m_thickness->setToolTip(tr("Thickness of the sheet's thin body; less where that would intersect anything"));
+  m_thickness->setToolTip(
+      tr("Thickness of the sheet's thin body: at most a quarter of the shortest edge at each vertex, and less where "
+         "that would intersect anything. The log says what was reached."));
   constexpr double kLeast = 1e-9, kMost = 1e9;  // mm, as the operation takes it
   m_thickness->setRange(kLeast, kMost);
   auto* fields = new QHBoxLayout(row);

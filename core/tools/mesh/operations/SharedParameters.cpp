@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/operations/SharedParameters.h"
 
+#include "base/Tolerance.h"
+
 #include <QtGlobal>
 #include <cstdint>
 #include <limits>
 
 namespace handwheel {
+
+static_assert(tolerance::kSheetOffsetEdge == 0.25, "as --thickness says");
 
 Parameter flagParameter(const char* id, std::string meaning, const char* label) {
   return {.property = {.id = id, .group = {}, .label = label, .value = false}, .meaning = std::move(meaning)};
@@ -43,7 +47,9 @@ Parameter thicknessParameter() {
                        .quantity = Quantity::Length,
                        .least = 1e-9,
                        .largest = 1e9},
-          .meaning = "Thickness of thickened sheets, in mm; default: a thousandth of the model's diagonal",
+          .meaning =
+              "Thickness of thickened sheets, in mm, at most a quarter of the shortest edge at each vertex; default: a "
+              "thousandth of the model's diagonal",
           .word = "MM",
           .hasDefault = false};
 }

@@ -9,9 +9,11 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/MeshValidator.h"
+#include "mesh/structure/PositionKey.h"
 
 #include <QTest>
 #include <random>
+#include <set>
 #include <thread>
 
 using namespace handwheel;
@@ -56,6 +58,7 @@ class RepairTest : public QObject {
   void maxEdges();
   void debris();
   void openDebris();
+  void smallPartsThatCrossAreNoDebris();
   void poleInASheet();
   void needleMovesNothing();
   void cancelledBefore();
@@ -259,6 +262,27 @@ void RepairTest::openDebris() {
     QCOMPARE(loop.newFaces > 0, loop.edges != 3);
   }
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// Every face of both is cut, and all of their corners stay.
+void RepairTest::smallPartsThatCrossAreNoDebris() {
+  TriangleSoup soup = test::icosphere(4);
+  const auto first = static_cast<Vertex>(soup.points.size());
+  TriangleSoup star = test::tetrahedron();
+  TriangleSoup other;
+  for (const Vec3& p : star.points) other.points.push_back(Vec3(0.51, 0.52, 0.53) - p);
+  for (const Triangle& t : star.triangles) other.triangles.push_back({t[0], t[2], t[1]});
+  test::append(star, other);
+  test::append(soup, test::moved(star, Vec3(2, 2, 2), 0.01));
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  RepairOptions options;
+  options.cutCrossings = true;
+  const RepairReport report = repair(mesh, options);
+  QVERIFY(report.cutClusters > 0);
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  std::set<PointKey> corners;
+  for (const Vec3& p : mesh.compact().soup.points) corners.insert(positionKey(p));
+  for (Vertex v = first; v < soup.points.size(); ++v) QVERIFY(corners.contains(positionKey(soup.points[v])));
 }
 
 // A rod stands in the hole of a sheet: a patch is cut where it crosses the rod, and the sheet gets a back.

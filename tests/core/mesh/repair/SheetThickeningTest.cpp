@@ -38,6 +38,8 @@ class SheetThickeningTest : public QObject {
   void onlyThisSheet();
   void thinnerBeforeAnObstacle();
   void fold();
+  void saysWhatWasReached();
+  void crossedWhereBackAndFrontAreOne();
 };
 
 // A pyramid under the triangle: a third of area times height.
@@ -126,6 +128,40 @@ void SheetThickeningTest::fold() {
     QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
     QVERIFY(test::countEdges(mesh).sound());
   }
+}
+
+// Edges of 0.2 mm allow a quarter of them, and beside the corners a quarter of the diagonal; not the 2 mm.
+void SheetThickeningTest::saysWhatWasReached() {
+  const TriangleSoup soup =
+      test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(0.2 * i, 0.2 * j, 0.0); });
+  for (const double thickness : {0.01, 2.0}) {
+    HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    const auto front = static_cast<Vertex>(mesh.vertexSlots());
+    const SheetThickness reached = thickenSheets(mesh, {sheetOf(mesh, 0)}, thickness, NumberType::Float64).thickness;
+    double least = 1.0, largest = 0.0;
+    for (Vertex v = front; v < mesh.vertexSlots(); ++v) {
+      least = std::min(least, std::abs(mesh.position(v).z()));
+      largest = std::max(largest, std::abs(mesh.position(v).z()));
+    }
+    QVERIFY(std::abs(reached.least - least) < 1e-12);
+    QVERIFY(std::abs(reached.largest - largest) < 1e-12);
+    QVERIFY(std::abs(least - std::min(thickness, 0.05)) < 1e-12);
+    QVERIFY(largest <= std::min(thickness, 0.05 * M_SQRT2) + 1e-12);
+  }
+}
+
+// So far from the origin, single precision has no room for the thickness: faces go with their backs, and what crosses
+// both is met again after they are gone.
+void SheetThickeningTest::crossedWhereBackAndFrontAreOne() {
+  const double z = 1e5;
+  TriangleSoup soup =
+      test::grid(9, 9, false, false, [&](std::uint32_t i, std::uint32_t j) { return Vec3(i / 8.0, j / 8.0, z); });
+  test::append(soup, TriangleSoup{{{0.4, 0.4, z - 1}, {0.45, 0.4, z + 1}, {0.4, 0.45, z + 1}}, {{0, 1, 2}}});
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  thickenSheets(mesh, {sheetOf(mesh, 0)}, 1e-3, NumberType::Float32);
+  relink(mesh);
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(mesh.isLive(static_cast<Face>(soup.triangles.size() - 1)));
 }
 
 HANDWHEEL_TEST(SheetThickeningTest)
