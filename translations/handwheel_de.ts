@@ -3377,6 +3377,10 @@
         <source>sheets thickened by %1</source>
         <translation>Flächen um %1 verdickt</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -4002,10 +4006,6 @@
     <message>
         <source>a boundary of the sheet is marked to stay open, and a thin body has none</source>
         <translation>ein Rand der Fläche soll offen bleiben, und ein dünner Körper hat keinen</translation>
-    </message>
-    <message>
-        <source>some of the triangles are coplanar, and no cut separates those</source>
-        <translation>einige der Dreiecke sind komplanar, und die trennt kein Schnitt</translation>
     </message>
     <message>
         <source>no cut would separate the triangles cleanly</source>
@@ -5373,8 +5373,8 @@
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>Thickness of the sheet&apos;s thin body; less where that would intersect anything</source>
-        <translation>Dicke des dünnen Körpers der Fläche; weniger, wo er etwas durchdringen würde</translation>
+        <source>Thickness of the sheet&apos;s thin body: at most a quarter of the shortest edge at each vertex, and less where that would intersect anything. The log says what was reached.</source>
+        <translation>Dicke des dünnen Körpers der Fläche: an jedem Eckpunkt höchstens ein Viertel der kürzesten Kante, und weniger, wo er etwas durchdringen würde. Das Protokoll nennt, was erreicht wurde.</translation>
     </message>
 </context>
 <context>

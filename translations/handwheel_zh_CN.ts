@@ -3347,6 +3347,10 @@
         <source>sheets thickened by %1</source>
         <translation>片体加厚 %1</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -3972,10 +3976,6 @@
     <message>
         <source>a boundary of the sheet is marked to stay open, and a thin body has none</source>
         <translation>片体有一条边界被标记为保持开放，而薄体没有边界</translation>
-    </message>
-    <message>
-        <source>some of the triangles are coplanar, and no cut separates those</source>
-        <translation>部分三角形共面，无法切开</translation>
     </message>
     <message>
         <source>no cut would separate the triangles cleanly</source>
@@ -5332,8 +5332,8 @@
         <translation>厚度</translation>
     </message>
     <message>
-        <source>Thickness of the sheet&apos;s thin body; less where that would intersect anything</source>
-        <translation>片体加厚后的厚度；会与其他部分相交处则更薄</translation>
+        <source>Thickness of the sheet&apos;s thin body: at most a quarter of the shortest edge at each vertex, and less where that would intersect anything. The log says what was reached.</source>
+        <translation>片体加厚后的厚度：每个顶点处最多为最短边的四分之一，会与其他部分相交处则更薄。日志中列出实际达到的厚度。</translation>
     </message>
 </context>
 <context>
