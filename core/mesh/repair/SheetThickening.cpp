@@ -210,8 +210,12 @@ std::vector<Face> thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vecto
   return backs.faces();
 }
 
+double defaultSheetThickness(const Box& box) {
+  return box.isEmpty() ? 0.0 : tolerance::kSheetThickness * box.diagonal().norm();
+}
+
 double defaultSheetThickness(const HalfEdgeMesh& mesh) {
-  return tolerance::kSheetThickness * diagonalOf(mesh);
+  return defaultSheetThickness(boundsOf(mesh));
 }
 
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f) {
