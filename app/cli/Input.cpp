@@ -77,7 +77,7 @@ std::vector<std::string> lossSentences(const DocumentFile& file) {
   if (file.isNewer)
     all.emplace_back("A newer version of Handwheel wrote the file; only what this version knows was read.");
   for (std::string& note : damageSentences(file)) all.push_back(std::move(note));
-  if (!file.lost.empty()) all.push_back("Not kept: " + lostNames(file).join(", ").toStdString() + ".");
+  if (!file.lost.empty()) all.push_back("Not kept: " + lostText(file).toStdString() + ".");
   for (const Note& note : file.notes) all.push_back(noteText(note).toStdString());
   return all;
 }

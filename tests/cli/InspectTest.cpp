@@ -157,6 +157,19 @@ class InspectTest : public QObject {
     QCOMPARE(ran.code, 0);
   }
 
+  // A part that is too large is advised the unit that makes it smaller, and the step does: 30 m are 30 mm in
+  // micrometres.
+  void aPartInMicrometres() {
+    const Bench bench;
+    bench.put("a.off", cube(30'000.0).off());
+    const Ran ran = bench.run({"inspect", "a.off"});
+    QVERIFY2(ran.out.contains("'place --unit um' converts it from micrometres."), ran.out.constData());
+    QVERIFY(!ran.out.contains("converts it from metres"));
+    QCOMPARE(bench.run({"edit", "a.off", "place --unit um", "-o", "b.off"}).code, 0);
+    const Ran placed = bench.run({"inspect", "b.off"});
+    QVERIFY2(placed.out.contains("0, 0, 0 to 30, 30, 30\n"), placed.out.constData());
+  }
+
   // Decimal points and English stay, whatever the user's language.
   void sameUnderGermanLocale() {
     const char* const german = "de_DE.UTF-8";

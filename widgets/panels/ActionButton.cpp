@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushButton(parent), m_action(action) {
+ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushButton(parent) {
   setObjectName(action->objectName() + QStringLiteral("Button"));
   setProperty(rank == Rank::Primary ? "primary" : "flat", rank != Rank::Ordinary);
   setCursor(Qt::ArrowCursor);
@@ -17,7 +17,8 @@ ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushB
 }
 
 bool ActionButton::event(QEvent* event) {
-  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) m_action->hover();
+  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) emit pointed(true);
+  if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) emit pointed(false);
   return QPushButton::event(event);
 }
 

@@ -8,8 +8,7 @@ class QAction;
 
 namespace handwheel {
 
-// A push button for an action. Text, tooltip, enabled and checked state are those of the action, which
-// hears of the pointer or the focus on the button as of that on its menu entry (QAction::hovered).
+// A push button for an action. Text, tooltip, enabled and checked state are those of the action.
 class ActionButton : public QPushButton {
   Q_OBJECT
 
@@ -18,13 +17,15 @@ class ActionButton : public QPushButton {
 
   explicit ActionButton(QAction* action, Rank rank = Rank::Ordinary, QWidget* parent = nullptr);
 
+ signals:
+  // The pointer or the focus came to the button, or left it.
+  void pointed(bool isPointed);
+
  protected:
   bool event(QEvent* event) override;
 
  private:
   void follow(const QAction* action);
-
-  QAction* m_action;
 };
 
 }  // namespace handwheel

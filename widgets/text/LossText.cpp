@@ -38,18 +38,28 @@ QString lostAttributeName(LostAttribute attribute) {
   return {};
 }
 
-}  // namespace
-
-QStringList lostNames(const DocumentFile& file) {
+// pattern: of the names that are the file's own.
+QStringList lostNamesIn(const DocumentFile& file, const QString& pattern) {
   QStringList names;
   for (const LostAttribute attribute : file.lost) {
     if (attribute == LostAttribute::Other && !file.lostOther.empty()) {
-      for (const std::string& name : file.lostOther) names << LossWords::tr("“%1”").arg(QString::fromStdString(name));
+      for (const std::string& name : file.lostOther)
+        names << (name.empty() ? lostAttributeName(attribute) : pattern.arg(QString::fromStdString(name)));
     } else {
       names << lostAttributeName(attribute);
     }
   }
   return names;
+}
+
+}  // namespace
+
+QStringList lostNames(const DocumentFile& file) {
+  return lostNamesIn(file, QStringLiteral("%1"));
+}
+
+QString lostText(const DocumentFile& file) {
+  return lostNamesIn(file, LossWords::tr("“%1”")).join(QStringLiteral(", "));
 }
 
 }  // namespace handwheel

@@ -8,7 +8,9 @@
 
 namespace handwheel {
 
-// The names of what a file holds and its document does not: "colours", "texture coordinates", "“quality”"…
+// The names of what a file holds and its document does not: "colours", "texture coordinates", "quality"…
 QStringList lostNames(const DocumentFile& file);
+// The same as a part of a sentence: "colours, texture coordinates, “quality”"
+QString lostText(const DocumentFile& file);
 
 }  // namespace handwheel

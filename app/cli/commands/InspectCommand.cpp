@@ -63,8 +63,11 @@ std::vector<int> keptOpen(const MeshSnapshot& document) {
 
 std::string unitText(const Input& input, const MeshReport& report) {
   if (!isUnitDoubtful(input.opened.file, report.box)) return {};
+  const bool isLarge = report.box.sizes().maxCoeff() > kLargestLikelySize;
   return "\n" + noteText(unitDoubt(report.box)).toStdString() +
-         " 'handwheel edit' with the step 'place --unit m' converts it from metres; cm and in are possible, too.\n";
+         (isLarge ? " 'handwheel edit' with the step 'place --unit um' converts it from micrometres.\n"
+                  : " 'handwheel edit' with the step 'place --unit m' converts it from metres; cm and in are possible, "
+                    "too.\n");
 }
 
 std::string meshText(const Input& input, const MeshReport& report) {

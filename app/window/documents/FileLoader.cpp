@@ -39,7 +39,7 @@ bool isIncomplete(const DocumentFile& file) {
 }
 
 QString notKept(const DocumentFile& file) {
-  return FileLoader::tr("Not kept by Handwheel: %1.").arg(lostNames(file).join(QStringLiteral(", ")));
+  return FileLoader::tr("Not kept by Handwheel: %1.").arg(lostText(file));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "mesh/repair/SheetThickening.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
+#include "tools/mesh/operations/MeshOperations.h"
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/FixPreview.h"
@@ -34,6 +35,34 @@ std::vector<Vertex> endsOf(const std::vector<std::pair<Vertex, Vertex>>& edges, 
   if (row < 0) return {};
   const auto& [a, b] = edges[static_cast<std::size_t>(row)];
   return {a, b};
+}
+
+// The operation that fixes defects of a kind; null for loops, which have actions of their own.
+const Operation* fixFor(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::NonManifoldEdge:
+    case DefectKind::NonManifoldVertex:
+      return &meshOperation("split-nonmanifold");
+    case DefectKind::OneSided:
+      return &meshOperation("two-sides");
+    case DefectKind::InsideOut:
+    case DefectKind::Flipped:
+      return &meshOperation("reverse");
+    case DefectKind::NearVertex:
+      return &meshOperation("near-vertices");
+    case DefectKind::Degenerate:
+      return &meshOperation("degenerates");
+    case DefectKind::Duplicate:
+      return &meshOperation("duplicates");
+    case DefectKind::SelfIntersection:
+      return &meshOperation("cut-crossings");
+    case DefectKind::Debris:
+      return &meshOperation("debris");
+    case DefectKind::Hole:
+    case DefectKind::KeptOpen:
+      break;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -69,56 +98,85 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connectTo(m_resolveIntersections, [this] { return changeFor(DefectKind::SelfIntersection, -1); });
   connectTo(m_thickenSheet, [this] { return std::optional(thickening()); });
   connectTo(m_cutAndClose, [this] { return std::optional(cutting()); });
-  connect(&m_thickenSheet, &QAction::hovered, this, [this] { point(&m_thickenSheet); });
-  connect(&m_selection, &Selection::changed, this, [this] { point(nullptr); });
+  // After every change of the inspection, too.
+  connect(&m_selection, &Selection::changed, this, [this] {
+    m_isThickeningPointed = false;
+    follow();
+  });
   connect(&m_preview, &HolePreview::changed, this, &DefectActions::follow);
   connect(&m_jobs, &RepairJobs::workingChanged, this, &DefectActions::follow);
+  connect(&m_fidelity, &FidelityChoice::changed, this, &DefectActions::renewPreview);
   follow();
 }
 
 void DefectActions::setDocument(MeshTab* document) {
-  if (m_document) m_document->inspection.disconnect(this);
   m_document = document;
   m_thickness = 0.0;
-  if (document) connect(&document->inspection, &Inspection::changed, this, &DefectActions::follow);
-  choose(std::nullopt, -1);
+  m_kind = std::nullopt;
+  m_row = -1;
+  m_isThickeningPointed = false;
+  follow();
 }
 
 void DefectActions::choose(std::optional<DefectKind> kind, int row) {
+  if (kind == m_kind && row == m_row) return;
   m_kind = kind;
   m_row = row;
-  point(nullptr);
+  follow();
 }
 
-void DefectActions::point(const QAction* action) {
-  m_pointed = action;
-  follow();
+void DefectActions::pointAtThickening(bool isPointed) {
+  m_isThickeningPointed = isPointed;
+  m_shown.request(m_document, offered());
+}
+
+void DefectActions::setThickness(double thickness) {
+  m_thickness = thickness;
+  renewPreview();
+}
+
+// For values that the fix is made with.
+void DefectActions::renewPreview() {
+  m_shown.request(nullptr, std::nullopt);
+  m_shown.request(m_document, offered());
 }
 
 void DefectActions::follow() {
   const bool free = m_document && !m_jobs.isWorking();
-  const auto wanted = change();
-  m_fix.setVisible(wanted.has_value());
-  m_fix.setEnabled(free && wanted);
-  if (wanted) m_fix.setText(QCoreApplication::translate("Tool", wanted->text));
+  const bool isWanted = m_kind && isFixable(*m_kind, m_row);
+  m_fix.setVisible(isWanted);
+  m_fix.setEnabled(free && isWanted);
+  if (isWanted) m_fix.setText(QCoreApplication::translate("Tool", fixFor(*m_kind)->title));
   m_thickenSheet.setEnabled(free && !sheets().empty());
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   m_reverseBodies.setEnabled(free && m_document->inspection.count(DefectKind::InsideOut) > 0);
   m_resolveIntersections.setEnabled(free && m_document->inspection.count(DefectKind::SelfIntersection) > 0);
-  const int loop = m_document ? m_selection.loop() : -1;
+  const int loop = selectedLoop();
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
                          m_preview.state().failure == FillFailure::SelfIntersecting;
   m_cutAndClose.setVisible(isBlocked);
   m_cutAndClose.setEnabled(free && isBlocked);
-  m_shown.request(m_document, free ? offered(isBlocked) : std::nullopt);
+  m_shown.request(m_document, offered());
 }
 
 // Where a hole has a patch, that is shown until the pointer is on the button of another way.
-std::optional<MeshChange> DefectActions::offered(bool isBlocked) const {
-  if (m_pointed == &m_thickenSheet && m_thickenSheet.isEnabled()) return thickening();
-  if (isBlocked) return cutting();
-  return m_selection.loop() < 0 ? change() : std::nullopt;
+std::optional<OfferedFix> DefectActions::offered() const {
+  if (const int loop = selectedLoop(); loop >= 0) {
+    if (m_isThickeningPointed && m_thickenSheet.isEnabled())
+      return OfferedFix{&m_thickenSheet, {}, loop, [this] { return std::optional(thickening()); }};
+    if (m_cutAndClose.isEnabled())
+      return OfferedFix{&m_cutAndClose, {}, loop, [this] { return std::optional(cutting()); }};
+    return std::nullopt;
+  }
+  if (!m_fix.isEnabled()) return std::nullopt;
+  return OfferedFix{&m_fix, m_kind, m_row, [this] { return change(); }};
+}
+
+// The selection follows the inspection, but not first.
+int DefectActions::selectedLoop() const {
+  const int loop = m_selection.loop();
+  return m_document && loop < m_document->inspection.loopCount() ? loop : -1;
 }
 
 MeshChange DefectActions::thickening() const {
@@ -128,18 +186,18 @@ MeshChange DefectActions::thickening() const {
 }
 
 MeshChange DefectActions::cutting() const {
-  return cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options());
+  return cutAndCloseFix(m_document->inspection.keyOf(selectedLoop()), options());
 }
 
 double DefectActions::thickness() const {
-  return m_thickness > 0.0 ? m_thickness : defaultSheetThickness(m_document->document.mesh());
+  return m_thickness > 0.0 ? m_thickness : defaultSheetThickness(m_document->document.defects().box);
 }
 
 std::vector<int> DefectActions::sheets() const {
   if (!m_document) return {};
   const Inspection& inspection = m_document->inspection;
   std::vector<int> ids;
-  if (const int selected = m_selection.loop(); selected >= 0) {
+  if (const int selected = selectedLoop(); selected >= 0) {
     if (inspection.loop(selected).rim) ids.push_back(selected);
     return ids;
   }
@@ -157,12 +215,17 @@ FillOptions DefectActions::options() const {
   return options;
 }
 
+bool DefectActions::isFixable(DefectKind kind, int row) const {
+  if (!m_document || !fixFor(kind)) return false;
+  const auto count = static_cast<int>(m_document->inspection.count(kind));
+  return count > 0 && row < count;
+}
+
 std::optional<MeshChange> DefectActions::changeFor(DefectKind kind, int row) const {
-  if (!m_document) return std::nullopt;
+  if (!isFixable(kind, row)) return std::nullopt;
   const Inspection& inspection = m_document->inspection;
   const Defects& defects = m_document->document.defects();
   const NumberType numbers = m_document->document.fileNumbers();
-  if (const auto count = static_cast<int>(inspection.count(kind)); count == 0 || row >= count) return std::nullopt;
   switch (kind) {
     case DefectKind::NonManifoldEdge:
       return nonManifoldFix(numbers, endsOf(defects.nonManifoldEdges, row));
@@ -196,7 +259,7 @@ std::optional<MeshChange> DefectActions::changeFor(DefectKind kind, int row) con
     }
     case DefectKind::Hole:
     case DefectKind::KeptOpen:
-      return std::nullopt;
+      break;
   }
   return std::nullopt;
 }

@@ -17,6 +17,7 @@ class RepairJobs;
 class Selection;
 struct FillOptions;
 struct MeshTab;
+struct OfferedFix;
 
 // The actions that repair selected defects other than holes. They apply to one defect or all of a kind, as selected in
 // the list.
@@ -31,12 +32,12 @@ class DefectActions : public QObject {
   void setDocument(MeshTab* document);  // null: no mesh is in view
   // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
-  // The pointer has left the button of a fix for the patch of the hole, which is shown again.
-  void forgetPointed() { point(nullptr); }
+  // Whether the pointer is on the button that thickens the selected sheet. Then its result is shown, not the patch.
+  void pointAtThickening(bool isPointed);
 
   // The thickness that sheets will get, mm: that which was set for this document, else the default. A mesh is in view.
   double thickness() const;
-  void setThickness(double thickness) { m_thickness = thickness; }
+  void setThickness(double thickness);
 
   QAction* fix() { return &m_fix; }                      // hidden when there is nothing to fix
   QAction* thickenSheet() { return &m_thickenSheet; }    // makes a thin body of the selected sheet, or of all
@@ -51,12 +52,14 @@ class DefectActions : public QObject {
 
  private:
   void follow();
-  void point(const QAction* action);
+  void renewPreview();
+  bool isFixable(DefectKind kind, int row) const;
   std::optional<MeshChange> change() const { return m_kind ? changeFor(*m_kind, m_row) : std::nullopt; }
   std::optional<MeshChange> changeFor(DefectKind kind, int row) const;  // -1: all rows
   MeshChange thickening() const;
   MeshChange cutting() const;
-  std::optional<MeshChange> offered(bool isBlocked) const;
+  std::optional<OfferedFix> offered() const;
+  int selectedLoop() const;         // -1 for none
   std::vector<int> sheets() const;  // loop ids
   FillOptions options() const;
 
@@ -68,8 +71,8 @@ class DefectActions : public QObject {
   const FidelityChoice& m_fidelity;
   std::optional<DefectKind> m_kind;
   int m_row = -1;
-  const QAction* m_pointed = nullptr;  // the button under the pointer last, of those beside the patch of a hole
-  double m_thickness = 0.0;            // mm; 0: the default
+  bool m_isThickeningPointed = false;
+  double m_thickness = 0.0;  // mm; 0: the default
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <tuple>
 
 namespace handwheel {
 
@@ -15,11 +16,12 @@ FixPreview::FixPreview(QThreadPool& pool, WindowServices& services, const QActio
   connect(&m_isWanted, &QAction::toggled, this, &FixPreview::start);
 }
 
-void FixPreview::request(MeshTab* document, std::optional<MeshChange> fix) {
+void FixPreview::request(MeshTab* document, std::optional<OfferedFix> fix) {
   if (!document || !fix) document = nullptr, fix.reset();
   const std::uint64_t revision = document ? document->document.revision() : 0;
-  const std::string step = fix ? fix->step : std::string(), known = m_fix ? m_fix->step : std::string();
-  if (document == m_document && revision == m_revision && step == known) return;
+  const auto nameOf = [](const OfferedFix& of) { return std::tuple(of.action, of.kind, of.row); };
+  const bool isSame = fix && m_fix ? nameOf(*fix) == nameOf(*m_fix) : !fix && !m_fix;
+  if (document == m_document && revision == m_revision && isSame) return;
   m_document = document;
   m_revision = revision;
   m_fix = std::move(fix);
@@ -30,7 +32,8 @@ void FixPreview::start() {
   ++m_request;
   m_shown = {};
   m_isReady = false;
-  m_isWorking = m_fix && m_isWanted.isChecked();
+  std::optional<MeshChange> fix = m_fix && m_isWanted.isChecked() ? m_fix->make() : std::nullopt;
+  m_isWorking = fix.has_value();
   m_need = m_isWorking ? m_services.needs().need("fill_preview") : ServiceHandle();
   if (!m_isWorking) {
     m_runner.cancelAll();
@@ -40,7 +43,7 @@ void FixPreview::start() {
   emit changed();
   Job job;
   job.name = tr("Preview");
-  job.work = [this, &service = m_services.fillPreview(), fix = *m_fix, mesh = m_document->document.mesh(),
+  job.work = [this, &service = m_services.fillPreview(), fix = std::move(*fix), mesh = m_document->document.mesh(),
               request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     const auto preview = std::make_shared<ChangePreview>(previewOf(fix, mesh, progress));

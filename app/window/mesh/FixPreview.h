@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Service.h"
+#include "theme/DefectColours.h"
 #include "tools/mesh/ChangePreview.h"
 #include "window/JobRunner.h"
 
@@ -14,6 +15,15 @@ namespace handwheel {
 class WindowServices;
 struct MeshTab;
 
+// A fix that can be tried. It is made only when that is wanted: it may name millions of triangles.
+struct OfferedFix {
+  // These tell it from other fixes of the same mesh.
+  const QAction* action;
+  std::optional<DefectKind> kind;
+  int row;  // or loop
+  std::function<std::optional<MeshChange>()> make;
+};
+
 // Shows what the offered fix would do. It is tried on a worker as soon as it is offered, and given up with the
 // selection.
 class FixPreview : public QObject {
@@ -24,7 +34,7 @@ class FixPreview : public QObject {
   FixPreview(QThreadPool& pool, WindowServices& services, const QAction& isWanted, QObject* parent = nullptr);
 
   // Requests the preview of a fix. Does nothing when it is already shown or being computed. No fix: no preview.
-  void request(MeshTab* document, std::optional<MeshChange> fix);
+  void request(MeshTab* document, std::optional<OfferedFix> fix);
 
   bool isWorking() const { return m_isWorking; }
   // What is shown; empty while there is nothing.
@@ -43,7 +53,7 @@ class FixPreview : public QObject {
   JobRunner m_runner;
   MeshTab* m_document = nullptr;
   std::uint64_t m_revision = 0;
-  std::optional<MeshChange> m_fix;
+  std::optional<OfferedFix> m_fix;
   std::uint64_t m_request = 0;
   bool m_isWorking = false;
   bool m_isReady = false;

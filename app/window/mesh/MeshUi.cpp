@@ -118,8 +118,8 @@ void MeshUi::connectSelection() {
     if (m_panel->settings()->isComparing()) compareMethods();
   });
   connect(&m_fixPreview, &FixPreview::changed, this, &MeshUi::showFix);
-  connect(m_actions.fill(), &QAction::hovered, &m_defectActions, &DefectActions::forgetPointed);
   connect(m_panel->settings(), &HoleSettings::compareRequested, this, &MeshUi::compareMethods);
+  connect(m_panel->settings(), &HoleSettings::thickeningPointed, &m_defectActions, &DefectActions::pointAtThickening);
   connect(m_panel->settings(), &HoleSettings::thicknessEdited, &m_defectActions, &DefectActions::setThickness);
   connect(&m_defectActions, &DefectActions::thicknessChanged, this, [this] {
     if (!m_panel || !m_document) return;

@@ -154,16 +154,17 @@ bool MeshAssembly::dropUnreadablePoints() {
   return true;
 }
 
-// Names that no text should contain are left out.
 void MeshAssembly::lose(LostAttribute attribute, std::string_view name) {
   m_lost.insert(attribute);
   constexpr std::size_t kMostNames = 5, kLongestName = 40;
   std::vector<std::string>& names = m_file.lostOther;
-  const auto isPlain = [](char c) { return c > ' ' && c < 127; };
-  if (attribute != LostAttribute::Other || name.empty() || name.size() > kLongestName || names.size() == kMostNames ||
-      !std::all_of(name.begin(), name.end(), isPlain) || std::find(names.begin(), names.end(), name) != names.end())
-    return;
-  names.emplace_back(name);
+  if (attribute != LostAttribute::Other || std::find(names.begin(), names.end(), name) != names.end()) return;
+  const bool isPlain = !name.empty() && name.size() <= kLongestName &&
+                       std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c < 127; });
+  if (isPlain && names.size() < kMostNames)
+    names.emplace_back(name);
+  else
+    m_hasUnlistedLoss = true;
 }
 
 Result<MeshFile> MeshAssembly::finish(NumberType numbers, bool hasUnit) {
@@ -181,6 +182,7 @@ Result<MeshFile> MeshAssembly::finish(NumberType numbers, bool hasUnit) {
   m_file.numbers = numbers;
   m_file.hasUnit = hasUnit;
   m_file.lost.assign(m_lost.begin(), m_lost.end());
+  if (m_hasUnlistedLoss) m_file.lostOther.emplace_back();
   m_progress.set(1.0);
   return std::move(m_file);
 }

@@ -88,6 +88,7 @@ class MeshAssembly {
   std::size_t m_unreadablePoints = 0;
   std::optional<Error> m_failure;
   std::set<LostAttribute> m_lost;
+  bool m_hasUnlistedLoss = false;  // of LostAttribute::Other
   PolygonTriangulation m_triangulation;
   std::vector<std::uint32_t> m_ring;  // buffer
   std::vector<std::int64_t> m_deferredCorners;

@@ -48,7 +48,7 @@ struct MeshFile {
   std::vector<Error> damage;       // what was skipped or repaired; empty when the file conforms to its format
   std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
   std::vector<LostAttribute> lost;
-  std::vector<std::string> lostOther;  // what LostAttribute::Other is, as the file calls it; the first few
+  std::vector<std::string> lostOther;  // what LostAttribute::Other is in the file; the first few, and "" for more
   std::vector<Note> notes;             // what else there is to know of how it was read
   bool hasUnit = false;                // the file says its unit of length; its numbers were converted to mm
 };

@@ -228,8 +228,12 @@ ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<
   return backs.result();
 }
 
+double defaultSheetThickness(const Box& box) {
+  return box.isEmpty() ? 0.0 : tolerance::kSheetThickness * box.diagonal().norm();
+}
+
 double defaultSheetThickness(const HalfEdgeMesh& mesh) {
-  return tolerance::kSheetThickness * diagonalOf(mesh);
+  return defaultSheetThickness(boundsOf(mesh));
 }
 
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f) {

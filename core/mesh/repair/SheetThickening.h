@@ -34,8 +34,9 @@ struct ThickenedSheets {
 ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<Face>>& sheets, double thickness,
                               NumberType numbers, Progress progress = {});
 
-// The thickness of thickened sheets where nobody names one, mm: a share of the mesh's diagonal.
-double defaultSheetThickness(const HalfEdgeMesh& mesh);
+// The thickness of thickened sheets where nobody names one, mm: a share of the diagonal of the mesh's box.
+double defaultSheetThickness(const Box& box);
+double defaultSheetThickness(const HalfEdgeMesh& mesh);  // O(n)
 
 // Finds all faces connected with this one through paired edges, this one first.
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f);

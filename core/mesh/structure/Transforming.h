@@ -5,7 +5,6 @@
 #include "base/Progress.h"
 #include "base/Result.h"
 #include "base/Tolerance.h"
-#include "base/Units.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <optional>
@@ -19,11 +18,6 @@ Status transform(HalfEdgeMesh& mesh, const Eigen::Affine3d& by);
 
 // Reverses the orientation of every face, in place.
 void reverseOrientation(HalfEdgeMesh& mesh);
-
-// The scale factor for lengths written in one unit but read as another.
-constexpr double unitScale(LengthUnit written, LengthUnit readAs) {
-  return millimetresPer(written) / millimetresPer(readAs);
-}
 
 // The functions below compute a rigid motion; transform() applies it. None where the mesh has no area, or its
 // coordinates are too large to determine it.

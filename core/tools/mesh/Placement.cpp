@@ -39,7 +39,7 @@ constexpr StandardPlace kStandards[] = {
 }  // namespace
 
 Eigen::Affine3d Placement::of(const Box& box) const {
-  const double toMillimetres = unitScale(unit, LengthUnit::Millimetre);
+  const double toMillimetres = kUnits[unit].millimetres;
   const Vec3 centre = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(toMillimetres * box.center());
   return Eigen::Translation3d(centre + Vec3(shift[0], shift[1], shift[2])) * Eigen::AngleAxisd(turn[2], Vec3::UnitZ()) *
          Eigen::AngleAxisd(turn[1], Vec3::UnitY()) * Eigen::AngleAxisd(turn[0], Vec3::UnitX()) * Eigen::Scaling(scale) *
@@ -48,7 +48,7 @@ Eigen::Affine3d Placement::of(const Box& box) const {
 
 Placement placementOf(const OperationValues& values) {
   Placement placement;
-  placement.unit = Placement::kUnits[values.whole("unit")];
+  placement.unit = values.whole("unit");
   placement.scale = values.number("scale");
   const std::vector<double> turn = values.numbers("turn"), shift = values.numbers("move");
   std::copy(turn.begin(), turn.end(), placement.turn.begin());
@@ -58,8 +58,7 @@ Placement placementOf(const OperationValues& values) {
 
 OperationValues valuesOf(const Placement& placement) {
   OperationValues values(meshOperation("place"));
-  const auto* unit = std::find(std::begin(Placement::kUnits), std::end(Placement::kUnits), placement.unit);
-  values.setValid("unit", static_cast<double>(unit - std::begin(Placement::kUnits)));
+  values.setValid("unit", static_cast<double>(placement.unit));
   values.setValid("scale", placement.scale);
   values.setValid("turn", std::vector<double>(placement.turn.begin(), placement.turn.end()));
   values.setValid("move", std::vector<double>(placement.shift.begin(), placement.shift.end()));

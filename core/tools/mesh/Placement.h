@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Units.h"
 #include "document/Operation.h"
 #include "tools/mesh/MeshServices.h"
 
@@ -18,10 +17,14 @@ struct Placement {
   std::array<double, 3> shift{};  // mm
   std::array<double, 3> turn{};   // radian
   double scale = 1.0;
-  LengthUnit unit = LengthUnit::Millimetre;  // that the file was written in
+  std::size_t unit = 0;  // that the file was written in, of kUnits
 
-  static constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
-                                          LengthUnit::Inch};
+  // More than lengths are shown in.
+  struct Unit {
+    const char* symbol;
+    double millimetres;
+  };
+  static constexpr Unit kUnits[] = {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"um", 0.001}};
 
   bool operator==(const Placement&) const = default;
   // The transformation. box: bounding box of the mesh.

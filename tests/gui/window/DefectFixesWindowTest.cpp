@@ -114,8 +114,25 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.settle());
     QVERIFY(driver.text("otherPreviewStatus").contains("triangle"));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
-    driver.find<QAction>("fillHole")->hover();
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(button, &leave);
     QCOMPARE(driver.text("otherPreviewStatus"), QString());
+  }
+
+  // The card says what its own fix would do, also after the pointer passed over another in the menu.
+  void previewBesideASheet() {
+    TriangleSoup soup = cube();
+    soup.triangles.push_back(soup.triangles[3]);
+    append(soup, moved(grid(9, 9, false, false, [](auto i, auto j) { return Vec3(i, j, 0.02 * i * j); }), {9, 0, 0}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("beside.stl", soup)));
+    QVERIFY(driver.find<QAction>("thickenSheet")->isEnabled());
+    clickGroup(driver, DefectKind::Duplicate);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("fixPreviewStatus").startsWith("Removes 1 "));
+    driver.find<QAction>("thickenSheet")->hover();
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("fixPreviewStatus").startsWith("Removes 1 "), qPrintable(driver.text("fixPreviewStatus")));
   }
 
   void sheetGetsABack() {

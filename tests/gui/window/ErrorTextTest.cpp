@@ -144,7 +144,11 @@ class ErrorTextTest : public QObject {
     DocumentFile file;
     file.lost = {LostAttribute::Colour, LostAttribute::Other};
     file.lostOther = {"quality", "flags"};
-    QCOMPARE(lostNames(file), (QStringList{"colours", "“quality”", "“flags”"}));
+    QCOMPARE(lostNames(file), (QStringList{"colours", "quality", "flags"}));
+    QCOMPARE(lostText(file), "colours, “quality”, “flags”");
+    file.lostOther.emplace_back();
+    QCOMPARE(lostNames(file), (QStringList{"colours", "quality", "flags", "further data"}));
+    QCOMPARE(lostText(file), "colours, “quality”, “flags”, further data");
     file.lostOther.clear();
     QCOMPARE(lostNames(file), (QStringList{"colours", "further data"}));
   }

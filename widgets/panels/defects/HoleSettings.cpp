@@ -100,8 +100,10 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
     column->addWidget(widget);
   };
   addWhenPossible(thicknessRow(), thickenSheet);
-  for (QAction* action : {thickenSheet, cutAndClose})
-    addWhenPossible(new ActionButton(action, ActionButton::Rank::Ordinary, this), action);
+  auto* thicken = new ActionButton(thickenSheet, ActionButton::Rank::Ordinary, this);
+  connect(thicken, &ActionButton::pointed, this, &HoleSettings::thickeningPointed);
+  addWhenPossible(thicken, thickenSheet);
+  addWhenPossible(new ActionButton(cutAndClose, ActionButton::Rank::Ordinary, this), cutAndClose);
   column->addWidget(m_otherStatus);
 
   connect(m_method, &QComboBox::currentIndexChanged, this, [this] {

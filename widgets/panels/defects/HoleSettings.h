@@ -56,6 +56,7 @@ class HoleSettings : public QFrame {
   void methodChanged(handwheel::FillMethod method);
   void compareRequested();
   void thicknessEdited(double thickness);  // mm
+  void thickeningPointed(bool isPointed);  // the pointer or the focus is on the button of thickenSheet
 
  private:
   QToolButton* compareButton();

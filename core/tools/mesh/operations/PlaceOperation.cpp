@@ -14,7 +14,7 @@ Parameter unitParameter() {
       .property = {.id = "unit", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Unit of the file"), .value = 0.0},
       .meaning = "Convert from this unit to mm, about the origin, before anything else",
       .word = "U"};
-  for (const LengthUnit each : Placement::kUnits) unit.words.emplace_back(symbolOf(each));
+  for (const Placement::Unit& each : Placement::kUnits) unit.words.emplace_back(each.symbol);
   unit.property.choices = unit.words;
   return unit;
 }

@@ -35,7 +35,7 @@ Bytes binaryTriangle(std::endian order, const QByteArray& elements = kFloatVerti
 class PlyReaderTest : public QObject {
   Q_OBJECT
  private slots:
-  // What has no name of ours keeps that of the file, once, unless that is no plain word.
+  // What has no name of ours keeps that of the file, once. An empty one says that there is more: no plain word.
   void namesWhatIsLost() {
     const QByteArray vertices =
         QByteArray(kFloatVertices)
@@ -44,8 +44,30 @@ class PlyReaderTest : public QObject {
     const QByteArray bytes = text(vertices + faces, "1 2 0 0 0\n1 2 1 0 0\n1 2 0 1 0\n3 0 1 2 5 6 7\n");
     const auto file = readMesh({bytes.data(), static_cast<std::size_t>(bytes.size())}, "a.ply", {});
     QVERIFY(file.hasValue());
-    QCOMPARE(file->lostOther, (std::vector<std::string>{"quality", "flags"}));
+    QCOMPARE(file->lostOther, (std::vector<std::string>{"quality", "flags", ""}));
     QVERIFY(!file->hasUnit);
+  }
+
+  // The first five have their names; that there are more is said even so.
+  void namesTheFirstOfManyLosses_data() {
+    QTest::addColumn<int>("count");
+    QTest::newRow("five") << 5;
+    QTest::newRow("six") << 6;
+  }
+  void namesTheFirstOfManyLosses() {
+    QFETCH(int, count);
+    QByteArray properties, values;
+    std::vector<std::string> names;
+    for (int i = 0; i < count; ++i) {
+      const QByteArray name = "p" + QByteArray::number(i);
+      properties += "property int " + name + "\n";
+      values += " 7";
+      names.push_back(i < 5 ? name.toStdString() : std::string());
+    }
+    const QByteArray bytes = text(kFloatVertices + kFaces + properties, kRows + "3 0 1 2" + values + "\n");
+    const auto file = readMesh({bytes.data(), static_cast<std::size_t>(bytes.size())}, "a.ply", {});
+    QVERIFY(file.hasValue());
+    QCOMPARE(file->lostOther, names);
   }
 
   void readsText_data() {

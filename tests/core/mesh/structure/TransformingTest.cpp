@@ -147,10 +147,8 @@ void TransformingTest::refusals() {
 }
 
 void TransformingTest::units() {
-  QCOMPARE(unitScale(LengthUnit::Inch, LengthUnit::Millimetre), 25.4);
-  QCOMPARE(unitScale(LengthUnit::Millimetre, LengthUnit::Metre), 0.001);
   HalfEdgeMesh mesh = buildMesh(test::cube()).mesh;
-  QVERIFY(bool(transform(mesh, Eigen::Affine3d(Eigen::Scaling(unitScale(LengthUnit::Inch, LengthUnit::Millimetre))))));
+  QVERIFY(bool(transform(mesh, Eigen::Affine3d(Eigen::Scaling(25.4)))));
   QVERIFY(std::abs(test::volume(soupOf(mesh)) - 25.4 * 25.4 * 25.4) < 1e-9);
 }
 

@@ -360,7 +360,7 @@ void MeshStepsTest::mistakes_data() {
   row("place --move 1,2", "--move takes X,Y,Z, each a length from -1e+09 to 1e+09 mm, not '1,2'");
   row("place --move 1,2,inf", "--move takes X,Y,Z, each a length from -1e+09 to 1e+09 mm, not '1,2,inf'");
   row("place --turn 1,2,400", "--turn takes A,B,C, each an angle from -360 to 360 degrees, not '1,2,400'");
-  row("place --unit ft", "--unit takes mm, cm, m or in, not 'ft'");
+  row("place --unit ft", "--unit takes mm, cm, m, in or um, not 'ft'");
   row("place --scale 2 --scale 3", "--scale is given twice");
   row("decimate --method quadric --error 1",
       "--method quadric does not bound the distance: give --faces N alone, or use --method bounded");
