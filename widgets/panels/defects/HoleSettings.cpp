@@ -66,6 +66,11 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   m_otherStatus->setProperty("muted", true);
   m_otherStatus->setObjectName(QStringLiteral("otherPreviewStatus"));
   for (QLabel* label : {m_status, m_otherStatus}) label->setWordWrap(true);
+  // Keeps its room, so that the button under the pointer stays where it is when the text appears.
+  QSizePolicy keepsRoom = m_otherStatus->sizePolicy();
+  keepsRoom.setRetainSizeWhenHidden(true);
+  m_otherStatus->setSizePolicy(keepsRoom);
+  m_otherStatus->setMinimumHeight(2 * m_otherStatus->fontMetrics().lineSpacing());
   showOtherPreview({});
   m_status->setMinimumHeight(m_status->fontMetrics().lineSpacing());
   auto* methodLabel = new QLabel(tr("Method"), this);
