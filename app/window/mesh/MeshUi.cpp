@@ -191,6 +191,7 @@ void MeshUi::setDocument(DocumentTab* document) {
   m_selection.setDocument(nullptr);  // the parts below read it: its loop is one of the document before
   m_document = static_cast<MeshTab*>(document);
   m_preview.forget();
+  m_defectActions.setDocument(m_document);  // before the panel chooses none of its rows
   if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
   m_scene->setDocument(m_document);
   m_deviation.setDocument(m_document);
@@ -200,7 +201,6 @@ void MeshUi::setDocument(DocumentTab* document) {
   m_tools.setDocument(m_document);
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
-  m_defectActions.setDocument(m_document);
   m_shells.setDocument(m_document);
   m_stepsFile.setDocument(m_document);
   m_selection.setDocument(m_document);

@@ -163,7 +163,7 @@ class DefectFixesWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::KeptOpen), 0, kPatienceMs);
     QVERIFY(driver.settle());
     const auto* log = driver.find<QTreeView>("logView")->model();
-    const QString last = log->index(log->rowCount() - 1, 0).data().toString();
+    const QString last = log->index(log->rowCount() - 1, 1).data().toString();
     QVERIFY2(last.contains("Thicken sheets by 2.00 mm"), qPrintable(last));
   }
 
