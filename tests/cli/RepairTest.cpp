@@ -63,6 +63,8 @@ class RepairTest : public QObject {
                                             "removed_flaps",
                                             "removed_debris",
                                             "turned_faces",
+                                            "turned_bodies",
+                                            "sheet_thickness_mm",
                                             "merged_vertices",
                                             "cut_crossings",
                                             "cut_faces",
