@@ -138,7 +138,7 @@ class RepairOptionsTest : public QObject {
     const Ran ran =
         bench.run({"repair", "a.off", "-o", "b.ply", "--rims", "back", "--thickness", "0.1", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
-    QVERIFY2(ran.out.contains("sheets thickened by 0.10 mm"), qPrintable(ran.out));
+    QVERIFY2(ran.out.contains("sheets thickened by 0.100 mm"), qPrintable(ran.out));
     const Json report = bench.json("r.json");
     const auto heightOf = [](const Json& r) {
       const Json box = r.at("after").at("bounding_box_mm");
@@ -152,7 +152,7 @@ class RepairOptionsTest : public QObject {
     const Ran thick =
         bench.run({"repair", "a.off", "-o", "d.ply", "--rims", "back", "--thickness", "2", "--report", "thick.json"});
     QCOMPARE(thick.code, 0);
-    QVERIFY2(thick.out.contains("sheets thickened by 0.25 to 0.35 mm"), qPrintable(thick.out));
+    QVERIFY2(thick.out.contains("sheets thickened by 0.250 to 0.354 mm"), qPrintable(thick.out));
     const Json reached = bench.json("thick.json").at("sheet_thickness_mm");
     QVERIFY(std::abs(reached.at("least").get<double>() - 0.25) < 1e-6);
     QVERIFY(std::abs(reached.at("largest").get<double>() - heightOf(bench.json("thick.json"))) < 1e-6);

@@ -15,6 +15,7 @@ inline FidelitySetting decimationMethodSetting() {
   s.label = translatable("Fidelity", "Method of reducing triangles");
   setChoices(s, {translatable("Fidelity", "bounded"), translatable("Fidelity", "quadric")});  // as DecimationMethod
   s.standard = static_cast<double>(DecimationOptions().method);
+  s.budget = FidelityBudget::Wait;
   s.presets = {0.0, 0.0, 0.0};
   s.error = {translatable("Fidelity", "largest distance from the mesh, in diagonals"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to remove triangles"), "ms"};

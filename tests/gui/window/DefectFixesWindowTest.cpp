@@ -233,7 +233,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("fixDefectButton");
     QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
     QVERIFY(driver.settle());
-    QVERIFY(driver.text("messageText").contains("coplanar"));
+    QVERIFY(driver.text("messageText").contains("no cut would separate"));
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
   }
 };

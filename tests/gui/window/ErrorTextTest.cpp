@@ -92,9 +92,9 @@ class ErrorTextTest : public QObject {
     const QStringList summary = repairSummary(report);
     QCOMPARE(summary.size(), 11);
     report.thickness = {0.01, 0.05};
-    QVERIFY(repairSummary(report).contains("sheets thickened by 0.01 to 0.05 mm"));
+    QVERIFY(repairSummary(report).contains("sheets thickened by 0.0100 to 0.0500 mm"));
     report.thickness = {0.5, 0.5};
-    QVERIFY(repairSummary(report, LengthUnit::Centimetre).contains("sheets thickened by 0.05 cm"));
+    QVERIFY(repairSummary(report, LengthUnit::Centimetre).contains("sheets thickened by 0.0500 cm"));
     QVERIFY(summary.contains("1 dangling triangle removed"));
     QVERIFY(summary.contains("2 near vertices merged"));
     QVERIFY(summary.contains("2 folded triangles replaced around holes"));

@@ -108,8 +108,8 @@ void ToolKeysTest::anActionWithoutAKeyGetsOne() {
     KeyPage page(driver);
     page.choose(kSmaller);
     driver.click("shortcutNone");
-    page.press("tool/select/all", Qt::Key_E);
-    page.press("tool/transform/corner", Qt::Key_E);  // no conflict: there is one tool at a time
+    page.press("tool/select/all", Qt::Key_I);
+    page.press("tool/transform/corner", Qt::Key_I);  // no conflict: there is one tool at a time
     QCOMPARE(page.status(), QString());
   }
   QVERIFY(!bench.hints("smaller brush"));
@@ -117,13 +117,13 @@ void ToolKeysTest::anActionWithoutAKeyGetsOne() {
   const double before = bench.radius();
   bench.press(Qt::Key_BracketLeft);
   QCOMPARE(bench.radius(), before);
-  bench.press(Qt::Key_E);
+  bench.press(Qt::Key_I);
   QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());  // all are selected
   driver.find<QAction>("transformTool")->trigger();
   QVERIFY(bench.hints("E: move the minimum corner to the origin"));
   auto* undo = driver.find<QAction>("undo");
   QVERIFY(!undo->isEnabled());
-  bench.press(Qt::Key_E);
+  bench.press(Qt::Key_I);
   QVERIFY(driver.settle());
   QTRY_VERIFY2(undo->text().contains("Move the minimum corner to the origin"), qPrintable(undo->text()));
 }
