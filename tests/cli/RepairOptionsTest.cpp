@@ -146,7 +146,7 @@ class RepairOptionsTest : public QObject {
     };
     QVERIFY(std::abs(report.at("sheet_thickness_mm").at("least").get<double>() - 0.1) < 1e-6);
     QVERIFY(std::abs(report.at("sheet_thickness_mm").at("largest").get<double>() - heightOf(report)) < 1e-6);
-    QCOMPARE(report.at("options").at("thickness").get<double>(), 0.1);
+    QCOMPARE(report.at("options").at("thickness_mm").get<double>(), 0.1);
     const double volume = report.at("after").at("volume_mm3").get<double>();
     QVERIFY(volume > 8 * 8 * 0.1 && volume < 10 * 10 * 0.1);
     const Ran thick =

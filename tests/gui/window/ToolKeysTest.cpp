@@ -120,7 +120,7 @@ void ToolKeysTest::anActionWithoutAKeyGetsOne() {
   bench.press(Qt::Key_I);
   QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());  // all are selected
   driver.find<QAction>("transformTool")->trigger();
-  QVERIFY(bench.hints("E: move the minimum corner to the origin"));
+  QVERIFY(bench.hints("I: move the minimum corner to the origin"));
   auto* undo = driver.find<QAction>("undo");
   QVERIFY(!undo->isEnabled());
   bench.press(Qt::Key_I);
