@@ -62,6 +62,7 @@ template <class Patch>
 struct SimulationChannel {
   std::shared_ptr<SimulationInputs> inputs = std::make_shared<SimulationInputs>(kWaitingInputs);  // from the servo loop
   TripleBuffer<Patch> patch;                                                                      // to the servo loop
+  std::uint32_t simulations = 0;  // that have been made for it, on the thread that makes them
 };
 
 // The state of a simulation at one moment: immutable, shared between threads. Kinds derive theirs.

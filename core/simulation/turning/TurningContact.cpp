@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -44,18 +45,26 @@ ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadi
   return patch;
 }
 
+void TurningContact::place(const ProfilePoint& hand) {
+  *this = TurningContact();
+  m_tool = hand;
+}
+
 bool TurningContact::follow(const ProfilePatch& patch, const TurningTool& tool, const ProfilePoint& hand,
                             bool isCutting, double dt) {
   const auto depth = [&](const ProfilePoint& p) { return patch.penetration(p, tool.noseRadius); };
   const double there = depth(hand);
+  if (std::exchange(m_simulation, patch.simulation) != patch.simulation) m_unfelt = there - m_depth;
+  m_unfelt = std::max(0.0, std::min(m_unfelt, there));
+  m_depth = std::max(0.0, there - m_unfelt);
   // The way out is free, also through what the simulation has yet to remove.
   if (!(there > 0.0) || (isCutting && there <= depth(m_tool))) {
     m_tool = hand;
     return false;
   }
   if (!isCutting) {  // lies on the material, straight outward from the hand
-    m_tool = hand + ProfilePoint(there, 0.0);
-    return true;
+    m_tool = hand + ProfilePoint(m_depth, 0.0);
+    return m_depth > 0.0;
   }
   if (!(depth(m_tool) > 0.0)) {  // up to the material at once
     double clear = 0.0, inside = 1.0;

@@ -16,6 +16,7 @@ struct ProfilePatch {
   double spacing = 1.0;  // mm, from one to the next
   double width = 0.0;    // mm: each stands for the profile from its z on over this length; 0: exact
   std::uint32_t count = 0;
+  std::uint32_t simulation = 0;       // number of that which wrote it: in another one the profile may have grown
   std::array<double, kMost> radii{};  // mm, the largest over the width
 
   // How far a disc around (r, z) must move away from the axis to leave the material; at most 0 outside of it. mm. Never
@@ -36,11 +37,12 @@ struct TurningTool {
   bool operator==(const TurningTool&) const = default;
 };
 
-// The tool of a lathe, which follows the hand: freely beside the material, slowly through it while it cuts, and never
-// into it otherwise. All in the half plane (r, z).
+// The tool of a lathe, which follows the hand: freely beside the material, slowly through it while it cuts, and no
+// deeper into it otherwise. Material that comes back around a resting hand, as by undo, does not push it out: it is
+// felt from there on inward, and whole once the hand has left it. All in the half plane (r, z).
 class TurningContact {
  public:
-  void place(const ProfilePoint& hand) { m_tool = hand; }
+  void place(const ProfilePoint& hand);
 
   // One tick of dt seconds. Returns whether the tool is in or on the material.
   bool follow(const ProfilePatch& patch, const TurningTool& tool, const ProfilePoint& hand, bool isCutting, double dt);
@@ -49,6 +51,9 @@ class TurningContact {
 
  private:
   ProfilePoint m_tool = ProfilePoint::Zero();
+  std::uint32_t m_simulation = 0;  // of the patch before
+  double m_depth = 0.0;            // mm: how deep the hand was felt to be in the material
+  double m_unfelt = 0.0;           // mm: how deep the material came back around it
 };
 
 }  // namespace handwheel

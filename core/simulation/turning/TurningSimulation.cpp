@@ -21,7 +21,8 @@ TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surfac
       m_profile(std::move(profile)),
       m_base(base),
       m_channel(std::move(channel)),
-      m_mostPoints(mostPoints) {
+      m_mostPoints(mostPoints),
+      m_number(++m_channel->simulations) {
   m_pass.noseRadius = noseRadius;
 }
 
@@ -35,8 +36,10 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
     state->isFull = isFull();
     m_state = std::move(state);
   }
-  if (!inputs.empty())
-    m_channel->patch.write(patchAround(m_profile, inputs.back().tip.position.z() - m_base, m_pass.noseRadius));
+  if (inputs.empty()) return;
+  ProfilePatch patch = patchAround(m_profile, inputs.back().tip.position.z() - m_base, m_pass.noseRadius);
+  patch.simulation = m_number;
+  m_channel->patch.write(patch);
 }
 
 TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {

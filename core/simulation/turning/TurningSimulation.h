@@ -39,7 +39,8 @@ class TurningSimulation : public Simulation {
   double m_base;
   std::shared_ptr<TurningChannel> m_channel;
   std::size_t m_mostPoints;
-  double m_begin = 0.0;  // s, of the first point of the pass
+  std::uint32_t m_number;  // in the channel
+  double m_begin = 0.0;    // s, of the first point of the pass
 };
 
 }  // namespace handwheel

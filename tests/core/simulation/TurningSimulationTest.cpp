@@ -167,6 +167,32 @@ class TurningSimulationTest : public QObject {
     QVERIFY(lathe.state().profile == before);
   }
 
+  // As by undo: no force while the hand rests or goes outward, the spring for what it goes deeper, and the whole bar
+  // after it was outside.
+  void aBarThatComesBackDoesNotPush() {
+    Lathe lathe;
+    const auto simulation = [&lathe] {
+      return std::make_unique<TurningSimulation>(lathe.bar, TurnedSurface(lathe.bar, 0.05), kNose, kBase,
+                                                 lathe.channel);
+    };
+    for (double r = 23.0; r > 16.0; r -= 0.005) lathe.at({r, 0, 57.0}, true);
+    ForceOut out;
+    for (int i = 0; i < 2000; ++i) out = lathe.at({16.0, 0, 57.0}, true);
+    QVERIFY(out.force.norm() < 1e-3);  // it has cut up to the hand
+    lathe.begin(0);
+    lathe.loop.replace(simulation());
+    const auto forceAt = [&](double r) { return lathe.at({r, 0, 57.0}, false).force.x(); };
+    for (int i = 0; i < 20; ++i) QVERIFY(std::abs(forceAt(16.0)) < 1e-3);
+    QVERIFY(std::abs(forceAt(15.5) - 0.5 * 0.5) < 1e-3);
+    for (double r = 16.0; r < 19.0; r += 0.01) QVERIFY(std::abs(forceAt(r)) < 1e-3);
+    QVERIFY(std::abs(forceAt(18.5) - 0.5 * 0.5) < 0.01);
+    for (double r = 18.5; r < 23.0; r += 0.01) forceAt(r);
+    QVERIFY(std::abs(forceAt(20.5) - 0.5 * 1.5) < 1e-9);
+    // The next gesture, whose simulation begins with the same profile, changes nothing.
+    lathe.loop.replace(simulation());
+    for (int i = 0; i < 20; ++i) QVERIFY(std::abs(forceAt(20.5) - 0.5 * 1.5) < 1e-9);
+  }
+
   // Released and pressed again elsewhere before the window has seen it: no furrow between, and nothing cut there.
   void aPassEndsWithTheButton() {
     Lathe lathe;
