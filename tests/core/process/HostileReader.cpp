@@ -28,7 +28,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-volatile int sink = 0;
+volatile unsigned sink = 0;
 volatile bool isEndless = true;  // which the compiler does not know
 
 std::string contentOf(const char* file) {

@@ -156,8 +156,9 @@ class IsolatedReaderTest : public QObject {
     IsolatedReader reader = hostile();
     reader.limits.cpu = 11s;
     const QString limits = outcomeOf(readIsolated(reader, {"limits"}, ""));
-    QVERIFY2(limits.startsWith("read core 1\ncpu 11\n"), qPrintable(limits));
-    if (reader.limits.memory != 0)
+    const bool isSanitized = reader.limits.memory == 0;  // whose runtime lowers the limit of cores further
+    QVERIFY2(limits.startsWith(isSanitized ? "read core 0\ncpu 11\n" : "read core 1\ncpu 11\n"), qPrintable(limits));
+    if (!isSanitized)
       QVERIFY(limits.endsWith(QString("memory %1\n").arg(static_cast<qulonglong>(reader.limits.memory))));
   }
 
