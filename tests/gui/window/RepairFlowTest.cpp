@@ -117,6 +117,25 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
+  // A row flies there only when its place is not well seen already.
+  void aRowThatIsSeenMovesNothing() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("seen.stl")));
+    driver.clickDefect(DefectKind::Hole, 1);
+    auto* view = driver.find<Viewport>("viewport");
+    CameraState chosen = view->camera();
+    chosen.height *= 1.3;
+    view->setCamera(chosen);
+    QTRY_VERIFY_WITH_TIMEOUT(view->isPickingReady(), kPatienceMs);
+    driver.clickDefect(DefectKind::Hole, 1);
+    QCOMPARE(view->camera(), chosen);
+    chosen.orientation = Eigen::AngleAxisd(M_PI, chosen.up()) * chosen.orientation;  // from behind
+    view->setCamera(chosen);
+    driver.clickDefect(DefectKind::Hole, 1);
+    QVERIFY(view->camera() != chosen);
+    QVERIFY(driver.settle());
+  }
+
   void whatIsKeptOpenStaysOpen() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHoles("keep.stl")));
