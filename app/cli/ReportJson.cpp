@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ReportJson.h"
 
+#include "mesh/boundary/LoopNumbers.h"
+
 namespace handwheel {
 
 namespace {
@@ -23,8 +25,10 @@ Json toJson(const Box& box) {
 
 Json toJson(const MeshReport& report) {
   Json loops = Json::array();
+  LoopNumbers numbers;
   for (const LoopReport& loop : report.loops) {
     loops.push_back({{"id", loop.id},
+                     {"number", numbers.take(loop.rim)},
                      {"edges", loop.edges},
                      {"length_mm", loop.lengthMm},
                      {"area_mm2", loop.areaMm2},

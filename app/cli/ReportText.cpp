@@ -3,6 +3,7 @@
 #include "cli/ReportText.h"
 
 #include "base/NumberText.h"
+#include "mesh/boundary/LoopNumbers.h"
 
 namespace handwheel {
 
@@ -25,16 +26,19 @@ std::string rightAligned(const std::string& text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-// Of the holes, or of the outer edges of open sheets; nothing where there is none.
+// Of the holes, or of the outer edges of open sheets; nothing where there is none. no: as the window has it; id: as
+// options and steps have it.
 std::string loopTable(const std::vector<LoopReport>& loops, bool isOfRims, const std::string& title) {
-  std::string table = "\n" + title + "\n    id   edges     length (mm)      area (mm2)   planarity   islands\n";
+  std::string table = "\n" + title + "\n    no    id   edges     length (mm)      area (mm2)   planarity   islands\n";
   bool isAny = false;
+  LoopNumbers numbers;
   for (const LoopReport& loop : loops) {
     if (loop.rim != isOfRims) continue;
     isAny = true;
-    table += rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
-             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.areaMm2), 16) +
-             rightAligned(roundedText(loop.planarity), 12) + rightAligned(std::to_string(loop.islands), 10) + "\n";
+    table += rightAligned(std::to_string(numbers.take(isOfRims)), 6) + rightAligned(std::to_string(loop.id), 6) +
+             rightAligned(std::to_string(loop.edges), 8) + rightAligned(roundedText(loop.lengthMm), 16) +
+             rightAligned(roundedText(loop.areaMm2), 16) + rightAligned(roundedText(loop.planarity), 12) +
+             rightAligned(std::to_string(loop.islands), 10) + "\n";
   }
   return isAny ? table : std::string();
 }

@@ -60,6 +60,7 @@ const char* const kOpenCubeJson = R"({
   "loops": [
     {
       "id": 0,
+      "number": 1,
       "edges": 4,
       "length_mm": 2.0,
       "area_mm2": 0.25,
@@ -110,8 +111,8 @@ const char* const kOpenCubeText =
     "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
     "\n"
     "Holes\n"
-    "    id   edges     length (mm)      area (mm2)   planarity   islands\n"
-    "     0       4               2            0.25           0         0\n"
+    "    no    id   edges     length (mm)      area (mm2)   planarity   islands\n"
+    "     1     0       4               2            0.25           0         0\n"
     "\n"
     "The part measures 0.5 × 0.5 × 0.5 mm, if its numbers are millimetres: the file does not say its unit. 'handwheel "
     "edit' with the step 'place --unit m' converts it from metres; cm and in are possible, too.\n";

@@ -22,6 +22,15 @@ std::vector<std::string> keysOf(const nlohmann::ordered_json& json) {
 class RepairTest : public QObject {
   Q_OBJECT
 
+ private:
+  // A repair of the result of a repair writes the same file.
+  static void isDoneInOneGo(const Bench& bench, const QString& scan) {
+    bench.run({"repair", scan, "-o", "once.stl"});
+    bench.run({"repair", "once.stl", "-o", "twice.stl"});
+    QVERIFY(!bench.content("once.stl").isEmpty());
+    QVERIFY2(bench.content("twice.stl") == bench.content("once.stl"), qPrintable(scan));
+  }
+
  private slots:
   // The missing top comes back as two triangles, and nothing else changes.
   void closesTheCube() {
@@ -214,6 +223,24 @@ class RepairTest : public QObject {
     QVERIFY(report.at("parted_vertices").get<int>() > 0);
     QVERIFY(report.at("touched_vertices").get<int>() > 0);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+  }
+
+  // A hole, and an edge with four triangles.
+  void againChangesNothing() {
+    Shape both = openCube();
+    both.add(cube(), {1, 1, 0});
+    const Bench bench;
+    bench.put("a.off", both.off());
+    isDoneInOneGo(bench, "a.off");
+  }
+
+  void againChangesNothingOfScans() {
+    const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
+    if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
+    const Bench bench;
+    for (const char* scan : {"geogram-data/SaraPezzini.obj", "admesh/conveyor.stl", "meshlab-rangemaps/lato180.ply",
+                             "comodo/lego_figure_head.stl"})
+      isDoneInOneGo(bench, data + "/scans/" + scan);
   }
 
   void bunny() {

@@ -25,6 +25,10 @@ namespace handwheel {
 namespace {
 
 constexpr int kSliderSteps = 1000;
+// A box is as wide as its longest choice, in wide letters, of which three are as wide as four others; within these.
+constexpr int kFewestLetters = 6;
+constexpr int kMostLetters = 15;
+constexpr double kMostCount = 1e15;  // whole numbers beyond have digits that a double does not
 
 // With the wheel over them, these would change instead of letting the form scroll.
 template <class Widget>
@@ -49,6 +53,13 @@ T valueAs(const Property& property) {
 int choiceOf(const Property& property) {
   const double index = valueAs<double>(property);
   return index >= 0.0 && index < static_cast<double>(property.choices.size()) ? static_cast<int>(index) : -1;
+}
+
+// Grouped as in all sentences: "33,992". A field has no groups, for its comma could be a decimal one.
+bool isCount(const Property& property) {
+  const auto value = valueAs<double>(property);
+  return property.quantity == Quantity::Number && property.prefix.empty() && std::abs(value) < kMostCount &&
+         value == std::floor(value);
 }
 
 QString plainText(const Property& property) {
@@ -215,7 +226,7 @@ ChoiceRow::ChoiceRow(QWidget* parent) : PropertyRow(parent), m_box(new Unhurried
   m_box->setFocusPolicy(Qt::StrongFocus);
   m_box->setObjectName(QStringLiteral("propertyChoice"));
   m_box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_box->setMinimumContentsLength(6);
+  m_box->setMinimumContentsLength(kFewestLetters);
   arrange(m_box);
   connect(m_box, &QComboBox::activated, this, [this](int index) { emit edited(static_cast<double>(index), false); });
 }
@@ -226,6 +237,10 @@ void ChoiceRow::showValue(const Property& property, LengthUnit) {
   QStringList shown;
   for (int i = 0; i < m_box->count(); ++i) shown << m_box->itemText(i);
   if (shown != choices) {
+    qsizetype longest = 0;
+    for (const QString& choice : choices) longest = std::max(longest, choice.size());
+    m_box->setMinimumContentsLength(
+        static_cast<int>(std::clamp(longest * 3 / 4, qsizetype{kFewestLetters}, qsizetype{kMostLetters})));
     m_box->clear();
     m_box->addItems(choices);
   }
@@ -252,7 +267,9 @@ void ReadOnlyRow::showValue(const Property& property, LengthUnit unit) {
     m_text->setText(index < 0 ? QString() : translated(property.choices[static_cast<std::size_t>(index)]));
   } else if (const bool* on = std::get_if<bool>(&property.value)) {
     m_text->setText(*on ? tr("yes") : tr("no"));
-  } else if (const double* number = std::get_if<double>(&property.value)) {
+  } else if (const double* number = std::get_if<double>(&property.value); number && isCount(property)) {
+    m_text->setText(locale().toString(static_cast<qlonglong>(*number)));
+  } else if (number) {
     m_text->setText(QString::fromStdString(property.prefix) + quantityText(*number, property.quantity, unit, locale()));
   } else {
     m_text->setText(plainText(property));

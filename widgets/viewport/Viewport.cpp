@@ -59,6 +59,7 @@ void Viewport::Private::fitFrom(const Eigen::Quaterniond& orientation) {
   CameraState from = goal();
   from.orientation = orientation;
   fitted = CameraNavigation(from, size()).fitted(scene.outline(), kFitShare, covered);
+  fittedFor = covered;
   flyTo(*fitted);
 }
 
@@ -111,9 +112,9 @@ void Viewport::fit() {
 }
 
 void Viewport::setCovered(int pixels) {
-  const bool grows = pixels > d->covered;
   d->covered = pixels;
-  if (grows && d->fitted == d->goal()) fit();
+  // Once: a card that grows later must not zoom what the user looks at.
+  if (pixels > 0 && d->fittedFor == 0 && d->fitted == d->goal()) fit();
 }
 
 void Viewport::flyTo(const Box& box, const Vec3& outward) {

@@ -58,6 +58,7 @@ class Viewport::Private {
   Scene scene;
   GlWindow glWindow;
   CameraState camera;
+  int fittedFor = 0;                  // pixels at the lower edge that were covered when `fitted` was chosen
   std::optional<CameraState> fitted;  // where the camera was last sent to see the whole model
   CameraFlight flight;
   QString problem;

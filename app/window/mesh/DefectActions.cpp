@@ -106,6 +106,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connect(&m_preview, &HolePreview::changed, this, &DefectActions::follow);
   connect(&m_jobs, &RepairJobs::workingChanged, this, &DefectActions::follow);
   connect(&m_fidelity, &FidelityChoice::changed, this, &DefectActions::renewPreview);
+  connect(&m_shown, &FixPreview::changed, this, &DefectActions::followShown);
   follow();
 }
 
@@ -145,7 +146,7 @@ void DefectActions::follow() {
   const bool free = m_document && !m_jobs.isWorking();
   const bool isWanted = m_kind && isFixable(*m_kind, m_row);
   m_fix.setVisible(isWanted);
-  m_fix.setEnabled(free && isWanted);
+  m_mayFix = free && isWanted;
   if (isWanted) m_fix.setText(QCoreApplication::translate("Tool", fixFor(*m_kind)->title));
   m_thickenSheet.setEnabled(free && !sheets().empty());
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
@@ -156,8 +157,16 @@ void DefectActions::follow() {
                          m_preview.state().kind == PreviewState::Kind::Failed &&
                          m_preview.state().failure == FillFailure::SelfIntersecting;
   m_cutAndClose.setVisible(isBlocked);
-  m_cutAndClose.setEnabled(free && isBlocked);
+  m_mayCut = free && isBlocked;
   m_shown.request(m_document, offered());
+  followShown();
+}
+
+// What would change nothing is not offered: the text of the preview says why.
+void DefectActions::followShown() {
+  const bool isOfLoop = selectedLoop() >= 0;
+  m_fix.setEnabled(m_mayFix && (isOfLoop || !m_shown.isPointless()));
+  m_cutAndClose.setEnabled(m_mayCut && (m_isThickeningPointed || !m_shown.isPointless()));
 }
 
 // Where a hole has a patch, that is shown until the pointer is on the button of another way.
@@ -165,11 +174,10 @@ std::optional<OfferedFix> DefectActions::offered() const {
   if (const int loop = selectedLoop(); loop >= 0) {
     if (m_isThickeningPointed && m_thickenSheet.isEnabled())
       return OfferedFix{&m_thickenSheet, {}, loop, [this] { return std::optional(thickening()); }};
-    if (m_cutAndClose.isEnabled())
-      return OfferedFix{&m_cutAndClose, {}, loop, [this] { return std::optional(cutting()); }};
+    if (m_mayCut) return OfferedFix{&m_cutAndClose, {}, loop, [this] { return std::optional(cutting()); }};
     return std::nullopt;
   }
-  if (!m_fix.isEnabled()) return std::nullopt;
+  if (!m_mayFix) return std::nullopt;
   return OfferedFix{&m_fix, m_kind, m_row, [this] { return change(); }};
 }
 

@@ -52,6 +52,7 @@ class DefectActions : public QObject {
 
  private:
   void follow();
+  void followShown();
   void renewPreview();
   bool isFixable(DefectKind kind, int row) const;
   std::optional<MeshChange> change() const { return m_kind ? changeFor(*m_kind, m_row) : std::nullopt; }
@@ -71,6 +72,7 @@ class DefectActions : public QObject {
   const FidelityChoice& m_fidelity;
   std::optional<DefectKind> m_kind;
   int m_row = -1;
+  bool m_mayFix = false, m_mayCut = false;  // unless the preview shows that it would change nothing
   bool m_isThickeningPointed = false;
   double m_thickness = 0.0;  // mm; 0: the default
   QAction m_fix;

@@ -3,6 +3,7 @@
 #include "window/mesh/DefectScene.h"
 
 #include "panels/defects/DefectModel.h"
+#include "theme/Theme.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePicking.h"
@@ -19,12 +20,25 @@ namespace {
 
 // Share of the model's diagonal that the camera shows at least.
 constexpr double kLeastPlace = 0.08;
+// A defect of few triangles has an outline, so that it is told from others that lie on it.
+constexpr std::size_t kMostOutlined = 16;
 
 std::vector<Vec3> pointsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
   std::vector<Vec3> points;
   points.reserve(loop.halfEdges.size());
   for (HalfEdge h : loop.halfEdges) points.push_back(mesh.position(mesh.from(h)));
   return points;
+}
+
+// The edges of these faces, but none of those that an edit has removed meanwhile.
+std::vector<std::pair<Vec3, Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
+  std::vector<std::pair<Vec3, Vec3>> edges;
+  for (const Face f : faces) {
+    if (f >= mesh.faceSlots() || !mesh.isLive(f)) continue;
+    const TrianglePoints p = mesh.points(f);
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(p[k], p[(k + 1) % 3]);
+  }
+  return edges;
 }
 
 std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
@@ -89,6 +103,7 @@ void DefectScene::setDocument(MeshTab* document) {
     m_document->inspection.disconnect(this);
   }
   m_document = document;
+  m_chosen.clear();
   if (!document) return m_layer.clear();
   connect(&document->document, &MeshDocument::meshChanged, this,
           [this](const std::vector<Face>& touched) { m_layer.updateMesh(m_document->document.mesh(), touched); });
@@ -124,11 +139,28 @@ void DefectScene::refreshVisibility() {
 
 void DefectScene::showLoop(int loop) {
   if (!m_document || loop < 0) return;
-  showPlace(m_defects.loopIndex(loop));
+  const auto [place, outward] = m_defects.placeOf(m_defects.loopIndex(loop));
+  flyTo(place, outward);
 }
 
 void DefectScene::showPlace(const QModelIndex& defect) {
   const auto [place, outward] = m_defects.placeOf(defect);
+  if (!isWellSeen(m_viewport, place, outward)) flyTo(place, outward);
+}
+
+void DefectScene::markChosen(const QModelIndex& defect) {
+  std::vector<Face> faces = m_defects.facesOf(defect);
+  std::sort(faces.begin(), faces.end());
+  if (faces == m_chosen) return;
+  m_chosen = std::move(faces);
+  drawDefects();
+}
+
+bool DefectScene::isChosen(Face f) const {
+  return std::binary_search(m_chosen.begin(), m_chosen.end(), f);
+}
+
+void DefectScene::flyTo(const Box& place, const Vec3& outward) {
   if (!m_document || place.isEmpty()) return;
   const HalfEdgeMesh& mesh = m_document->document.mesh();
   // A tiny defect is shown with enough around it to see where it is.
@@ -160,6 +192,11 @@ void DefectScene::drawDefects() {
                           DefectKind::Duplicate, DefectKind::SelfIntersection}) {
     if (m_defects.isShown(kind)) faces.push_back({facesOf(inspection, kind), defectColour(kind)});
   }
+  const QColor accent = themeColours(currentTheme()).accent;
+  if (!m_chosen.empty()) {
+    for (FaceMark& mark : faces) std::erase_if(mark.faces, [&](Face f) { return isChosen(f); });
+    faces.push_back({m_chosen, accent});
+  }
   m_layer.setFaceMarks(std::move(faces));
 
   std::vector<PointMark> points;
@@ -179,6 +216,7 @@ void DefectScene::drawDefects() {
     }
     lines.push_back(std::move(mark));
   }
+  if (m_chosen.size() <= kMostOutlined) lines.push_back({outlinesOf(m_document->document.mesh(), m_chosen), accent});
   m_layer.setLineMarks(std::move(lines));
 }
 

@@ -23,14 +23,17 @@ class DefectScene : public QObject {
   DefectScene(Viewport& viewport, MeshLayer& layer, Selection& selection, DefectModel& defects,
               QObject* parent = nullptr);
 
-  void setDocument(MeshTab* document);  // the camera is stored with the previous document
-  void showLoop(int loop);              // moves the camera there
-  void showPlace(const QModelIndex& defect);
-  void refreshVisibility();  // after MeshTab::visible was changed
+  void setDocument(MeshTab* document);         // the camera is stored with the previous document
+  void showLoop(int loop);                     // moves the camera there
+  void showPlace(const QModelIndex& defect);   // moves the camera there if it is not well seen
+  void markChosen(const QModelIndex& defect);  // among the others of its kind; invalid: none
+  void refreshVisibility();                    // after MeshTab::visible was changed
 
  private:
   int loopAt(const Pick& pick) const;  // also when the cursor is inside the hole, not on its rim
   void drawLoops();
+  bool isChosen(Face f) const;
+  void flyTo(const Box& place, const Vec3& outward);
   void drawDefects();
 
   Viewport& m_viewport;
@@ -38,6 +41,7 @@ class DefectScene : public QObject {
   Selection& m_selection;
   DefectModel& m_defects;
   MeshTab* m_document = nullptr;
+  std::vector<Face> m_chosen;  // sorted; faces of the defect that is selected in the list
 };
 
 }  // namespace handwheel

@@ -39,6 +39,8 @@ class FixPreview : public QObject {
   bool isWorking() const { return m_isWorking; }
   // What is shown; empty while there is nothing.
   const ChangePreview& shown() const { return m_shown; }
+  // It was tried, and would do nothing.
+  bool isPointless() const { return m_isReady && m_shown.isEmpty(); }
   QString text() const;  // "Removes 2 triangles, adds 3"; empty when there is no fix
 
  signals:

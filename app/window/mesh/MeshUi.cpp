@@ -104,6 +104,7 @@ void MeshUi::connectSelection() {
     const auto kind = static_cast<DefectKind>(index.data(DefectModel::KindRole).toInt());
     m_defectActions.choose(index.isValid() ? std::optional(kind) : std::nullopt,
                            index.parent().isValid() ? index.row() : -1);
+    m_scene->markChosen(index);
   });
   connect(&m_jobs, &RepairJobs::changedNothing, this,
           [this](const MeshTab* document, const QString& what, const QString& why) {

@@ -21,30 +21,60 @@ struct NextStepsWords {
   Q_DECLARE_TR_FUNCTIONS(NextSteps)
 };
 
-// "3 non-manifold edges, 1 loose piece.": everything that is wrong besides the holes. What was turned over on opening
-// is mended.
-QString otherFindings(const Inspection& inspection) {
-  QStringList parts;
-  const auto add = [&](DefectKind kind, const auto& phrase) {
-    if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
-  };
-  add(DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); });
-  add(DefectKind::NonManifoldVertex,
-      [](int n) { return NextStepsWords::tr("%Ln non-manifold vertex(ices)", nullptr, n); });
-  add(DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln one-sided edge(s)", nullptr, n); });
-  add(DefectKind::InsideOut, [](int n) { return NextStepsWords::tr("%Ln body(ies) inside out", nullptr, n); });
-  add(DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); });
-  add(DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln degenerate triangle(s)", nullptr, n); });
-  add(DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); });
-  add(DefectKind::SelfIntersection, [](int n) { return NextStepsWords::tr("%Ln self-intersection(s)", nullptr, n); });
-  add(DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln piece(s) of debris", nullptr, n); });
+struct Finding {
+  DefectKind kind;
+  QString (*phrase)(int);
+};
+
+// What may be wrong. What was turned over on opening is mended.
+constexpr Finding kFindings[] = {
+    {DefectKind::Hole, [](int n) { return NextStepsWords::tr("%Ln hole(s)", nullptr, n); }},
+    {DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); }},
+    {DefectKind::NonManifoldVertex,
+     [](int n) { return NextStepsWords::tr("%Ln non-manifold vertex(ices)", nullptr, n); }},
+    {DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln one-sided edge(s)", nullptr, n); }},
+    {DefectKind::InsideOut, [](int n) { return NextStepsWords::tr("%Ln body(ies) inside out", nullptr, n); }},
+    {DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); }},
+    {DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln degenerate triangle(s)", nullptr, n); }},
+    {DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); }},
+    {DefectKind::SelfIntersection, [](int n) { return NextStepsWords::tr("%Ln self-intersection(s)", nullptr, n); }},
+    {DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln piece(s) of debris", nullptr, n); }},
+};
+
+QString sentence(const QStringList& parts) {
   return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
 }
 
-QString headline(const Inspection& inspection) {
-  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-  return holes > 0 ? NextStepsWords::tr("%Ln hole(s) found.", nullptr, holes)
-                   : NextStepsWords::tr("No holes, but other defects.");
+enum class Compared { No, Yes };
+
+// "3 non-manifold edges, 1 piece of debris.": what is wrong besides the holes; without what comparison() says.
+QString otherFindings(const Inspection& inspection, Compared compared) {
+  QStringList parts;
+  for (const Finding& finding : kFindings) {
+    const auto n = static_cast<int>(inspection.count(finding.kind));
+    const bool isSaid = compared == Compared::Yes && inspection.countBefore(finding.kind);
+    if (n > 0 && finding.kind != DefectKind::Hole && !isSaid) parts << finding.phrase(n);
+  }
+  return sentence(parts);
+}
+
+// "168 of 172 self-intersections removed, new: 2 non-manifold edges.": what the repair has changed.
+QString comparison(const Inspection& inspection) {
+  QStringList removed, fresh;
+  for (const Finding& finding : kFindings) {
+    const std::optional<std::size_t> before = inspection.countBefore(finding.kind);
+    if (!before) continue;
+    const auto was = static_cast<int>(*before), is = static_cast<int>(inspection.count(finding.kind));
+    if (is > was) {
+      fresh << finding.phrase(is - was);
+    } else {
+      const QString done = QLocale().toString(was - is), all = finding.phrase(was);
+      removed << (finding.kind == DefectKind::Hole ? NextStepsWords::tr("%1 of %2 closed").arg(done, all)
+                                                   : NextStepsWords::tr("%1 of %2 removed").arg(done, all));
+    }
+  }
+  if (!fresh.isEmpty()) removed << NextStepsWords::tr("new: %1").arg(fresh.join(QStringLiteral(", ")));
+  return sentence(removed);
 }
 
 // "Hole 3 stays open: every patch would cross the part." for the first few.
@@ -76,14 +106,30 @@ QString openTitle(const Inspection& inspection) {
                                 .arg(QLocale().toString(pieces));
 }
 
-// A hole that the repair opened itself was not.
-bool wasTriedOnAll(const Inspection& inspection) {
-  const auto& holes = inspection.holes();
-  return std::all_of(holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) != FillFailure::None; });
+QString headline(const Inspection& inspection) {
+  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
+  if (holes > 0) return NextStepsWords::tr("%Ln hole(s) found.", nullptr, holes);
+  return inspection.sheetCount() > 0 ? openTitle(inspection) : NextStepsWords::tr("No holes, but other defects.");
+}
+
+QString openSheets(const Inspection& inspection) {
+  const auto sheets = static_cast<int>(inspection.sheetCount());
+  return sheets == 0 ? QString() : NextStepsWords::tr("%Ln open sheet(s).", nullptr, sheets);
 }
 
 bool isWorthSaving(const MeshTab& document) {
   return document.document.isModified() || (!document.written && !document.document.reversedFaces().empty());
+}
+
+// Once all of it is in the file.
+QString savedAs(const MeshTab& document) {
+  if (!document.written || isWorthSaving(document)) return {};
+  return NextStepsWords::tr("Saved as %1.").arg(document.document.name());
+}
+
+QString joined(QStringList sentences) {
+  sentences.removeAll(QString());
+  return sentences.join(QLatin1Char(' '));
 }
 
 // What may be done about what a repair leaves, in one place.
@@ -94,7 +140,7 @@ void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& 
   if (inspection.count(DefectKind::SelfIntersection) > 0) step.actions.push_back(actions.resolveIntersections);
   if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
-  if (document.isJustRepaired()) step.actions.push_back(actions.undoRepair);
+  if (document.isJustRepaired() && document.document.isModified()) step.actions.push_back(actions.undoRepair);
 }
 
 // What is closed, or kept open, with nothing else that "Repair all" mends.
@@ -113,18 +159,19 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     step.colour = colours.warning;
     if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
   }
-  QStringList details{otherFindings(inspection)};
+  QStringList details;
   const auto turned = static_cast<int>(document.document.reversedFaces().size());
   if (isWorthSaving(document)) {
+    details << comparison(inspection) << otherFindings(inspection, Compared::Yes);
     step.actions.push_back(actions.saveAs);
     if (turned > 0)
       details << NextStepsWords::tr("%Ln triangle(s) had the wrong orientation and were reversed.", nullptr, turned);
-  } else if (document.written) {
-    details << NextStepsWords::tr("Saved as %1.").arg(document.document.name());
-  } else if (state.isSound() && inspection.debris().empty()) {
-    details << NextStepsWords::tr("There is nothing to repair.");
+  } else {
+    details << otherFindings(inspection, Compared::No) << savedAs(document);
+    if (!document.written && state.isSound() && inspection.debris().empty())
+      details << NextStepsWords::tr("There is nothing to repair.");
   }
-  step.detail = details.join(QLatin1Char(' ')).trimmed();
+  step.detail = joined(details);
   addFurther(step, document, actions);
   return step;
 }
@@ -133,15 +180,15 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
 NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-  const QStringList what{reasons(inspection), otherFindings(inspection)};
   NextStep left{QStringLiteral("warning"),
                 themeColours(currentTheme()).warning,
                 holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
                           : NextStepsWords::tr("Some defects remain."),
-                what.join(QLatin1Char(' ')).trimmed(),
+                joined({comparison(inspection), reasons(inspection), openSheets(inspection),
+                        otherFindings(inspection, Compared::Yes), savedAs(document)}),
                 {}};
   if (holes > 0) left.actions.push_back(actions.oneByOne);
-  left.actions.push_back(actions.saveAs);
+  if (isWorthSaving(document)) left.actions.push_back(actions.saveAs);
   addFurther(left, document, actions);
   return left;
 }
@@ -153,14 +200,14 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   if (document.cardDismissed) return {};
   if (inspection.isClean()) return cleanStep(document, actions);
   // Not once that is undone, or anything else was changed: then it may do something.
-  if (document.repairedRevision == document.document.revision() && wasTriedOnAll(inspection))
-    return leftStep(document, actions);
+  if (document.repairedRevision == document.document.revision()) return leftStep(document, actions);
   const bool holes = !inspection.holes().empty();
-  NextStep step{holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
-                holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
-                headline(inspection),
-                otherFindings(inspection),
-                {actions.repairAll}};
+  NextStep step{
+      holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
+      holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
+      headline(inspection),
+      joined({holes ? openSheets(inspection) : QString(), otherFindings(inspection, Compared::No), savedAs(document)}),
+      {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   return step;

@@ -3,6 +3,7 @@
 #include "window/mesh/RepairJobs.h"
 
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/structure/FaceComponents.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "proximity/SelfIntersection.h"
@@ -32,6 +33,33 @@ std::vector<std::pair<Vertex, FillFailure>> failuresOf(const Inspection& inspect
       failures.emplace_back(inspection.keyOf(loop.id), loop.reason);
   }
   return failures;
+}
+
+// Why the holes stayed open that the repair opened itself, or whose key it changed: the one reason it gives for such.
+std::vector<std::pair<Vertex, FillFailure>> failuresOfOthers(const Inspection& inspection, const RepairReport& report) {
+  FillFailure reason = FillFailure::SelfIntersecting;
+  for (const LoopResult& loop : report.loops)
+    if (loop.outcome == LoopOutcome::Failed && loop.id < 0) reason = loop.reason;
+  std::vector<std::pair<Vertex, FillFailure>> failures;
+  for (const int id : inspection.holes())
+    if (inspection.failure(id) == FillFailure::None) failures.emplace_back(inspection.keyOf(id), reason);
+  return failures;
+}
+
+bool isDeletion(const MeshChange& change) {
+  return change.step.starts_with("delete ");
+}
+
+// The connected parts of a mesh of which another version has no face any more. 0 if cancelled.
+std::size_t countGone(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress) {
+  const PositionTriangles byPosition(before, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return 0;
+  const FaceComponents components(before, byPosition, progress.part(0.5, 1.0));
+  if (progress.cancelled()) return 0;
+  std::vector<bool> isLeft(components.count(), false);
+  for (Face f = 0; f < before.faceSlots(); ++f)
+    if (before.isLive(f) && after.isLive(f)) isLeft[components.of(f)] = true;
+  return static_cast<std::size_t>(std::count(isLeft.begin(), isLeft.end(), false));
 }
 
 std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
@@ -131,13 +159,16 @@ void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) 
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     wanted.apply(result, progress.part(0.0, 0.5));
-    const auto crossings = wanted.crossed ? intersectionsChange(mesh, result, progress.part(0.4, 0.5)) : std::nullopt;
+    Changed change;
+    if (wanted.crossed) change.crossings = intersectionsChange(mesh, result, progress.part(0.4, 0.5));
+    if (isDeletion(wanted)) change.bodiesGone = countGone(mesh, result, progress.part(0.4, 0.5));
+    change.facesGone = mesh.liveFaceCount() - std::min(mesh.liveFaceCount(), result.liveFaceCount());
     if (progress.cancelled()) return {};
-    return [this, document, revision, round, wanted, text, crossings,
+    return [this, document, revision, round, wanted, text, change,
             after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
       if (!m_tabs.contains(document)) return changeEnded();
       if (!isStale(document, revision)) {
-        changed(document, wanted, text, after, crossings);
+        changed(document, wanted, text, after, change);
         return changeEnded();
       }
       reportStale(*document, round);
@@ -150,7 +181,8 @@ void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) 
 }
 
 void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
-                         const std::optional<IntersectionsChange>& crossings) {
+                         const Changed& change) {
+  const auto& crossings = change.crossings;
   const auto known = document->inspection.selfIntersections();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
@@ -160,6 +192,7 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
             ? tr("%1: %2 by %3").arg(name, text, thicknessText(*wanted.thickness, document->document.displayUnit()))
             : tr("%1: %2").arg(name, text),
         command);
+    if (change.bodiesGone > 0) reportBodiesGone(document, change);
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)
@@ -169,6 +202,22 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
   } else if (const char* reason = reasonOf(wanted)) {
     emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
   }
+}
+
+// One triangle was meant, perhaps, and all that hangs together with it was selected.
+void RepairJobs::reportBodiesGone(MeshTab* document, const Changed& change) {
+  const MeshDocument& mesh = document->document;
+  emit message(
+      {.weight = Message::Weight::Info,
+       .title = tr("%Ln whole piece(s) deleted", nullptr, static_cast<int>(change.bodiesGone)),
+       .detail = tr("%Ln triangle(s) are gone from %1.", nullptr, static_cast<int>(change.facesGone)).arg(mesh.name()),
+       .actionText = tr("Undo"),
+       .action =
+           [this, document] {
+             if (m_tabs.contains(document)) document->document.history()->undo();
+           },
+       .about = &mesh,
+       .isOver = [&mesh, then = mesh.revision()] { return mesh.revision() != then; }});
 }
 
 void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {
@@ -212,15 +261,17 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
 void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done) {
   Inspection& inspection = document->inspection;
   const auto failures = failuresOf(inspection, done.report);
+  const auto before = inspection.counts();
   logRepair(*document, done);
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   document->repairedRevision = document->document.revision();
   document->hasRepairChanged = isChanged;
   inspection.setFailures(failures);
-  if (isChanged) return;
-  emit changedNothing(document, tr("Repair all"),
-                      tr("The remaining defects could not be repaired without damage. The list of defects shows them, "
-                         "and the log says why holes stay open."));
+  inspection.setFailures(failuresOfOthers(inspection, done.report));
+  if (isChanged) return inspection.setCountsBefore(before);
+  QString why = tr("The remaining defects could not be repaired without damage. The list of defects shows them.");
+  if (!inspection.holes().empty()) why += QLatin1Char(' ') + tr("The log says why holes stay open.");
+  emit changedNothing(document, tr("Repair all"), why);
 }
 
 void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {

@@ -58,8 +58,14 @@ class RepairJobs : public QObject {
   void changeEnded();
   void dropChanges(const DocumentTab* document);
   void startRepair(MeshTab* document, Round round);
+  struct Changed {
+    std::optional<IntersectionsChange> crossings;
+    std::size_t bodiesGone = 0;  // connected parts of which nothing is left; of a deletion
+    std::size_t facesGone = 0;
+  };
   void changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
-               const std::optional<IntersectionsChange>& crossings);
+               const Changed& change);
+  void reportBodiesGone(MeshTab* document, const Changed& change);
   double nearWeld() const;  // tolerance for the defects of a job's result
   bool isStale(MeshTab* document, std::uint64_t revision) const;
   struct Filled {

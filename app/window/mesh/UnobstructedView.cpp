@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/UnobstructedView.h"
 
+#include "viewport/Viewport.h"
+#include "viewport/camera/CameraNavigation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,6 +18,14 @@ constexpr double kTilts[] = {30.0, 50.0, 70.0};  // degrees from outward
 constexpr int kTurns = 8;                        // directions at each tilt
 // What a tilt costs against being hidden: at 70 degrees as much as a tenth of the place.
 constexpr double kTiltCost = 0.15;
+// A place is well seen when it has so many pixels at least, and its normal such a cosine to the viewer's direction;
+constexpr double kLeastSize = 24.0;
+constexpr double kLeastFacing = 0.25;
+// such a share of its box lies in this share of the view from above, for below is the card;
+constexpr double kLeastShown = 0.8;
+constexpr double kFreeShare = 0.8;
+// what is less than so many pixels in front does not cover it.
+constexpr double kDepthPixels = 2.0;
 constexpr std::size_t kFacesLookedAt = 100000;  // roughly
 
 std::vector<Vec3> candidates(const Vec3& outward) {
@@ -67,6 +78,26 @@ Vec3 unobstructedDirection(const HalfEdgeMesh& mesh, const Box& place, const Vec
     least = cost;
   }
   return directions[best];
+}
+
+bool isWellSeen(const Viewport& view, const Box& place, const Vec3& outward) {
+  if (place.isEmpty()) return false;
+  const CameraNavigation navigation(view.camera(), {view.width(), view.height()});
+  if (outward.dot(view.camera().towardsViewer()) < kLeastFacing * outward.norm()) return false;
+  const Eigen::AlignedBox2d room(Vec2(0.0, 0.0), Vec2(view.width(), kFreeShare * view.height()));
+  Eigen::AlignedBox2d shown;
+  for (const Vec3& corner : cornersOf(place)) {
+    if (!navigation.isBeforeEye(corner)) return false;
+    shown.extend(navigation.toScreen(corner));
+  }
+  if (shown.diagonal().norm() < kLeastSize) return false;
+  const Vec2 margin = Vec2::Ones();  // it may be a line
+  shown = Eigen::AlignedBox2d(Vec2(shown.min() - margin), Vec2(shown.max() + margin));
+  if (!room.intersects(shown) || room.intersection(shown).volume() < kLeastShown * shown.volume()) return false;
+  const ViewRay ray = navigation.rayAt(navigation.toScreen(place.center()), view.bounds());
+  const Pick first = view.pickAlong(ray.origin, ray.direction);
+  const double depth = (place.center() - ray.origin).dot(ray.direction) - place.diagonal().norm() / 2.0;
+  return first.isNothing() || first.distance >= depth - kDepthPixels * navigation.unitsPerPixelAt(place.center());
 }
 
 }  // namespace handwheel

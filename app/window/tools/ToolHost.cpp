@@ -117,6 +117,7 @@ void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
   if (tool->remembersSettings())
     for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
+  m_panel.setActions({}, {});  // those of another tool have nothing to do with its own
   m_runner.start(std::move(tool), document);
   show();
 }

@@ -11,12 +11,21 @@ namespace handwheel {
 
 namespace {
 
-// Those that can be pressed, each effect once: Return and Esc may both mean "done".
-std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions) {
+// Those that can be pressed, each effect once: Return and Esc may both mean "done". One that had an effect of its own
+// before keeps its place and title, disabled, so that no other button comes under the pointer.
+std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions,
+                                  const std::map<std::string, std::string>& effectsBefore) {
   std::vector<ToolAction> shown;
-  for (const ToolAction& action : actions) {
+  for (ToolAction action : actions) {
     const auto same = [&action](const ToolAction& other) { return other.effect == action.effect; };
-    if (!action.id.empty() && std::none_of(shown.begin(), shown.end(), same)) shown.push_back(action);
+    if (action.id.empty()) continue;
+    if (std::any_of(shown.begin(), shown.end(), same)) {
+      const auto before = effectsBefore.find(action.id);
+      if (before == effectsBefore.end()) continue;
+      action.effect = before->second;
+      action.enabled = false;
+    }
+    shown.push_back(std::move(action));
   }
   return shown;
 }
@@ -41,7 +50,9 @@ ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), m_settings(new Property
 
 void ToolPanel::setActions(const std::vector<ToolAction>& actions,
                            const std::function<QString(const ToolAction&)>& keyOf) {
-  const std::vector<ToolAction> shown = buttonsOf(actions);
+  const std::vector<ToolAction> shown = buttonsOf(actions, m_effects);
+  m_effects.clear();
+  for (const ToolAction& action : shown) m_effects[action.id] = action.effect;
   const bool same = std::equal(shown.begin(), shown.end(), m_buttons.begin(), m_buttons.end(),
                                [](const ToolAction& action, const auto& button) { return action.id == button.first; });
   if (!same) {

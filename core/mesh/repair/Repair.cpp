@@ -20,6 +20,7 @@
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/Shells.h"
 #include "mesh/structure/Weld.h"
 
@@ -37,6 +38,11 @@ double millisecondsSince(Clock::time_point start) {
 }
 
 constexpr int kHardRounds = 4;
+// Most repairs need two rounds, of which the last finds nothing to do.
+constexpr int kMostRounds = 8;
+// Of the progress, what all rounds take; and of that, what is left for the others when one is done.
+constexpr double kRounds = 0.95;
+constexpr double kRestOfRounds = 0.2;
 
 class Repairer {
  public:
@@ -61,25 +67,19 @@ class Repairer {
     }
   }
 
+  // Until a round finds nothing more to do: another repair() of the result would find nothing either.
   RepairReport run(Progress progress) {
-    clean(progress.part(0.0, 0.3));
-    if (!progress.cancelled()) {
-      const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
-      WorkBudget effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
-      m_report.nonOrientableCuts =
-          closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
+    double from = 0.0;
+    for (m_round = 0; m_round < kMostRounds && !progress.cancelled(); ++m_round) {
+      const double to = 1.0 - kRestOfRounds * (1.0 - from);
+      const HalfEdgeMesh before = m_mesh;
+      if (m_round > 0)
+        relink(m_mesh, progress.part(kRounds * from, kRounds * from));  // as it would be read from a file
+      repairOnce(progress.part(kRounds * from, kRounds * to));
+      from = to;
+      if (MeshDelta::isEmptyBetween(before, m_mesh)) break;
     }
-    if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
-    if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
-    if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
-    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.945));
-    if (!progress.cancelled()) removeOwnDebris(progress.part(0.945, 0.95));
-    if (!progress.cancelled()) {
-      const std::vector<std::vector<Face>> insideOut = findInsideOutShells(m_mesh, progress.part(0.95, 0.96));
-      for (const std::vector<Face>& body : insideOut) reverseShells(m_mesh, body);
-      m_report.reversedBodies = insideOut.size();
-    }
-    if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
+    if (!progress.cancelled()) finish(progress.part(kRounds, 1.0));
     m_report.isSeparationIncomplete = m_separationBudget.isSpent();
     m_report.effort = m_fillEffort.spent() + m_closeEffort.spent();
     m_report.countedEffort = m_fillEffort.counted() + m_closeEffort.counted();
@@ -90,14 +90,33 @@ class Repairer {
   const HalfEdgeMesh& mesh() const { return m_mesh; }
 
  private:
-  void clean(Progress progress) {
-    if (!progress.cancelled()) m_report.removedDegenerate = removeDegenerateFaces(m_mesh, progress.part(0.0, 0.15));
-    if (!progress.cancelled()) m_report.removedDuplicates = removeDuplicateFaces(m_mesh, progress.part(0.15, 0.35));
-    if (!progress.cancelled()) m_report.removedFlaps = removeFlaps(m_mesh, progress.part(0.35, 0.6));
-    if (m_options.removeDebris && !progress.cancelled())
-      m_report.removedDebris = removeDebris(m_mesh, progress.part(0.6, 0.7));
+  void repairOnce(Progress progress) {
+    clean(progress.part(0.0, 0.3));
     if (!progress.cancelled()) {
-      m_report.mergedVertices =
+      const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
+      WorkBudget effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
+      m_report.nonOrientableCuts +=
+          closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
+    }
+    if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
+    if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
+    if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
+    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.97));
+    if (!progress.cancelled()) removeOwnDebris(progress.part(0.97, 0.98));
+    if (progress.cancelled()) return;
+    const std::vector<std::vector<Face>> insideOut = findInsideOutShells(m_mesh, progress.part(0.98, 1.0));
+    for (const std::vector<Face>& body : insideOut) reverseShells(m_mesh, body);
+    m_report.reversedBodies += insideOut.size();
+  }
+
+  void clean(Progress progress) {
+    if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.0, 0.15));
+    if (!progress.cancelled()) m_report.removedDuplicates += removeDuplicateFaces(m_mesh, progress.part(0.15, 0.35));
+    if (!progress.cancelled()) m_report.removedFlaps += removeFlaps(m_mesh, progress.part(0.35, 0.6));
+    if (m_options.removeDebris && !progress.cancelled())
+      m_report.removedDebris += removeDebris(m_mesh, progress.part(0.6, 0.7));
+    if (!progress.cancelled()) {
+      m_report.mergedVertices +=
           stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
     }
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
@@ -127,7 +146,7 @@ class Repairer {
 
   // The vertices of loops that the user wants open.
   std::vector<bool> keptVertices() const {
-    std::vector<bool> kept(m_input.vertexSlots(), false);
+    std::vector<bool> kept(m_mesh.vertexSlots(), false);
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       if (!m_options.keepOpen.contains(loop.id)) continue;
       for (HalfEdge h : loop.halfEdges) kept[m_input.from(h)] = kept[m_input.to(h)] = true;
@@ -158,16 +177,20 @@ class Repairer {
         result.shape = compared(before, loops[i], fills[i].attempt.patch);
       }
       result.milliseconds = fills[i].milliseconds;
-      m_results.record(result, owners[i]);
+      if (m_round > 0 && result.outcome == LoopOutcome::Filled) {
+        m_results.replace(result, owners[i]);
+      } else {
+        m_results.record(result, owners[i]);
+      }
     }
   }
 
   // What is cut and parted may leave slits, which the next round closes. What touches is parted, whatever else may be.
   void closeHard(Progress progress) {
-    const Progress all = progress.measuredBy(m_closeEffort), now = all.within(m_hardEffort);
+    const Progress now = progress.measuredBy(m_hardEffort);
     for (int round = 0; round < kHardRounds; ++round) {
       const bool closed = !now.cancelled() && closeHardOnce(now);
-      const bool parted = !progress.cancelled() && part(all.within(m_separationBudget));
+      const bool parted = !progress.cancelled() && part(now.within(m_separationBudget));
       if (!closed && !parted) return;
     }
   }
@@ -221,9 +244,10 @@ class Repairer {
       const FillFailure reason = reasonToLeave(loop, owners);
       return reason != FillFailure::None && (reason != FillFailure::Rim || !owners.empty());
     });
-    m_report.replacedFaces =
+    const std::size_t replaced =
         replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_tangleEffort));
-    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_separationBudget));
+    m_report.replacedFaces += replaced;
+    if (replaced > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_separationBudget));
   }
 
   void cutCrossings(Progress progress) {
@@ -233,7 +257,7 @@ class Repairer {
     const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
     if (!pairs) return;
     const ClusterRemoval cut = removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));
-    m_report.cutClusters = cut.clusters;
+    m_report.cutClusters += cut.clusters;
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
   }
 
@@ -254,8 +278,10 @@ class Repairer {
     }
   }
 
-  // Filled holes change the shape of a sheet: what was its outer edge when it was listed remains so.
+  // Filled holes change the shape of a sheet, which may be none any more. Its outer edge remains one until they are
+  // done; then it is what anyone finds who looks at the result.
   bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
+    if (m_round > 0) return loop.rim;
     const auto was = [&](int id) { return m_results.inputLoops()[static_cast<std::size_t>(id)].rim; };
     return loop.rim || std::any_of(owners.begin(), owners.end(), was);
   }
@@ -264,7 +290,7 @@ class Repairer {
     const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
     if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
     if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners)) return FillFailure::Rim;
-    if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
+    if (m_options.maxEdges > 0 && loop.borderEdges > m_options.maxEdges) return FillFailure::TooLong;
     return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
   }
 
@@ -330,6 +356,7 @@ class Repairer {
   HalfEdgeMesh m_mesh;
   RepairOptions m_options;  // with the corners of what stays open
   HoleOutcomes m_results;
+  int m_round = 0;
   double m_thickness;                // mm
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
   WorkBudget m_fillEffort;

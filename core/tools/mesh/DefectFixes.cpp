@@ -36,6 +36,14 @@ constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too lo
 constexpr const char* kBoundaryIsKept =
     QT_TRANSLATE_NOOP("Tool", "a boundary of the sheet is marked to stay open, and a thin body has none");
 
+constexpr const char* kOnlyWithHoles = QT_TRANSLATE_NOOP(
+    "Tool", "no cut would separate the triangles cleanly; “Repair all” may replace them together with a hole");
+
+bool hasHoles(const HalfEdgeMesh& mesh, Progress progress) {
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress);
+  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return !loop.rim; });
+}
+
 // A change that counts what it does. work: false where it was given up because that was too much.
 MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason) {
   return explainedChange(
@@ -221,18 +229,20 @@ MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vert
                   step.text());
 }
 
+// A repair replaces what is folded around a hole, which no cut can separate.
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
-  return withStep(
-      counted(
-          meshOperation("cut-crossings").title,
-          [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-            WorkBudget effort = progress.share(mostEffort(mesh));
-            return !removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort)).isCutShort;
-          },
-          QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
-      step.text());
+  return withStep(explainedChange(
+                      meshOperation("cut-crossings").title,
+                      [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+                        WorkBudget effort = progress.share(mostEffort(mesh));
+                        const ClusterRemoval cut =
+                            removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort));
+                        return cut.isCutShort ? kTooLong : hasHoles(mesh, progress) ? kOnlyWithHoles : nullptr;
+                      },
+                      QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
+                  step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {

@@ -38,6 +38,16 @@ SnapTargets SelectTool::snapTargets() const {
   return {.borderEdges = m_settings.mode == Mode::Click, .faces = true};
 }
 
+std::vector<Property> SelectTool::settings() const {
+  std::vector<Property> all = m_settings.properties();
+  all.push_back({.id = "selected",
+                 .group = {},
+                 .label = QT_TRANSLATE_NOOP("Property", "Selected triangles"),
+                 .value = static_cast<double>(selection().faces.count()),
+                 .editable = false});
+  return all;
+}
+
 const HalfEdgeMesh& SelectTool::mesh() const {
   return m_document.mesh();
 }

@@ -34,7 +34,7 @@ class SelectTool : public Tool {
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
-  std::vector<Property> settings() const override { return m_settings.properties(); }
+  std::vector<Property> settings() const override;  // with the number of selected faces
   void setSetting(std::string_view id, const PropertyValue& value) override;
   SnapTargets snapTargets() const override;
   void documentChanged() override;

@@ -128,6 +128,8 @@ class ViewportTest : public ViewportFixture {
     const CameraState aside = m_view->camera();
     QVERIFY(aside.height > whole.height);
     QVERIFY(CameraNavigation(aside, {600, 500}).toScreen(Vec3(10, 0, 0)).y() < 300);  // its lower edge
+    m_view->setCovered(250);
+    QCOMPARE(m_view->camera(), aside);  // a card that grows zooms nothing
     m_view->setCovered(0);
     QCOMPARE(m_view->camera(), aside);  // what comes free is used at the next fit
     m_view->setCamera(sheetFromAbove());

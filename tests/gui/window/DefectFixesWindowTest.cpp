@@ -211,11 +211,12 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.open(file("plate.stl", soup)));
     QCOMPARE(driver.count(DefectKind::Duplicate), 1);
     clickGroup(driver, DefectKind::Duplicate);
-    driver.click("fixDefectButton");
-    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
-    QVERIFY(driver.text("messageText").contains("two sides of a plate"));
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("fixPreviewStatus").contains("two sides of a plate"));
+    QVERIFY(!driver.find<QAbstractButton>("fixDefectButton")->isEnabled());
     driver.find<QAction>("repairAll")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("Repair all"), kPatienceMs);
+    QVERIFY(!driver.text("messageText").contains("stay open"));  // there is no hole
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::Duplicate), 1);
     QVERIFY(driver.text("nextStepDetail").contains("1 duplicate triangle"));
@@ -230,10 +231,10 @@ class DefectFixesWindowTest : public QObject {
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0);
     clickGroup(driver, DefectKind::SelfIntersection);
-    driver.click("fixDefectButton");
-    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
     QVERIFY(driver.settle());
-    QVERIFY(driver.text("messageText").contains("no cut would separate"));
+    QVERIFY(driver.text("fixPreviewStatus").contains("no cut would separate"));
+    QVERIFY(!driver.text("fixPreviewStatus").contains("Repair all"));  // without a hole it would do no more
+    QVERIFY(!driver.find<QAbstractButton>("fixDefectButton")->isEnabled());
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
   }
 };

@@ -59,6 +59,34 @@ class DefectModelTest : public QObject {
     QCOMPARE(box.max().y(), 2.0);
     QVERIFY(outward.z() > 0 && outward.x() == 0 && outward.y() == 0);
   }
+
+  // As "handwheel inspect" counts: open edges, not those of the loop that other faces share in the file.
+  void edgesAreOpenOnes() {
+    TriangleSoup soup;  // three triangles at one edge: one of them has an edge that only a seam joins
+    soup.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}};
+    soup.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+    const auto document = test::meshDocument(soup);
+    Inspection inspection(*document);
+    std::size_t open = 0;
+    for (const BoundaryLoop& loop : document->defects().loops) {
+      open += loop.borderEdges;
+      const QString edges = QLocale().toString(qulonglong(loop.borderEdges)) + " edge";
+      QVERIFY2(inspection.loopDetail(loop.id).startsWith(edges), qPrintable(inspection.loopDetail(loop.id)));
+    }
+    QCOMPARE(open, std::size_t{6});
+  }
+
+  void aRowHasTheFacesOfItsDefect() {
+    const auto document = scatteredTriangles(3);
+    Inspection inspection(*document);
+    inspection.setSelfIntersections(document->revision(), {{0, 1}, {1, 2}});
+    DefectModel model;
+    model.setInspection(&inspection);
+    const QModelIndex group = model.groupIndex(DefectKind::SelfIntersection);
+    QCOMPARE(model.facesOf(model.index(1, 0, group)), (std::vector<Face>{1, 2}));
+    QVERIFY(model.facesOf(group).empty());
+    QVERIFY(model.facesOf(QModelIndex()).empty());
+  }
 };
 
 HANDWHEEL_TEST(DefectModelTest)

@@ -87,6 +87,55 @@ class RepairFlowTest : public QObject {
     QCOMPARE(driver.tabs(), 0);
   }
 
+  // Card and list say what was there before; once it is saved, the card says that, and what was repaired stays so.
+  void whatARepairHasDone() {
+    std::vector<Corners> triangles = quadTorus(48, 24, {{3, 5}, {20, 11}, {35, 17}});
+    const Corner a{100, 0, 0}, b{101, 0, 0}, c{100, 1, 0};  // both sides of a plate, which nothing mends
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, b});
+    const QString path = m_folder.filePath("done.stl");
+    writeStl(path, triangles);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("nextStepDetail").startsWith("3 of 3 holes closed."),
+             qPrintable(driver.text("nextStepDetail")));
+    const auto before = [&](DefectKind kind) {
+      return driver.defects().groupIndex(kind).data(DefectModel::BeforeRole).toInt();
+    };
+    QCOMPARE(before(DefectKind::Hole), 3);
+    QCOMPARE(before(DefectKind::Duplicate), -1);
+    QVERIFY(driver.window().findChild<QAbstractButton*>("nextStep/undoRepair"));
+    driver.click("nextStep/saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("done2.stl")));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("nextStepDetail").contains("Saved as done2.stl."), kPatienceMs);
+    QTRY_VERIFY(!driver.window().findChild<QAbstractButton*>("nextStep/undoRepair"));
+    driver.choose("undo");
+    QCOMPARE(before(DefectKind::Hole), -1);
+    QVERIFY(driver.settle());
+  }
+
+  // A row flies there only when its place is not well seen already.
+  void aRowThatIsSeenMovesNothing() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("seen.stl")));
+    driver.clickDefect(DefectKind::Hole, 1);
+    auto* view = driver.find<Viewport>("viewport");
+    CameraState chosen = view->camera();
+    chosen.height *= 1.3;
+    view->setCamera(chosen);
+    QTRY_VERIFY_WITH_TIMEOUT(view->isPickingReady(), kPatienceMs);
+    driver.clickDefect(DefectKind::Hole, 1);
+    QCOMPARE(view->camera(), chosen);
+    chosen.orientation = Eigen::AngleAxisd(M_PI, chosen.up()) * chosen.orientation;  // from behind
+    view->setCamera(chosen);
+    driver.clickDefect(DefectKind::Hole, 1);
+    QVERIFY(view->camera() != chosen);
+    QVERIFY(driver.settle());
+  }
+
   void whatIsKeptOpenStaysOpen() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHoles("keep.stl")));
@@ -97,7 +146,7 @@ class RepairFlowTest : public QObject {
     driver.click("repairAllButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
-    QCOMPARE(driver.text("stateHeadline"), "No holes left");
+    QCOMPARE(driver.text("stateHeadline"), "No holes");
     driver.click("quickActions/saveFile");
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isWindowModified(), kPatienceMs);
     QCOMPARE(openEdges(readStl(m_folder.filePath("keep.stl"))), 4);
@@ -118,6 +167,7 @@ class RepairFlowTest : public QObject {
     WindowDriver driver;
     QVERIFY(driver.open(path));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+    QVERIFY(driver.text("nextStepDetail").contains("1 open sheet."));
     driver.clickDefect(DefectKind::KeptOpen, 0);
     auto* keep = driver.find<QAction>("keepOpen");
     QVERIFY(keep->isEnabled() && !keep->isChecked());

@@ -50,6 +50,39 @@ class ToolsTest : public QObject {
     QVERIFY(driver.settle());
   }
 
+  // How much is selected is said; what clears it keeps its place; and a whole piece does not go without a word.
+  void aWholePieceIsDeleted() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.find<QAction>("selectTool")->trigger();
+    const auto selected = [&] {
+      return driver.find<QWidget>("toolPanel")
+          ->findChild<QWidget*>("property/selected")
+          ->findChild<QLabel*>("propertyValue");
+    };
+    const auto clear = [&] {
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // those of the tool before
+      return driver.find<QAbstractButton>("toolAction/revert");
+    };
+    QCOMPARE(selected()->text(), QString("0"));
+    const QString all = driver.text("figures").section(QLatin1Char(' '), 0, 0);
+    driver.find<QAbstractButton>("toolAction/all")->click();
+    QCOMPARE(selected()->text(), all);
+    const QString title = clear()->text();
+    clear()->click();
+    QCOMPARE(selected()->text(), QString("0"));
+    QVERIFY(!clear()->isEnabled());
+    QCOMPARE(clear()->text(), title);
+    driver.find<QAbstractButton>("toolAction/all")->click();
+    driver.find<QAbstractButton>("toolAction/delete")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
+    QVERIFY(driver.text("messageText").contains("1 whole piece deleted"));
+    QVERIFY(driver.text("messageText").contains(all + " triangles"));
+    driver.click("messageAction");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("figures").section(QLatin1Char(' '), 0, 0), all, kPatienceMs);
+    QVERIFY(driver.settle());
+  }
+
   // A press that no movement of the pointer came before.
   void theFirstGestureCounts() {
     WindowDriver driver;

@@ -84,6 +84,11 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
   QFont font = option.font;
   font.setBold(count > 0);
   painter->setFont(font);
+  const int before = index.data(DefectModel::BeforeRole).toInt();
+  const QString compared = QStringLiteral("%1\u2009→\u2009%2").arg(QLocale().toString(before), number);
+  const int room = right.width() - kIcon - 2 * kDefectGap;
+  if (before >= 0 && painter->fontMetrics().horizontalAdvance(index.data().toString() + compared) <= room)
+    number = compared;
   painter->setPen(count > 0 ? colours.text : colours.muted);
   painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, number);
   const QRect name =

@@ -111,9 +111,12 @@ QVariant DefectModel::groupData(DefectKind kind, int role) const {
       return defectKindName(kind);
     case Qt::ToolTipRole:
       return hint(kind);
-    case Qt::AccessibleTextRole:
-      return searching ? tr("%1: searching").arg(defectKindName(kind))
-                       : tr("%1: %2").arg(defectKindName(kind)).arg(count);
+    case Qt::AccessibleTextRole: {
+      if (searching) return tr("%1: searching").arg(defectKindName(kind));
+      const auto before = m_inspection->countBefore(kind);
+      return before ? tr("%1: %2, before the repair %3").arg(defectKindName(kind)).arg(count).arg(*before)
+                    : tr("%1: %2").arg(defectKindName(kind)).arg(count);
+    }
     case Qt::DecorationRole:
       return icon(defectIconName(kind), defectColour(kind));
     case KindRole:
@@ -122,6 +125,10 @@ QVariant DefectModel::groupData(DefectKind kind, int role) const {
       return -1;
     case CountRole:
       return count;
+    case BeforeRole: {
+      const auto before = m_inspection->countBefore(kind);
+      return before ? static_cast<int>(*before) : -1;
+    }
     case ShownRole:
       return isShown(kind);
     default:
@@ -221,6 +228,11 @@ std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
     default:
       return {};
   }
+}
+
+std::vector<Face> DefectModel::facesOf(const QModelIndex& index) const {
+  if (!m_inspection || !index.isValid() || index.internalId() == 0) return {};
+  return facesOf(kindOfRow(index), index.row());
 }
 
 std::vector<Vertex> DefectModel::verticesOf(DefectKind kind, int row) const {

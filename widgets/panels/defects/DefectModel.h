@@ -22,6 +22,7 @@ class DefectModel : public QAbstractItemModel {
     DetailRole,               // secondary text at the right
     BriefRole,                // its most important part, where there is too little room
     CountRole,                // of a group; -1 while still searching
+    BeforeRole,               // of a group: the count before the last repair; -1 when there is nothing to compare
     NoteRole,                 // why a hole could not be filled
     ShownRole,                // of a group: its marks are drawn in the viewport
   };
@@ -40,6 +41,8 @@ class DefectModel : public QAbstractItemModel {
   QString hint(DefectKind kind) const;
   // The bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
   std::pair<Box, Vec3> placeOf(const QModelIndex& index) const;
+  // The faces of a row's defect; none for a loop, an edge or a vertex, or for an index that is no row.
+  std::vector<Face> facesOf(const QModelIndex& index) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& child) const override;

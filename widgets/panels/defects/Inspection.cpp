@@ -25,6 +25,7 @@ Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent
 
 void Inspection::documentChanged() {
   m_selfIntersections.reset();
+  m_before.clear();
   nameLoops();
   sortLoops();
   emit changed();
@@ -34,8 +35,7 @@ void Inspection::nameLoops() {
   m_keys.clear();
   for (const BoundaryLoop& each : m_document.defects().loops) {
     m_keys.push_back(handwheel::keyOf(m_document.mesh(), each));
-    int& given = each.rim ? m_rimsNamed : m_holesNamed;
-    if (m_numbers.emplace(m_keys.back(), given + 1).second) ++given;
+    if (m_numbers.emplace(m_keys.back(), m_named.peek(each.rim)).second) m_named.take(each.rim);
   }
 }
 
@@ -95,6 +95,27 @@ std::size_t Inspection::count(DefectKind kind) const {
   return 0;
 }
 
+std::map<DefectKind, std::size_t> Inspection::counts() const {
+  std::map<DefectKind, std::size_t> counts;
+  for (int i = 0; i < kDefectKinds; ++i) {
+    const auto kind = static_cast<DefectKind>(i);
+    if (kind != DefectKind::SelfIntersection || m_selfIntersections) counts[kind] = count(kind);
+  }
+  return counts;
+}
+
+void Inspection::setCountsBefore(std::map<DefectKind, std::size_t> counts) {
+  m_before = std::move(counts);
+  emit changed();
+}
+
+std::optional<std::size_t> Inspection::countBefore(DefectKind kind) const {
+  const auto found = m_before.find(kind);
+  const bool isSearching = kind == DefectKind::SelfIntersection && !m_selfIntersections;
+  if (found == m_before.end() || isSearching || found->second == count(kind)) return std::nullopt;
+  return found->second;
+}
+
 MeshState Inspection::state() const {
   return m_document.defects().state(m_selfIntersections ? std::optional(m_selfIntersections->size()) : std::nullopt);
 }
@@ -119,7 +140,7 @@ QString Inspection::loopLength(int id) const {
 }
 
 QString Inspection::loopDetail(int id) const {
-  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(loop(id).halfEdges.size())).arg(loopLength(id));
+  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(loop(id).borderEdges)).arg(loopLength(id));
 }
 
 QString Inspection::loopMeasures(int id) const {

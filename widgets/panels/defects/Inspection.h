@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/mesh/MeshDocument.h"
+#include "mesh/boundary/LoopNumbers.h"
 #include "mesh/holes/HoleFiller.h"
 #include "theme/DefectColours.h"
 
@@ -40,6 +41,12 @@ class Inspection : public QObject {
 
   // The number of defects of this kind; for self-intersections 0 while unknown.
   std::size_t count(DefectKind kind) const;
+  // The numbers of all kinds of defects; without self-intersections while these are unknown.
+  std::map<DefectKind, std::size_t> counts() const;
+  // Sets what there was before the repair that made the present mesh. Kept until the mesh changes.
+  void setCountsBefore(std::map<DefectKind, std::size_t> counts);
+  // None where nothing is known to compare with, or the number is the same.
+  std::optional<std::size_t> countBefore(DefectKind kind) const;
   // The state of the present mesh, with its self-intersections once they are computed.
   MeshState state() const;
   // Whether there is nothing that a repair would change.
@@ -82,9 +89,9 @@ class Inspection : public QObject {
   std::optional<FacePairs> m_selfIntersections;
   std::vector<Vertex> m_keys;       // by loop id
   std::map<Vertex, int> m_numbers;  // by key, from 1; never reused
-  int m_holesNamed = 0;
-  int m_rimsNamed = 0;
+  LoopNumbers m_named;
   std::map<Vertex, FillFailure> m_failures;
+  std::map<DefectKind, std::size_t> m_before;
 };
 
 }  // namespace handwheel

@@ -38,7 +38,7 @@ Verdict verdictOn(const Inspection& inspection) {
   if (!state.oriented) return warning(StateCard::tr("Not oriented"));
   if (state.selfIntersectingPairs.value_or(0) > 0) return warning(StateCard::tr("Self-intersecting"));
   if (state.isSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
-  return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes left")};
+  return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes")};
 }
 
 // The state, and what was done that is no part of it.

@@ -4,6 +4,7 @@
 #include "RepairChecks.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <rapidcheck.h>
@@ -56,6 +57,20 @@ struct Share {
   bool isAtLeast(double share) const { return runs > 0 && good >= share * runs; }
 };
 
+// Blocks that touch, with faces missing, doubled and turned.
+TriangleSoup damagedBlocks(std::mt19937& random, std::size_t blocks) {
+  TriangleSoup soup = test::randomBlocks(random, blocks, 3);
+  for (std::size_t n = random() % 6; n > 0; --n)
+    soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(random() % soup.triangles.size()));
+  for (std::size_t n = random() % 4; n > 0; --n)
+    soup.triangles.push_back(soup.triangles[random() % soup.triangles.size()]);
+  for (std::size_t n = random() % 4; n > 0; --n) {
+    Triangle& t = soup.triangles[random() % soup.triangles.size()];
+    std::swap(t[0], t[1]);
+  }
+  return soup;
+}
+
 }  // namespace
 
 // What holds of every repair, tried on shapes damaged at random.
@@ -68,6 +83,7 @@ class RepairPropertiesTest : public QObject {
   void randomHoles();
   void brokenBlocks();
   void anySoup();
+  void againChangesNothing();
 };
 
 // Needles at edges of needles, which cannot all be flipped away, in a closed shape whose coordinates stay exact.
@@ -141,15 +157,7 @@ void RepairPropertiesTest::brokenBlocks() {
   Share sound;
   QVERIFY(rc::check("blocks that touch, with faces missing, turned and doubled", [&] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
-    TriangleSoup soup = test::randomBlocks(random, *rc::gen::inRange<std::size_t>(2, 20), 3);
-    for (std::size_t n = random() % 6; n > 0; --n)
-      soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(random() % soup.triangles.size()));
-    for (std::size_t n = random() % 4; n > 0; --n)
-      soup.triangles.push_back(soup.triangles[random() % soup.triangles.size()]);
-    for (std::size_t n = random() % 4; n > 0; --n) {
-      Triangle& t = soup.triangles[random() % soup.triangles.size()];
-      std::swap(t[0], t[1]);
-    }
+    const TriangleSoup soup = damagedBlocks(random, *rc::gen::inRange<std::size_t>(2, 20));
     const HalfEdgeMesh input = buildMesh(soup).mesh;
     HalfEdgeMesh mesh = input;
     RepairOptions options;
@@ -184,6 +192,28 @@ void RepairPropertiesTest::anySoup() {
     const std::set<Vertex> said(report.touchedVertices.begin(), report.touchedVertices.end());
     for (Vertex v = 0; v < input.vertexSlots(); ++v)
       RC_ASSERT(said.contains(v) || test::sameBits(input.position(v), mesh.position(v)));
+  }));
+}
+
+// What was repaired is read again as if from a file.
+void RepairPropertiesTest::againChangesNothing() {
+  const std::vector<TriangleSoup> shapes = {test::icosphere(3), test::torus(32, 16), test::bumpySphere(3)};
+  QVERIFY(rc::check("repair of a repaired shape changes nothing", [&] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const int kind = *rc::gen::inRange(0, 3);
+    const TriangleSoup soup = kind == 0   ? cutAtRandom(shapes[random() % 3], random)
+                              : kind == 1 ? damagedBlocks(random, 2 + random() % 18)
+                                          : test::randomSoup(random, 1 + random() % 24, 2 + random() % 5);
+    RepairOptions options;
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Fill);
+    options.cutCrossings = *rc::gen::arbitrary<bool>();
+    HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    const RepairReport report = repair(mesh, options);
+    RC_PRE(!report.isSeparationIncomplete && !report.isIntersectionRemovalIncomplete);
+    const HalfEdgeMesh repaired = buildMesh(mesh.compact().soup).mesh;
+    HalfEdgeMesh again = repaired;
+    repair(again, options);
+    RC_ASSERT(MeshDelta::isEmptyBetween(repaired, again));
   }));
 }
 

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace handwheel {
+
+// Counts boundary loops as people know them: "Hole 3". Holes and outer boundaries of open sheets are counted apart,
+// from 1, in the order of their ids; so a file has the same numbers in the window and on the command line.
+class LoopNumbers {
+ public:
+  int peek(bool isRim) const { return (isRim ? m_rims : m_holes) + 1; }
+  int take(bool isRim) { return ++(isRim ? m_rims : m_holes); }
+
+ private:
+  int m_holes = 0;
+  int m_rims = 0;
+};
+
+}  // namespace handwheel
