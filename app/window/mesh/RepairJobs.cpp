@@ -154,12 +154,7 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
   const auto known = document->inspection.selfIntersections();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
-    const QString name = document->document.name();
-    m_log.add(
-        wanted.thickness && wanted.thickness->largest > 0.0
-            ? tr("%1: %2 by %3").arg(name, text, thicknessText(*wanted.thickness, document->document.displayUnit()))
-            : tr("%1: %2").arg(name, text),
-        command);
+    logChange(*document, wanted, text, command);
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)
@@ -168,6 +163,21 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
     wanted.crossed(crossings->fresh);
   } else if (const char* reason = reasonOf(wanted)) {
     emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
+  }
+}
+
+void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, const QString& text,
+                           const QString& command) {
+  const QString name = document.document.name();
+  const LengthUnit unit = document.document.displayUnit();
+  if (done.sheets && done.sheets->leftCount() > 0) {
+    const QString how = sheetsText(*done.sheets, unit);
+    m_log.add(tr("%1: %2: %3").arg(name, text, how), command, LogEntry::Weight::Warning);
+    emit changedPartly(&document, text, how);
+  } else if (done.sheets && done.sheets->thickened > 0) {
+    m_log.add(tr("%1: %2 by %3").arg(name, text, thicknessText(done.sheets->thickness, unit)), command);
+  } else {
+    m_log.add(tr("%1: %2").arg(name, text), command);
   }
 }
 
