@@ -63,9 +63,9 @@ inline constexpr double kRidgeAngle = 0.52;
 // is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;
 inline constexpr int kPatchVertices = 10'000;
-// The thickness of a sheet after thickenSheet().
+// The thickness of a sheet after thickenSheets().
 inline constexpr double kSheetThickness = 1e-3;
-// The offset of thickenSheet() at a vertex is at most this share of its shortest edge.
+// The thickness of a flake that nobody asked to thicken is at most this share of its shortest edge.
 inline constexpr double kSheetOffsetEdge = 0.25;
 // Clusters of more connected self-intersections than this are not removed: it would take minutes.
 inline constexpr std::size_t kMaxSelfIntersectionPairs = 50'000;

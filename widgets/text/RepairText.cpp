@@ -131,6 +131,12 @@ QString fillFailureReason(FillFailure failure) {
       return RepairWords::tr("every patch would intersect the part");
     case FillFailure::Bulging:
       return RepairWords::tr("every patch would bulge out too far");
+    case FillFailure::SheetIntersecting:
+      return RepairWords::tr("however thin, the body of the sheet would intersect the part");
+    case FillFailure::SheetTooThin:
+      return RepairWords::tr("the numbers of the file cannot show such a thickness");
+    case FillFailure::SheetKeptOpen:
+      return RepairWords::tr("a boundary of the sheet is marked to stay open, and a thin body has none");
     case FillFailure::TooMuchEffort:
       return RepairWords::tr("it would take too long for a mesh of this size");
   }
@@ -144,8 +150,11 @@ QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
   };
   add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) reversed", nullptr, n); });
   add(report.reversedBodies, [](int n) { return RepairWords::tr("%n body(ies) inside out reversed", nullptr, n); });
-  if (report.thickness.largest > 0.0)
-    parts << RepairWords::tr("sheets thickened by %1").arg(thicknessText(report.thickness, unit));
+  if (const SheetOutcomes& sheets = report.sheets; sheets.leftCount() > 0) {
+    parts << RepairWords::tr("sheets: %1").arg(sheetsText(sheets, unit));
+  } else if (sheets.thickened > 0) {
+    parts << RepairWords::tr("sheets thickened by %1").arg(thicknessText(sheets.thickness, unit));
+  }
   add(report.removedDegenerate, [](int n) { return RepairWords::tr("%n degenerate triangle(s) removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
   add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });
@@ -169,6 +178,18 @@ QString thicknessText(const SheetThickness& thickness, LengthUnit unit) {
   const QString least = significantText(thickness.least / millimetresPer(unit));
   const QString largest = lengthText(thickness.largest, unit);
   return lengthText(thickness.least, unit) == largest ? largest : RepairWords::tr("%1 to %2").arg(least, largest);
+}
+
+QString sheetsText(const SheetOutcomes& sheets, LengthUnit unit) {
+  const std::size_t all = sheets.thickened + sheets.leftCount();
+  QStringList parts{sheets.thickened == 0
+                        ? RepairWords::tr("none of %1 thickened").arg(QLocale().toString(asInt(all)))
+                        : RepairWords::tr("%1 of %2 thickened by %3")
+                              .arg(QLocale().toString(asInt(sheets.thickened)), QLocale().toString(asInt(all)),
+                                   thicknessText(sheets.thickness, unit))};
+  for (const auto& [reason, count] : sheets.left)
+    parts << RepairWords::tr("%n sheet(s) left open: %1", nullptr, asInt(count)).arg(fillFailureReason(reason));
+  return parts.join(QStringLiteral("; "));
 }
 
 QString stateText(const MeshState& state) {

@@ -26,6 +26,9 @@ QStringList repairSummary(const RepairReport& report, LengthUnit unit = LengthUn
 // "0.01 to 0.05 mm", or "0.01 mm" where both are written alike.
 QString thicknessText(const SheetThickness& thickness, LengthUnit unit);
 
+// "3 of 4 thickened by 0.01 mm; 1 sheet left open: " and why; for each reason.
+QString sheetsText(const SheetOutcomes& sheets, LengthUnit unit);
+
 // The state of a surface in words. "closed, manifold, oriented, free of self-intersections, one piece", or what of it
 // does not hold; what was not looked for is left out.
 QString stateText(const MeshState& state);

@@ -37,7 +37,7 @@ struct Edited {
   DocumentFile file;  // what reading lost
   std::size_t facesBefore = 0;
   std::size_t facesAfter = 0;
-  std::vector<std::string> idle;  // sentences on steps that changed nothing
+  std::vector<std::string> idle;  // sentences on steps that changed nothing, or not all that they were to
   std::vector<Note> notes;
   std::string refusal;  // why nothing was written
 };
@@ -75,6 +75,7 @@ Result<std::vector<Step>> readSteps(const Arguments& arguments) {
 std::string idleSentence(const Step& step, const StepOutcome& outcome) {
   std::string sentence = step.subject;
   if (step.place.kind == InputPosition::Kind::Line) sentence += ", line " + std::to_string(step.place.value);
+  if (outcome.changed) return sentence + ": " + sheetsText(outcome.sheets, LengthUnit::Millimetre).toStdString() + ".";
   sentence += " changed nothing";
   if (outcome.failure != FillFailure::None) {
     sentence += ": " + fillFailureReason(outcome.failure).toStdString();
@@ -100,7 +101,7 @@ Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const 
       error.position = steps[i].place;
       return error;
     }
-    if (!outcome->changed) done.idle.push_back(idleSentence(steps[i], *outcome));
+    if (!outcome->changed || outcome->sheets.leftCount() > 0) done.idle.push_back(idleSentence(steps[i], *outcome));
   }
   return Done{};
 }

@@ -38,6 +38,11 @@ Json toJson(const SheetThickness& thickness) {
   return {{"least", thickness.least}, {"largest", thickness.largest}};
 }
 
+bool isOfSheet(FillFailure reason) {
+  return reason == FillFailure::Rim || reason == FillFailure::SheetIntersecting ||
+         reason == FillFailure::SheetTooThin || reason == FillFailure::SheetKeptOpen;
+}
+
 Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
   return {
@@ -80,7 +85,9 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_debris", run.repair.removedDebris},
       {"turned_faces", run.repair.reversedFaces},
       {"turned_bodies", run.repair.reversedBodies},
-      {"sheet_thickness_mm", toJson(run.repair.thickness)},
+      {"sheets_thickened", run.repair.sheets.thickened},
+      {"sheets_left_open", run.repair.sheets.leftCount()},
+      {"sheet_thickness_mm", toJson(run.repair.sheets.thickness)},
       {"merged_vertices", run.repair.mergedVertices},
       {"cut_crossings", run.repair.cutClusters},
       {"cut_faces", run.repair.cutFaces},
@@ -120,7 +127,7 @@ HoleCounts countHoles(const RepairReport& repair) {
   HoleCounts counts;
   for (const LoopResult& loop : repair.loops) {
     const bool isFilled = loop.outcome == LoopOutcome::Filled;
-    if (isFilled ? loop.method == FillMethod::ThickenedSheet : loop.reason == FillFailure::Rim) continue;
+    if (isFilled ? loop.method == FillMethod::ThickenedSheet : isOfSheet(loop.reason)) continue;
     ++counts.holes;
     counts.filled += isFilled;
   }

@@ -4,6 +4,7 @@
 
 #include "mesh/measure/MeshFidelity.h"
 #include "mesh/repair/SheetThickening.h"
+#include "text/RepairText.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/MeshOperations.h"
@@ -82,7 +83,8 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
       m_resolveIntersections(tr("Resolve &self-intersections"), this) {
   prepare(m_fix, "fixDefect", "repair", tr("Fix the defects selected in the list"));
   prepare(m_thickenSheet, "thickenSheet", "sheet-back",
-          tr("Turn open sheets into thin closed bodies: the selected one, or all"));
+          tr("Turn open sheets into thin closed bodies: the selected one, or all. A body grows to the side opposite to "
+             "the normals; the triangles of the sheet stay where they are"));
   prepare(m_cutAndClose, "cutAndClose", "fill-hole",
           tr("Close the hole across the part, and cut the part where the patch intersects it"));
   prepare(m_reverseBodies, "reverseBodies", "inside-out", tr("Reverse all bodies whose triangles face inwards"));
@@ -133,6 +135,7 @@ void DefectActions::pointAtThickening(bool isPointed) {
 
 void DefectActions::setThickness(double thickness) {
   m_thickness = thickness;
+  nameThickening();
   renewPreview();
 }
 
@@ -149,6 +152,7 @@ void DefectActions::follow() {
   m_mayFix = free && isWanted;
   if (isWanted) m_fix.setText(QCoreApplication::translate("Tool", fixFor(*m_kind)->title));
   m_thickenSheet.setEnabled(free && !sheets().empty());
+  nameThickening();
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   m_reverseBodies.setEnabled(free && m_document->inspection.count(DefectKind::InsideOut) > 0);
   m_resolveIntersections.setEnabled(free && m_document->inspection.count(DefectKind::SelfIntersection) > 0);
@@ -167,6 +171,14 @@ void DefectActions::followShown() {
   const bool isOfLoop = selectedLoop() >= 0;
   m_fix.setEnabled(m_mayFix && (isOfLoop || !m_shown.isPointless()));
   m_cutAndClose.setEnabled(m_mayCut && (m_isThickeningPointed || !m_shown.isPointless()));
+}
+
+// The card has no field for the thickness, so the name says it before it is used.
+void DefectActions::nameThickening() {
+  m_thickenSheet.setText(
+      m_thickenSheet.isEnabled()
+          ? tr("&Thicken sheets by %1").arg(lengthText(thickness(), m_document->document.displayUnit()))
+          : tr("&Thicken sheets"));
 }
 
 // Where a hole has a patch, that is shown until the pointer is on the button of another way.

@@ -58,6 +58,7 @@ class DefectActions : public QObject {
   std::optional<MeshChange> change() const { return m_kind ? changeFor(*m_kind, m_row) : std::nullopt; }
   std::optional<MeshChange> changeFor(DefectKind kind, int row) const;  // -1: all rows
   MeshChange thickening() const;
+  void nameThickening();
   MeshChange cutting() const;
   std::optional<OfferedFix> offered() const;
   int selectedLoop() const;         // -1 for none

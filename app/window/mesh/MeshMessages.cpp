@@ -27,6 +27,14 @@ Message nothingChangedMessage(const MeshDocument& document, const QString& what,
           .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
 }
 
+Message partlyChangedMessage(const MeshDocument& document, const QString& what, const QString& how) {
+  return {.weight = Message::Weight::Warning,
+          .title = MeshMessagesWords::tr("%1: some sheets stay open").arg(what),
+          .detail = how + QLatin1Char('.'),
+          .about = &document,
+          .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+}
+
 std::optional<Message> unitDoubtMessage(const MeshDocument& document) {
   const auto isDoubtful = [&document] { return isUnitDoubtful(document.file(), document.defects().box); };
   if (!isDoubtful()) return std::nullopt;

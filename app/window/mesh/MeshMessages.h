@@ -14,6 +14,8 @@ class MeshDocument;
 
 // A change did nothing: what was wanted, and why.
 Message nothingChangedMessage(const MeshDocument& document, const QString& what, const QString& why);
+// A change had its effect on some of the sheets only.
+Message partlyChangedMessage(const MeshDocument& document, const QString& what, const QString& how);
 // The size of a mesh that was just opened is unlikely in mm; none where it is not. Its action is to be added.
 std::optional<Message> unitDoubtMessage(const MeshDocument& document);
 

@@ -110,6 +110,10 @@ void MeshUi::connectSelection() {
           [this](const MeshTab* document, const QString& what, const QString& why) {
             emit message(nothingChangedMessage(document->document, what, why));
           });
+  connect(&m_jobs, &RepairJobs::changedPartly, this,
+          [this](const MeshTab* document, const QString& what, const QString& how) {
+            emit message(partlyChangedMessage(document->document, what, how));
+          });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_tools, &MeshTools::chooseMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {

@@ -186,12 +186,7 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
   const auto known = document->inspection.selfIntersections();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
-    const QString name = document->document.name();
-    m_log.add(
-        wanted.thickness && wanted.thickness->largest > 0.0
-            ? tr("%1: %2 by %3").arg(name, text, thicknessText(*wanted.thickness, document->document.displayUnit()))
-            : tr("%1: %2").arg(name, text),
-        command);
+    logChange(*document, wanted, text, command);
     if (change.bodiesGone > 0) reportBodiesGone(document, change);
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
@@ -218,6 +213,21 @@ void RepairJobs::reportBodiesGone(MeshTab* document, const Changed& change) {
            },
        .about = &mesh,
        .isOver = [&mesh, then = mesh.revision()] { return mesh.revision() != then; }});
+}
+
+void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, const QString& text,
+                           const QString& command) {
+  const QString name = document.document.name();
+  const LengthUnit unit = document.document.displayUnit();
+  if (done.sheets && done.sheets->leftCount() > 0) {
+    const QString how = sheetsText(*done.sheets, unit);
+    m_log.add(tr("%1: %2: %3").arg(name, text, how), command, LogEntry::Weight::Warning);
+    emit changedPartly(&document, text, how);
+  } else if (done.sheets && done.sheets->thickened > 0) {
+    m_log.add(tr("%1: %2 by %3").arg(name, text, thicknessText(done.sheets->thickness, unit)), command);
+  } else {
+    m_log.add(tr("%1: %2").arg(name, text), command);
+  }
 }
 
 void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {

@@ -48,6 +48,8 @@ class RepairJobs : public QObject {
   void workingChanged();
   // A change had no effect. why: a sentence.
   void changedNothing(const handwheel::MeshTab* document, const QString& what, const QString& why);
+  // A change had its effect on some of the sheets only. what: which, and why not on the others.
+  void changedPartly(const handwheel::MeshTab* document, const QString& what, const QString& how);
   // A job failed.
   void message(const handwheel::Message& message);
 
@@ -55,6 +57,7 @@ class RepairJobs : public QObject {
   enum class Round { First, Second };
   void startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round);
   void startChange(MeshTab* document, MeshChange wanted, Round round);
+  void logChange(const MeshTab& document, const MeshChange& done, const QString& text, const QString& command);
   void changeEnded();
   void dropChanges(const DocumentTab* document);
   void startRepair(MeshTab* document, Round round);

@@ -20,13 +20,16 @@ namespace handwheel {
 enum class FillFailure {
   None,
   Cancelled,
-  Rim,               // the outer edge of an open sheet: left open unless requested
-  KeptOpen,          // the user wants it open
-  TooLong,           // more edges than the user allows
-  NoPatch,           // no method found a triangulation
-  SelfIntersecting,  // every patch would intersect or touch the part
-  Bulging,           // every patch would bulge far out of the hole
-  TooMuchEffort,     // abandoned: closing it takes more than a repair of such a mesh may (Effort)
+  Rim,                // the outer edge of an open sheet: left open unless requested
+  KeptOpen,           // the user wants it open
+  TooLong,            // more edges than the user allows
+  NoPatch,            // no method found a triangulation
+  SelfIntersecting,   // every patch would intersect or touch the part
+  Bulging,            // every patch would bulge far out of the hole
+  TooMuchEffort,      // abandoned: closing it takes more than a repair of such a mesh may (Effort)
+  SheetIntersecting,  // of the outer edge of a sheet: however thin, its body would intersect the part
+  SheetTooThin,       // the same: the numbers of the file cannot show its thickness
+  SheetKeptOpen,      // the same: the user wants an edge of the sheet open, and a body has none
 };
 
 // Options of hole filling.

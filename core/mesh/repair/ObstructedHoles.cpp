@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/ObstructedHoles.h"
 
+#include "base/Tolerance.h"
 #include "mesh/boundary/BoundaryOwners.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
 #include "mesh/repair/Submesh.h"
@@ -35,6 +36,8 @@ constexpr int kNearbyRounds = 4;
 constexpr std::size_t kScanWork = 20;
 // The share that one trial may take of the effort that is left: however many go wrong, there is some for the others.
 constexpr std::size_t kTrialShare = 4;
+// The same for thickening sheets, which is done before the trial of the result: it takes several passes over the mesh.
+constexpr std::size_t kThickeningShare = 2;
 
 std::vector<BoundaryLoop> numbered(std::span<const ObstructedHole> holes) {
   std::vector<BoundaryLoop> loops;
@@ -58,6 +61,7 @@ class Closer {
   Closer(HalfEdgeMesh& mesh, std::span<const ObstructedHole> holes, const FillOptions& options, double thickness,
          Progress progress)
       : m_mesh(mesh),
+        m_before(mesh),
         m_holes(holes),
         m_owners(mesh, numbered(holes)),
         m_options(options),
@@ -82,6 +86,7 @@ class Closer {
       std::erase_if(left, [&](std::size_t i) { return m_result.holes[i].closed; });
     }
     for (const std::size_t i : left) m_result.holes[i].isCutShort = m_result.holes[i].isCutShort || m_effort.isSpent();
+    countSheets();
     return std::move(m_result);
   }
 
@@ -112,12 +117,12 @@ class Closer {
     if (const auto done = tryNearby(some)) return *done;
     HalfEdgeMesh changed = m_mesh;
     std::vector<ObstructedClosing> closings(m_holes.size());
-    std::vector<Face> newFaces, sheets;
+    std::vector<Face> newFaces;
+    std::vector<const Proposal*> backs;
     for (const Proposal& p : m_proposals) {
       if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
       if (!p.patch) {
-        sheets.push_back(HalfEdgeMesh::face(p.loop.halfEdges.front()));
-        closings[p.hole] = {true, FillMethod::ThickenedSheet, 0};
+        backs.push_back(&p);
         continue;
       }
       for (std::size_t i = 0; i < p.patch->triangles.size(); ++i)
@@ -125,9 +130,11 @@ class Closer {
       insertPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
-    const SheetThickness thickness = thicken(changed, sheets, newFaces);
+    m_isTrialCutShort = false;
+    const SheetThickness thickness = thicken(changed, backs, newFaces, closings);
+    if (m_isTrialCutShort) return false;
     const bool isDone = newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
-    if (isDone) m_result.thickness.extend(thickness);
+    if (isDone) m_result.sheets.thickness.extend(thickness);
     return isDone;
   }
 
@@ -272,25 +279,70 @@ class Closer {
     if (isSheet && m_options.method != kWays[0].method) return false;
     const std::vector<Face> faces = sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front()));
     if (!isSheet && faces.size() > kThickenedFacesPerEdge * loop.halfEdges.size()) return false;
-    return std::none_of(faces.begin(), faces.end(),
-                        [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
+    return !hasKeptCorner(m_mesh, faces);
   }
 
   // Returns the thickness that was reached.
-  SheetThickness thicken(HalfEdgeMesh& mesh, const std::vector<Face>& seeds, std::vector<Face>& newFaces) const {
-    if (seeds.empty()) return {};
-    std::vector<bool> backed(m_mesh.faceSlots(), false);
-    std::vector<std::vector<Face>> sheets;
-    for (Face seed : seeds) {
-      if (backed[seed]) continue;  // another loop of the same sheet
-      for (Face f : sheets.emplace_back(sheetOf(mesh, seed))) {
-        if (f < backed.size()) backed[f] = true;
+  SheetThickness thicken(HalfEdgeMesh& mesh, const std::vector<const Proposal*>& backs, std::vector<Face>& newFaces,
+                         std::vector<ObstructedClosing>& closings) {
+    if (backs.empty()) return {};
+    WorkBudget effort = m_progress.share(m_effort.left() / kThickeningShare);
+    const Progress now = m_progress.within(effort);
+    std::vector<OpenSheet> sheets;
+    std::vector<std::size_t> sheetWith(m_mesh.faceSlots(), kNobody);
+    for (const Proposal* p : backs) {
+      const Face seed = HalfEdgeMesh::face(p->loop.halfEdges.front());
+      if (sheetWith[seed] != kNobody) continue;  // another loop of the same sheet
+      OpenSheet& sheet = sheets.emplace_back(OpenSheet{sheetOf(mesh, seed), m_thickness});
+      if (!m_holes[p->hole].back) sheet.thickness = std::min(m_thickness, thicknessUnasked(mesh, sheet.faces));
+      for (const Face f : sheet.faces) {
+        if (f < sheetWith.size()) sheetWith[f] = sheets.size() - 1;
       }
     }
-    const ThickenedSheets made = thickenSheets(mesh, sheets, m_thickness, m_options.numbers, m_progress);
+    const ThickenedSheets made = thickenSheets(mesh, sheets, m_options.numbers, now);
+    m_isTrialCutShort = effort.isSpent();
+    for (const Proposal* p : backs) {
+      if (made.isThickened[sheetWith[HalfEdgeMesh::face(p->loop.halfEdges.front())]])
+        closings[p->hole] = {true, FillMethod::ThickenedSheet, 0};
+      else
+        m_result.holes[p->hole].failure = FillFailure::SheetTooThin;
+    }
     newFaces.insert(newFaces.end(), made.faces.begin(), made.faces.end());
     relink(mesh, m_progress);
     return made.thickness;
+  }
+
+  // For what nobody called a sheet: a flake is not to become a needle.
+  static double thicknessUnasked(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Face f : faces) {
+      const TrianglePoints p = mesh.points(f);
+      for (std::size_t k = 0; k < 3; ++k) shortest = std::min(shortest, (p[(k + 1) % 3] - p[k]).norm());
+    }
+    return tolerance::kSheetOffsetEdge * shortest;
+  }
+
+  // A sheet with several outer edges has the outcome of the first.
+  void countSheets() {
+    std::vector<bool> isCounted(m_before.faceSlots(), false);
+    for (std::size_t i = 0; i < m_holes.size(); ++i) {
+      const Face seed = HalfEdgeMesh::face(m_holes[i].loop.halfEdges.front());
+      if (!m_holes[i].back) continue;
+      ObstructedClosing& hole = m_result.holes[i];
+      if (hole.isCutShort) hole.failure = FillFailure::TooMuchEffort;
+      const std::vector<Face> sheet = isCounted[seed] ? std::vector<Face>() : sheetOf(m_before, seed);
+      if (!hole.closed && hasKeptCorner(m_before, sheet)) hole.failure = FillFailure::SheetKeptOpen;
+      if (sheet.empty()) continue;
+      for (const Face f : sheet) isCounted[f] = true;
+      if (hole.closed)
+        ++m_result.sheets.thickened;
+      else
+        ++m_result.sheets.left[hole.failure];
+    }
+  }
+
+  bool hasKeptCorner(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet) const {
+    return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, m_options.keptCorners); });
   }
 
   bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
@@ -317,6 +369,7 @@ class Closer {
   }
 
   HalfEdgeMesh& m_mesh;
+  HalfEdgeMesh m_before;
   std::span<const ObstructedHole> m_holes;
   BoundaryOwners m_owners;
   FillOptions m_options;

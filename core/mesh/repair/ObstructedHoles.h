@@ -21,13 +21,14 @@ struct ObstructedClosing {
   FillMethod method = FillMethod::Fair;
   std::size_t newFaces = 0;  // before anything was cut
   bool isCutShort = false;   // not closed; a trial of it took too much effort, or there was none left for one
+  FillFailure failure = FillFailure::SheetIntersecting;  // of a sheet that was to be thickened and is not closed
 };
 
 // The result of closeObstructedHoles().
 struct ObstructedClosings {
   std::vector<ObstructedClosing> holes;  // one for each
   std::size_t cutFaces = 0;              // of the part, where patches intersect it
-  SheetThickness thickness;              // reached by the backs that were kept
+  SheetOutcomes sheets;                  // of those that were to be thickened
 };
 
 // Closes obstructed holes by patches that may intersect the part, or by thickening. Where a patch intersects the part,
@@ -35,9 +36,9 @@ struct ObstructedClosings {
 // closes every loop of the sheet, so it is not done where one has FillOptions::keptCorners. A closing is kept only if
 // it leaves no more self-intersections than there were, and fewer edges without two faces. All are tried together, then
 // by halves, so that a bad one costs its own closing only. thickness: of thickened sheets, mm. Takes no more than the
-// effort of the progress, and each trial no more than a quarter of what is left of it: what is still open then stays
-// so, and the mesh is as the last closing left it. A trial takes the faces near its holes (Submesh), and O(n) to find
-// them; all of the mesh where these are half of it, or with thickening. O(n) for each that is kept.
+// effort of the progress, each thickening half of what is left of it and each trial a quarter: what is still open then
+// stays so, and the mesh is as the last closing left it. A trial takes the faces near its holes (Submesh), and O(n) to
+// find them; all of the mesh where these are half of it, or with thickening. O(n) for each that is kept.
 ObstructedClosings closeObstructedHoles(HalfEdgeMesh& mesh, std::span<const ObstructedHole> holes,
                                         const FillOptions& options, double thickness, Progress progress = {});
 

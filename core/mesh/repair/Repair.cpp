@@ -210,13 +210,17 @@ class Repairer {
     const auto start = Clock::now();
     const ObstructedClosings closings = closeObstructedHoles(m_mesh, holes, m_options.fill, m_thickness, progress);
     m_report.cutFaces += closings.cutFaces;
-    m_report.thickness.extend(closings.thickness);
+    m_report.sheets.extend(closings.sheets);
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
     m_cutShort.clear();
+    m_sheetFailures.clear();
     for (std::size_t i = 0; i < closings.holes.size(); ++i) {
       if (closings.holes[i].isCutShort) noteCutShort(owners[i]);
-      if (!closings.holes[i].closed) continue;
+      if (!closings.holes[i].closed) {
+        if (holes[i].back) noteSheet(owners[i], closings.holes[i].failure);
+        continue;
+      }
       any = true;
       LoopResult result;
       result.edges = holes[i].loop.borderEdges;
@@ -234,6 +238,11 @@ class Repairer {
   void noteCutShort(const std::set<int>& owners) {
     m_cutShort.insert(owners.begin(), owners.end());
     if (owners.empty()) m_cutShort.insert(kLaidOpen);
+  }
+
+  void noteSheet(const std::set<int>& owners, FillFailure failure) {
+    for (const int id : owners) m_sheetFailures[id] = failure;
+    if (owners.empty()) m_sheetFailures[kLaidOpen] = failure;
   }
 
   // Loose leftovers of cuts too.
@@ -308,14 +317,23 @@ class Repairer {
   void finish(Progress progress) {
     const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
       const FillFailure known = reasonToLeave(loop, owners);
-      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Thicken;
-      const bool isGivenUp = std::any_of(owners.begin(), owners.end(), [&](int id) { return isCutShort(id); });
-      return isSheet && (isGivenUp || (owners.empty() && isCutShort(kLaidOpen))) ? FillFailure::None
-                                                                                 : known;  // its back was given up
+      if (known != FillFailure::Rim || m_options.rims != RimHandling::Thicken) return known;
+      const auto isKept = [&](int id) {
+        const auto failure = m_sheetFailures.find(id);
+        return failure != m_sheetFailures.end() && failure->second == FillFailure::SheetKeptOpen;
+      };
+      return std::any_of(owners.begin(), owners.end(), isKept) ? FillFailure::SheetKeptOpen : FillFailure::None;
     };
     m_report.loops = m_results.conclude(m_mesh, reason, progress.part(0.0, 0.1));
     for (LoopResult& loop : m_report.loops) {
-      if (loop.outcome == LoopOutcome::Failed && isCutShort(loop.id)) loop.reason = FillFailure::TooMuchEffort;
+      if (loop.outcome == LoopOutcome::Failed) {
+        const auto sheet = m_sheetFailures.find(loop.id);
+        if (sheet != m_sheetFailures.end() && loop.id != kLaidOpen) {
+          loop.reason = sheet->second;
+        } else if (isCutShort(loop.id)) {
+          loop.reason = FillFailure::TooMuchEffort;
+        }
+      }
       if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
         m_report.lostLoops.push_back(loop.id);
     }
@@ -365,6 +383,7 @@ class Repairer {
   WorkBudget m_closeEffort;
   WorkBudget m_hardEffort, m_separationBudget, m_tangleEffort;  // shares of that for closing, each its own
   std::set<int> m_cutShort;  // loops of the input, or kLaidOpen for any other, of which a trial was cut short at last
+  std::map<int, FillFailure> m_sheetFailures;  // of the same, the outer edges of sheets that were not thickened at last
   RepairReport m_report;
 };
 

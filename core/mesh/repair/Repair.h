@@ -23,7 +23,7 @@ struct RepairOptions {
   double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
   RimHandling rims = RimHandling::Keep;
-  double thickness = 0.0;    // of thickened sheets, mm, less where edges are short; 0: defaultSheetThickness()
+  double thickness = 0.0;    // of thickened sheets, mm, less where they bend more; 0: defaultSheetThickness()
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())
@@ -61,7 +61,7 @@ struct RepairReport {
   std::size_t cutClusters = 0;                   // clusters of self-intersections that were removed
   std::size_t replacedFaces = 0;                 // removed from folded regions around holes, which were refilled
   std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
-  SheetThickness thickness;                      // of the sheets that were thickened
+  SheetOutcomes sheets;                          // that were to be thickened
   std::vector<Vertex> touchedVertices;           // of the input: moved, merged or separated
   bool isSeparationIncomplete = false;           // by the effort: more vertices may coincide than must
   bool isIntersectionRemovalIncomplete = false;  // by the effort: more may intersect than must

@@ -4,90 +4,63 @@
 
 #include "base/Tolerance.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/SheetBacks.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/PositionKey.h"
 
 #include <algorithm>
-#include <limits>
+#include <map>
+#include <numeric>
 #include <set>
-#include <unordered_map>
 #include <unordered_set>
 
 namespace handwheel {
 namespace {
 
-// The offset is a 256th of the thickness at last: nearer than that, single precision shows hardly any.
-constexpr int kMostHalvings = 8;
-constexpr int kMostTurns = 100;  // of a direction towards a face that it lies behind
+// How often the mesh is searched for intersections, after which some vertices come nearer to their sheet.
+constexpr int kMostSearches = 12;
+// How often the sheets are thickened anew, with a sharp outline where no side faces can stand.
+constexpr int kMostAttempts = 3;
 
-// The direction in which a vertex goes behind all its faces: against their mean normal, or, where one of them faces the
-// other way in a sharp fold, against the middle of the smallest ball around the normals (Bădoiu and Clarkson, "Smaller
-// core-sets for balls", 2003). Zero where there is none, so that the vertex has to stay.
-Vec3 directionOf(const std::vector<Vec3>& normals) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& n : normals) middle += n / static_cast<double>(normals.size());
-  for (int i = 1; i < kMostTurns; ++i) {
-    const Vec3& worst = *std::min_element(normals.begin(), normals.end(),
-                                          [&](const Vec3& a, const Vec3& b) { return a.dot(middle) < b.dot(middle); });
-    if (worst.dot(middle) > 0.0) return middle.stableNormalized();
-    middle += (worst - middle) / (i + 1.0);
+// The vertices at which open edges meet others, so that side faces there would lie on each other.
+std::unordered_set<Vertex> pinchedVertices(const HalfEdgeMesh& mesh) {
+  std::map<PointKey, Vertex> first;
+  std::unordered_set<Vertex> pinched;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f) || !mesh.isProper(f)) continue;
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      if (mesh.hasOpposite(h)) continue;
+      for (const Vertex v : {mesh.from(h), mesh.to(h)}) {
+        const auto [at, isNew] = first.emplace(positionKey(mesh.position(v)), v);
+        if (isNew || at->second == v) continue;
+        pinched.insert({v, at->second});
+      }
+    }
   }
-  return Vec3::Zero();
+  return pinched;
 }
 
-// The backs of sheets.
-class Backs {
+// Brings the backs of sheets nearer to them where they intersect anything.
+class BackWithdrawal {
  public:
-  Backs(HalfEdgeMesh& mesh, double thickness, NumberType numbers)
-      : m_mesh(mesh), m_thickness(thickness), m_numbers(numbers) {}
+  BackWithdrawal(HalfEdgeMesh& mesh, SheetBacks& backs, NumberType numbers)
+      : m_mesh(mesh), m_backs(backs), m_numbers(numbers), m_added(backs.faces().begin(), backs.faces().end()) {}
 
-  void add(const std::vector<Face>& sheet) {
-    m_corners.clear();
-    m_middles.clear();
-    for (Face f : sheet) look(f);
-    for (auto& [v, corner] : m_corners) corner.stays = corner.stays || directionOf(corner.normals).isZero();
-    for (Face f : sheet) cover(f);
-  }
-
-  // Halves the offset wherever a back intersects anything, until none does. Where a face is so small that its back
-  // lies on it all the same, neither is needed.
-  void withdraw(Progress progress) {
-    const std::unordered_set<Face> backs(m_faces.begin(), m_faces.end());
-    for (int i = 0; i < kMostHalvings && !progress.cancelled(); ++i) {
-      std::set<Vertex> nearer;
-      for (const auto& [a, b] : selfIntersectingPairs(m_mesh, m_numbers, progress)) {
-        if (!m_mesh.isLive(a) || !m_mesh.isLive(b)) continue;  // removed with the other side of an earlier pair
-        if (backs.contains(a) != backs.contains(b) && haveSameCorners(a, b)) {
-          m_mesh.removeFace(a);
-          m_mesh.removeFace(b);
-        }
-        for (const Face f : {a, b}) {
-          if (!backs.contains(f) || !m_mesh.isLive(f)) continue;
-          for (const Vertex v : m_mesh.triangle(f))
-            if (m_offsets.contains(v)) nearer.insert(v);
-        }
-      }
-      if (nearer.empty()) break;
-      for (const Vertex v : nearer) {
-        Offset& offset = m_offsets.at(v);
-        offset.depth *= 0.5;
-        m_mesh.setPosition(v, place(offset));
-      }
+  // Halves the offset wherever a new face intersects anything or is turned over, until none is. Where a face is so
+  // small that its back lies on it all the same, neither is needed. Returns the vertices of outlines from which side
+  // faces still intersect something.
+  std::unordered_set<Vertex> run(Progress progress) {
+    unfold();
+    std::set<Vertex> crossing = crossingVertices(progress);
+    for (int i = 1; i < kMostSearches && halve(crossing); ++i) {
+      unfold();
+      crossing = crossingVertices(progress);
     }
-    std::erase_if(m_faces, [&](Face f) { return !m_mesh.isLive(f); });
-  }
-
-  ThickenedSheets result() {
-    SheetThickness reached;
-    for (const Face f : m_faces) {
-      for (const Vertex v : m_mesh.triangle(f)) {
-        const auto offset = m_offsets.find(v);
-        if (offset == m_offsets.end()) continue;
-        const double depth = (m_mesh.position(v) - offset->second.from).norm();
-        reached.extend({depth, depth});
-      }
+    std::unordered_set<Vertex> outline;
+    for (const Vertex v : crossing) {
+      if (const Vertex at = m_backs.offsetOf(v)->outline; at != kNone) outline.insert(at);
     }
-    return {std::move(m_faces), reached};
+    return outline;
   }
 
  private:
@@ -99,118 +72,53 @@ class Backs {
     return sorted(a) == sorted(b);
   }
 
-  // Of a vertex behind a sheet.
-  struct Offset {
-    Vec3 from;
-    Vec3 normal;
-    double depth;
-  };
-
-  struct Corner {
-    std::vector<Vec3> normals;  // of the faces
-    double shortest = std::numeric_limits<double>::infinity();
-    bool stays = false;  // it is open, or there is no way behind its faces
-    Vertex back = kNone;
-  };
-
-  Vec3 normal(Face f) const {
-    const TrianglePoints p = m_mesh.points(f);
-    return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
-  }
-
-  void look(Face f) {
-    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-      Corner& from = m_corners[m_mesh.from(h)];
-      Corner& to = m_corners[m_mesh.to(h)];
-      const double length = (m_mesh.position(m_mesh.to(h)) - m_mesh.position(m_mesh.from(h))).norm();
-      from.normals.push_back(normal(f));
-      from.shortest = std::min(from.shortest, length);
-      to.shortest = std::min(to.shortest, length);
-      if (!m_mesh.hasOpposite(h)) from.stays = to.stays = true;
-    }
-  }
-
-  double depth(double shortestEdge) const { return std::min(m_thickness, tolerance::kSheetOffsetEdge * shortestEdge); }
-
-  Vec3 place(const Offset& offset) const {
-    return rounded(Vec3(offset.from - offset.depth * offset.normal), m_numbers);
-  }
-
-  Vertex behind(const Vec3& p, const std::vector<Vec3>& normals, double by) {
-    const Offset offset{p, directionOf(normals), by};
-    const Vertex v = m_mesh.addVertex(place(offset));
-    m_offsets.emplace(v, offset);
-    return v;
-  }
-
-  Vertex back(Vertex v) {
-    Corner& c = m_corners.at(v);
-    if (c.stays) return v;
-    if (c.back == kNone) c.back = behind(m_mesh.position(v), c.normals, depth(c.shortest));
-    return c.back;
-  }
-
-  // The vertex behind the middle of an edge whose ends both stay; kNone for other edges.
-  Vertex middle(HalfEdge h) {
-    if (!m_mesh.hasOpposite(h) || !m_corners.at(m_mesh.from(h)).stays || !m_corners.at(m_mesh.to(h)).stays)
-      return kNone;
-    const HalfEdge g = m_mesh.opposite(h);
-    const auto [at, isNew] = m_middles.emplace(std::min(g, h), kNone);
-    if (isNew) {
-      const Vec3 a = m_mesh.position(m_mesh.from(h)), b = m_mesh.position(m_mesh.to(h));
-      at->second =
-          behind(0.5 * (a + b), {normal(HalfEdgeMesh::face(h)), normal(HalfEdgeMesh::face(g))}, depth((b - a).norm()));
-    }
-    return at->second;
-  }
-
-  void add(Vertex a, Vertex b, Vertex c) { m_faces.push_back(m_mesh.addFace({c, b, a})); }  // turned
-
-  void cover(Face f) {
-    std::array<Vertex, 3> v{}, m{};  // m[k] is on the edge from corner k
-    for (HalfEdge k = 0; k < 3; ++k) {
-      v[k] = back(m_mesh.triangle(f)[k]);
-      m[k] = middle(3 * f + k);
-    }
-    const auto split = std::count_if(m.begin(), m.end(), [](Vertex x) { return x != kNone; });
-    if (split == 3) {
-      for (int k = 0; k < 3; ++k) add(v[k], m[k], m[(k + 2) % 3]);
-      add(m[0], m[1], m[2]);
-    } else if (split == 0) {
-      coverWhole(f, v);
-    } else {  // from the middle of one split edge to the corner opposite; the other split edge lies on one side of it
-      const int k =
-          split == 1
-              ? static_cast<int>(std::find_if(m.begin(), m.end(), [](Vertex x) { return x != kNone; }) - m.begin())
-              : (static_cast<int>(std::find(m.begin(), m.end(), kNone) - m.begin()) + 1) % 3;
-      const int l = (k + 1) % 3, o = (k + 2) % 3;
-      add(v[k], m[k], v[o]);
-      if (split == 1) {
-        add(m[k], v[l], v[o]);
-      } else {  // edge l is split, too
-        add(m[k], v[l], m[l]);
-        add(m[k], m[l], v[o]);
+  // The vertices behind sheets of the faces that intersect any; pairs of a face and its back in one place are removed.
+  std::set<Vertex> crossingVertices(Progress progress) {
+    std::set<Vertex> crossing;
+    for (const auto& [a, b] : selfIntersectingPairs(m_mesh, m_numbers, progress)) {
+      if (!m_mesh.isLive(a) || !m_mesh.isLive(b)) continue;  // removed with the other side of an earlier pair
+      if (m_added.contains(a) != m_added.contains(b) && haveSameCorners(a, b)) {
+        m_mesh.removeFace(a);
+        m_mesh.removeFace(b);
       }
+      for (const Face f : {a, b})
+        if (m_added.contains(f) && m_mesh.isLive(f)) insertOffsetVertices(f, crossing);
     }
+    return crossing;
   }
 
-  // A face none of whose edges is split: one whose corners all stay would lie on its back.
-  void coverWhole(Face f, const std::array<Vertex, 3>& v) {
-    if (v != m_mesh.triangle(f)) return add(v[0], v[1], v[2]);
-    const TrianglePoints p = m_mesh.points(f);
-    const double shortest = std::min({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
-    const Vertex c = behind((p[0] + p[1] + p[2]) / 3.0, {normal(f)}, depth(shortest));
-    for (int k = 0; k < 3; ++k) add(v[k], v[(k + 1) % 3], c);
+  void insertOffsetVertices(Face f, std::set<Vertex>& vertices) const {
+    for (const Vertex v : m_mesh.triangle(f))
+      if (m_backs.offsetOf(v)) vertices.insert(v);
+  }
+
+  // False when none could be.
+  bool halve(const std::set<Vertex>& vertices) {
+    return std::count_if(vertices.begin(), vertices.end(), [&](Vertex v) { return m_backs.halve(v); }) > 0;
+  }
+
+  // A back that is turned over shows that the sheet bends more than the offset allows.
+  void unfold() {
+    std::set<Vertex> turned;
+    do {
+      turned.clear();
+      for (const auto& [back, front] : m_backs.facePairs()) {
+        if (m_mesh.isLive(back) && unitNormal(m_mesh, back).dot(unitNormal(m_mesh, front)) > 0.0)
+          insertOffsetVertices(back, turned);
+      }
+    } while (halve(turned));
   }
 
   HalfEdgeMesh& m_mesh;
-  double m_thickness;
+  SheetBacks& m_backs;
   NumberType m_numbers;
-  std::unordered_map<Vertex, Corner> m_corners;
-  std::unordered_map<HalfEdge, Vertex> m_middles;  // by the smaller half-edge
-  std::unordered_map<Vertex, Offset> m_offsets;
-  std::vector<Face> m_faces;
+  std::unordered_set<Face> m_added;
 };
+
+std::vector<Face> liveFaces(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
+  std::erase_if(faces, [&](Face f) { return !mesh.isLive(f); });
+  return faces;
+}
 
 }  // namespace
 
@@ -220,12 +128,31 @@ void SheetThickness::extend(const SheetThickness& other) {
   largest = std::max(largest, other.largest);
 }
 
-ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<Face>>& sheets, double thickness,
-                              NumberType numbers, Progress progress) {
-  Backs backs(mesh, thickness, numbers);
-  for (const std::vector<Face>& sheet : sheets) backs.add(sheet);
-  backs.withdraw(progress);
-  return backs.result();
+std::size_t SheetOutcomes::leftCount() const {
+  return std::accumulate(left.begin(), left.end(), std::size_t{0},
+                         [](std::size_t sum, const auto& entry) { return sum + entry.second; });
+}
+
+void SheetOutcomes::extend(const SheetOutcomes& later) {
+  thickened += later.thickened;
+  left = later.left;
+  thickness.extend(later.thickness);
+}
+
+ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> sheets, NumberType numbers,
+                              Progress progress) {
+  const HalfEdgeMesh before = mesh;
+  std::unordered_set<Vertex> kept = pinchedVertices(mesh);
+  for (int attempt = 1;; ++attempt) {
+    SheetBacks backs(mesh, numbers, kept);
+    std::vector<bool> isThickened;
+    for (const OpenSheet& sheet : sheets) isThickened.push_back(backs.add(sheet));
+    const std::unordered_set<Vertex> crossing = BackWithdrawal(mesh, backs, numbers).run(progress);
+    if (crossing.empty() || attempt == kMostAttempts || progress.cancelled())
+      return {liveFaces(mesh, backs.faces()), backs.reached(), std::move(isThickened)};
+    kept.insert(crossing.begin(), crossing.end());
+    mesh = before;
+  }
 }
 
 double defaultSheetThickness(const Box& box) {

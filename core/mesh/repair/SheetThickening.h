@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Progress.h"
-#include "mesh/structure/HalfEdgeMesh.h"
+#include "mesh/holes/HoleFiller.h"
 
+#include <map>
+#include <span>
 #include <vector>
 
 namespace handwheel {
 
-// The thickness of thickened sheets, mm. It differs from vertex to vertex.
+// The thickness of thickened sheets, mm. It differs from vertex to vertex; 0 where an outline or fold stays sharp.
 struct SheetThickness {
   double least = 0.0;
   double largest = 0.0;  // 0: nothing was thickened
@@ -17,22 +18,40 @@ struct SheetThickness {
   void extend(const SheetThickness& other);
 };
 
-// The result of thickenSheets().
-struct ThickenedSheets {
-  std::vector<Face> faces;   // the new ones
-  SheetThickness thickness;  // that was reached
+// What became of the sheets that were to be thickened.
+struct SheetOutcomes {
+  std::size_t thickened = 0;
+  std::map<FillFailure, std::size_t> left;  // open, by the reason
+  SheetThickness thickness;                 // of the thickened ones
+
+  std::size_t leftCount() const;
+  // Adds the outcomes of a later attempt at those that are left.
+  void extend(const SheetOutcomes& later);
 };
 
-// Thickens open sheets into thin bodies by an offset copy of each. A copy of its faces with reversed orientation is
-// offset by the thickness (mm), at most by tolerance::kSheetOffsetEdge of the shortest edge at a vertex, and joined to
-// them at the open edges, which stay where they are; this closes all of them at once. So does a vertex in a fold behind
-// which no way leads. Edges and faces of which all vertices stay get a vertex in their middle. Where new faces
-// intersect any other, their vertices come nearer to the sheet by halves, a few times; a face whose back lies on it
-// then is removed with it. sheets: live, proper faces, each list without a paired edge to any other face. The new faces
-// may still intersect others where the sheet is folded, or where others intersect or touch it. Leaves the mesh to be
-// linked anew (relink()). O(n log n) for the mesh, as often as an offset is halved.
-ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, const std::vector<std::vector<Face>>& sheets, double thickness,
-                              NumberType numbers, Progress progress = {});
+// A sheet to thicken.
+struct OpenSheet {
+  std::vector<Face> faces;  // live and proper, without a paired edge to any other face
+  double thickness = 0.0;   // mm
+};
+
+// The result of thickenSheets().
+struct ThickenedSheets {
+  std::vector<Face> faces;        // the new ones
+  SheetThickness thickness;       // that was reached
+  std::vector<bool> isThickened;  // for each sheet; false where the numbers of the file cannot show the thickness
+};
+
+// Thickens open sheets into thin bodies by an offset copy of each, behind the side that its normals point to.
+// The faces stay as they are. A copy with reversed orientation is offset by the thickness (offsetBehind()), and a strip
+// of side faces joins the outlines of both. Where new faces intersect any other, or are turned over, their vertices
+// come nearer to the sheet by halves, a few times; a face whose back lies on it then is removed with it. A vertex has
+// no offset where that does not help at an outline, where outlines touch, or in a fold behind which no way leads: there
+// both sides meet in a sharp edge, and edges and faces without an offset at any vertex get one in their middle. The new
+// faces may still intersect others where the sheet is folded, or where others intersect or touch it. Leaves the mesh to
+// be linked anew (relink()). O(n log n) for the mesh, as often as an offset is halved.
+ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> sheets, NumberType numbers,
+                              Progress progress = {});
 
 // The thickness of thickened sheets where nobody names one, mm: a share of the diagonal of the mesh's box.
 double defaultSheetThickness(const Box& box);

@@ -33,8 +33,21 @@ namespace handwheel {
 namespace {
 
 constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
-constexpr const char* kBoundaryIsKept =
-    QT_TRANSLATE_NOOP("Tool", "a boundary of the sheet is marked to stay open, and a thin body has none");
+
+// Why a sheet stays open; null where none does.
+const char* whyOpen(const SheetOutcomes& sheets) {
+  if (sheets.left.empty()) return nullptr;
+  switch (sheets.left.rbegin()->first) {
+    case FillFailure::SheetKeptOpen:
+      return QT_TRANSLATE_NOOP("Tool", "a boundary of the sheet is marked to stay open, and a thin body has none");
+    case FillFailure::SheetTooThin:
+      return QT_TRANSLATE_NOOP("Tool", "the numbers of the file cannot show such a thickness");
+    case FillFailure::TooMuchEffort:
+      return kTooLong;
+    default:
+      return QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part");
+  }
+}
 
 constexpr const char* kOnlyWithHoles = QT_TRANSLATE_NOOP(
     "Tool", "no cut would separate the triangles cleanly; “Repair all” may replace them together with a hole");
@@ -293,23 +306,17 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, dou
   if (thickness > 0.0) values.setValid("thickness", thickness);
   StepWriter step("back");
   step.word(loopsText(loops)).options(values);
-  const auto reached = std::make_shared<SheetThickness>();
-  const auto work = [loops = std::move(loops), options, thickness, reached](HalfEdgeMesh& mesh, Progress progress) {
+  const auto sheets = std::make_shared<SheetOutcomes>();
+  const auto work = [loops = std::move(loops), options, thickness, sheets](HalfEdgeMesh& mesh, Progress progress) {
     const std::vector<ObstructedHole> holes = holesWith(mesh, loops, true, progress.part(0.0, 0.1));
-    const bool isKept = std::any_of(holes.begin(), holes.end(), [&](const ObstructedHole& hole) {
-      const std::vector<Face> sheet = sheetOf(mesh, HalfEdgeMesh::face(hole.loop.halfEdges.front()));
-      return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, options.keptCorners); });
-    });
     const double depth = thickness > 0.0 ? thickness : defaultSheetThickness(mesh);
-    const ObstructedClosings closings = closeHard(mesh, holes, options, depth, progress.part(0.1, 0.8));
-    *reached = closings.thickness;
-    bool done = isDone(closings);
-    if (!progress.cancelled()) done = partNonManifold(mesh, options.numbers, {}, progress.part(0.8, 1.0)) && done;
-    return isKept ? kBoundaryIsKept : done ? nullptr : kTooLong;
+    *sheets = closeHard(mesh, holes, options, depth, progress.part(0.1, 0.8)).sheets;
+    bool done = true;
+    if (!progress.cancelled()) done = partNonManifold(mesh, options.numbers, {}, progress.part(0.8, 1.0));
+    return done ? whyOpen(*sheets) : kTooLong;
   };
-  MeshChange change = explainedChange(meshOperation("back").title, work,
-                                      QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part"));
-  change.thickness = reached;
+  MeshChange change = explainedChange(meshOperation("back").title, work);
+  change.sheets = sheets;
   return withStep(std::move(change), step.text());
 }
 

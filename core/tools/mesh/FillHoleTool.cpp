@@ -43,6 +43,12 @@ const char* problemOf(FillFailure failure) {
       return QT_TRANSLATE_NOOP("Property", "Every patch would intersect the part.");
     case FillFailure::Bulging:
       return QT_TRANSLATE_NOOP("Property", "Every patch would bulge out too far.");
+    case FillFailure::SheetIntersecting:
+      return QT_TRANSLATE_NOOP("Property", "However thin, the body of the sheet would intersect the part.");
+    case FillFailure::SheetTooThin:
+      return QT_TRANSLATE_NOOP("Property", "The numbers of the file cannot show such a thickness.");
+    case FillFailure::SheetKeptOpen:
+      return QT_TRANSLATE_NOOP("Property", "A boundary of the sheet is kept open, and a thin body has none.");
     case FillFailure::TooMuchEffort:
       return QT_TRANSLATE_NOOP("Property", "It would take too long for a mesh of this size.");
   }

@@ -13,7 +13,7 @@
 namespace handwheel {
 
 class MeshDocument;
-struct SheetThickness;
+struct SheetOutcomes;
 
 // A change of a mesh as a repeatable function. It can run on another thread, and once more when the mesh has changed
 // meanwhile. Faces keep their indices.
@@ -31,8 +31,8 @@ struct MeshChange {
   std::string step = {};
   // Set by apply: why it changed nothing, as `reason`, where only trying shows it. Null where it need not be tried.
   std::shared_ptr<std::atomic<const char*>> found = nullptr;
-  // Set by apply: the thickness that sheets got, which the log says. Null where none get any.
-  std::shared_ptr<SheetThickness> thickness = nullptr;
+  // Set by apply: what became of the sheets that were to be thickened, which the log says. Null for other changes.
+  std::shared_ptr<SheetOutcomes> sheets = nullptr;
 };
 
 // Why a change has changed nothing, once it was applied; as MeshChange::reason.

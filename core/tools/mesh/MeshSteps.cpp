@@ -254,7 +254,8 @@ Result<StepOutcome> applyChange(MeshDocument& document, const MeshChange& change
   const bool changed = commitChange(document, change, progress);
   const char* reason = reasonOf(change);
   const char* why = reason == kEdgeChanged ? kImpossible : reason;
-  return StepOutcome{changed, changed ? nullptr : why, FillFailure::None};
+  return StepOutcome{changed, changed ? nullptr : why, FillFailure::None,
+                     change.sheets ? *change.sheets : SheetOutcomes()};
 }
 
 Result<StepOutcome> addFile(StepReader& reader, MeshDocument& document, Progress progress,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
-#include "mesh/holes/HoleFiller.h"
+#include "mesh/repair/SheetThickening.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <optional>
@@ -21,6 +21,7 @@ struct StepOutcome {
   // Why nothing changed, where it did not; one of them or none.
   const char* reason = nullptr;  // English, contexts "Tool" and "Property"
   FillFailure failure = FillFailure::None;
+  SheetOutcomes sheets = {};  // of a step that thickens some
 };
 
 // Reads the mesh of another file, for "add".

@@ -155,10 +155,13 @@ class DefectFixesWindowTest : public QObject {
     auto* line = driver.find<QWidget>("sheetThickness")->findChild<QLineEdit*>();
     QVERIFY(line->isVisible());
     QVERIFY2(line->text().startsWith("0.5"), qPrintable(line->text()));
+    const auto* action = driver.find<QAction>("thickenSheet");
+    QCOMPARE(action->text().remove('&'), QString("Thicken sheets by 0.500 mm"));
     line->setFocus();
     line->selectAll();
     QTest::keyClicks(line, "2");
     QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(action->text().remove('&'), QString("Thicken sheets by 2.00 mm"));
     driver.click("thickenSheetButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::KeptOpen), 0, kPatienceMs);
     QVERIFY(driver.settle());

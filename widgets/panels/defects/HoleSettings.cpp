@@ -141,8 +141,8 @@ QWidget* HoleSettings::thicknessRow() {
   m_thickness->setObjectName(QStringLiteral("sheetThickness"));
   m_thickness->setLabel(label->text());
   m_thickness->setToolTip(
-      tr("Thickness of the sheet's thin body: at most a quarter of the shortest edge at each vertex, and less where "
-         "that would intersect anything. The log says what was reached."));
+      tr("Thickness of the sheet's thin body, which grows to the side opposite to the normals: the triangles of the "
+         "sheet stay where they are. Less where that would intersect anything; the log says what was reached."));
   constexpr double kLeast = 1e-9, kMost = 1e9;  // mm, as the operation takes it
   m_thickness->setRange(kLeast, kMost);
   auto* fields = new QHBoxLayout(row);

@@ -16,7 +16,8 @@ std::vector<Operation> mendOperations() {
   return {
       {.id = "back",
        .title = QT_TRANSLATE_NOOP("Tool", "Thicken sheets"),
-       .meaning = "Thicken each sheet with such an outer boundary to a thin body",
+       .meaning = "Thicken each sheet with such an outer boundary to a thin body, which grows to the side opposite to "
+                  "the normals",
        .operands = "LOOPS",
        .parameters = std::move(thickening)},
       {.id = "cut-and-close",

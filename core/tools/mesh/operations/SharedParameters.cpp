@@ -10,8 +10,6 @@
 
 namespace handwheel {
 
-static_assert(tolerance::kSheetOffsetEdge == 0.25, "as --thickness says");
-
 Parameter flagParameter(const char* id, std::string meaning, const char* label) {
   return {.property = {.id = id, .group = {}, .label = label, .value = false}, .meaning = std::move(meaning)};
 }
@@ -40,18 +38,19 @@ Parameter pointParameter(const char* id, std::string meaning) {
 }
 
 Parameter thicknessParameter() {
-  return {.property = {.id = "thickness",
-                       .group = {},
-                       .label = QT_TRANSLATE_NOOP("Property", "Thickness"),
-                       .value = 0.0,
-                       .quantity = Quantity::Length,
-                       .least = 1e-9,
-                       .largest = 1e9},
-          .meaning =
-              "Thickness of thickened sheets, in mm, at most a quarter of the shortest edge at each vertex; default: a "
-              "thousandth of the model's diagonal",
-          .word = "MM",
-          .hasDefault = false};
+  return {
+      .property = {.id = "thickness",
+                   .group = {},
+                   .label = QT_TRANSLATE_NOOP("Property", "Thickness"),
+                   .value = 0.0,
+                   .quantity = Quantity::Length,
+                   .least = 1e-9,
+                   .largest = 1e9},
+      .meaning =
+          "Thickness of thickened sheets, in mm, less where the sheet bends more or the part is nearer; it grows to "
+          "the side opposite to the normals. Default: a thousandth of the model's diagonal",
+      .word = "MM",
+      .hasDefault = false};
 }
 
 Parameter nearWeldParameter(double standard) {

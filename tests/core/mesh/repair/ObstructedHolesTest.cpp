@@ -41,6 +41,16 @@ TriangleSoup ballWithTangle() {
   return s;
 }
 
+// A sheet that crosses itself everywhere, so that no body has room behind it.
+TriangleSoup crumpledSheet() {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> anywhere(-0.5, 0.5);
+  return test::grid(30, 30, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double x = i / 30.0 + 0.3 * anywhere(random), y = j / 30.0 + 0.3 * anywhere(random), z = anywhere(random);
+    return Vec3(x, y, z);
+  });
+}
+
 std::vector<ObstructedHole> holesOf(const HalfEdgeMesh& mesh, bool back) {
   std::vector<ObstructedHole> holes;
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) holes.push_back({loop, back});
@@ -66,7 +76,9 @@ class ObstructedHolesTest : public QObject {
   void cancelled();
   void nothingToDo();
   void oneTangleLeavesEffortForOthers();
+  void oneSheetLeavesEffortForOthers();
   void saysWhichWasCutShort();
+  void countsSheets();
 };
 
 // Every patch crosses the rod; what is cut leaves all of the ball's and the rod's surface where it was.
@@ -148,6 +160,37 @@ void ObstructedHolesTest::oneTangleLeavesEffortForOthers() {
     QVERIFY(!closings.holes[isTangleFirst ? 0 : 1].closed);
     QVERIFY(closings.holes[isTangleFirst ? 0 : 1].isCutShort);
   }
+}
+
+// Whatever is tried with a sheet that cannot be thickened, a hole is closed and a flat sheet thickened.
+void ObstructedHolesTest::oneSheetLeavesEffortForOthers() {
+  TriangleSoup s = crumpledSheet();
+  test::append(s, test::moved(ballWithRod(), {5, 0, 0}));
+  test::append(s, test::moved(test::disc(12, 3), {9, 0, 0}));
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  std::vector<ObstructedHole> holes = holesOf(mesh, false);
+  QCOMPARE(holes.size(), std::size_t{3});
+  for (ObstructedHole& hole : holes) hole.back = hole.loop.centre.x() < 2.0 || hole.loop.centre.x() > 8.0;
+  WorkBudget effort(2'000'000);
+  const ObstructedClosings closings = closeObstructedHoles(mesh, holes, {}, 0.01, Progress().within(effort));
+  for (std::size_t i = 0; i < holes.size(); ++i) QCOMPARE(closings.holes[i].closed, holes[i].loop.centre.x() > 2.0);
+  QCOMPARE(closings.sheets.thickened, std::size_t{1});
+  QCOMPARE(closings.sheets.left, (std::map<FillFailure, std::size_t>{{FillFailure::TooMuchEffort, 1}}));
+}
+
+// Sheets, not their outlines: a ring has two.
+void ObstructedHolesTest::countsSheets() {
+  TriangleSoup s = test::annulus(24, 3, 1.0, 2.0);
+  test::append(s, test::moved(test::disc(12, 3), {0, 0, 3}));
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  const std::vector<ObstructedHole> holes = holesOf(mesh, true);
+  QCOMPARE(holes.size(), std::size_t{3});
+  FillOptions options;
+  options.keptCorners.insert(positionKey(s.points.back()));
+  const SheetOutcomes sheets = closeObstructedHoles(mesh, holes, options, 0.01).sheets;
+  QCOMPARE(sheets.thickened, std::size_t{1});
+  QCOMPARE(sheets.left, (std::map<FillFailure, std::size_t>{{FillFailure::SheetKeptOpen, 1}}));
+  QVERIFY(std::abs(sheets.thickness.least - 0.01) < 1e-12 && std::abs(sheets.thickness.largest - 0.01) < 1e-12);
 }
 
 // One hole is too much work; one may not be closed, because its sheet has a corner that stays as it is.

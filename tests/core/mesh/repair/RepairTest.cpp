@@ -198,7 +198,8 @@ void RepairTest::keptHoleOfASheet() {
   const RepairReport report = repair(mesh, options);
   QVERIFY(test::sameMesh(mesh, input));
   QVERIFY(report.loops[std::size_t(hole)].reason == FillFailure::KeptOpen);
-  QVERIFY(report.loops[std::size_t(rim)].reason == FillFailure::Rim);
+  QVERIFY(report.loops[std::size_t(rim)].reason == FillFailure::SheetKeptOpen);
+  QCOMPARE(report.sheets.left, (std::map<FillFailure, std::size_t>{{FillFailure::SheetKeptOpen, 1}}));
   QCOMPARE(test::count(report, LoopOutcome::KeptOpen), std::size_t{2});
 
   mesh = input;

@@ -18,11 +18,39 @@ double volume(const HalfEdgeMesh& mesh) {
   return test::volume(mesh.compact().soup);
 }
 
+ThickenedSheets thickened(HalfEdgeMesh& mesh, std::vector<Face> sheet, double thickness,
+                          NumberType numbers = NumberType::Float64) {
+  const std::vector<OpenSheet> sheets{{std::move(sheet), thickness}};
+  return thickenSheets(mesh, sheets, numbers);
+}
+
 HalfEdgeMesh backed(const TriangleSoup& soup, double thickness) {
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  thickenSheets(mesh, {sheetOf(mesh, 0)}, thickness, NumberType::Float64);
+  thickened(mesh, sheetOf(mesh, 0), thickness);
   relink(mesh);
   return mesh;
+}
+
+// No two faces meet at an edge with less than 60° of the body between them.
+bool isBlunt(const HalfEdgeMesh& mesh) {
+  const auto normal = [&](Face f) {
+    const TrianglePoints p = mesh.points(f);
+    return Vec3((p[1] - p[0]).cross(p[2] - p[0]).stableNormalized());
+  };
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    for (HalfEdge h = 3 * f; mesh.isLive(f) && h < 3 * f + 3; ++h)
+      if (!mesh.hasOpposite(h) || normal(f).dot(normal(HalfEdgeMesh::face(mesh.opposite(h)))) < -0.5) return false;
+  }
+  return true;
+}
+
+TriangleSoup rectangle(double a, double b) {
+  return test::grid(7, 5, false, false,
+                    [&](std::uint32_t i, std::uint32_t j) { return Vec3(a * i / 6.0, b * j / 4.0, 0.0); });
+}
+
+bool isNear(double value, double expected, double tolerance = 1e-9) {
+  return std::abs(value - expected) <= tolerance * std::abs(expected);
 }
 
 }  // namespace
@@ -34,20 +62,29 @@ class SheetThickeningTest : public QObject {
   void oneTriangle();
   void sheets_data();
   void sheets();
-  void flatDisc();
+  void box_data();
+  void box();
+  void annulus();
+  void tube();
+  void openBox();
+  void shellOfABall();
+  void wavySheet();
+  void severalSheets();
+  void pinchedOutline();
+  void sharpWhereNoSideFits();
   void onlyThisSheet();
   void thinnerBeforeAnObstacle();
   void fold();
   void saysWhatWasReached();
-  void crossedWhereBackAndFrontAreOne();
+  void noRoomForTheThickness();
 };
 
-// A pyramid under the triangle: a third of area times height.
+// A prism under the triangle.
 void SheetThickeningTest::oneTriangle() {
   const HalfEdgeMesh mesh = backed({{{0, 0, 5}, {2, 0, 5}, {0, 2, 5}}, {{0, 1, 2}}}, 0.25);
-  QCOMPARE(mesh.liveFaceCount(), std::size_t{4});
+  QCOMPARE(mesh.liveFaceCount(), std::size_t{8});
   QVERIFY(test::countEdges(mesh).sound());
-  QVERIFY(std::abs(volume(mesh) - 2.0 * 0.25 / 3.0) < 1e-12);
+  QVERIFY(isNear(volume(mesh), 2.0 * 0.25));
 }
 
 void SheetThickeningTest::sheets_data() {
@@ -75,12 +112,148 @@ void SheetThickeningTest::sheets() {
   }
 }
 
-// Its inner vertices go down by the thickness: between a prism over the inner rings and one over all of it.
-void SheetThickeningTest::flatDisc() {
-  const double thickness = 1e-3;
-  const double v = volume(backed(test::disc(48, 20), thickness));
-  QVERIFY(v < M_PI * thickness);
-  QVERIFY(v > 0.9 * 0.9 * M_PI * thickness);
+void SheetThickeningTest::box_data() {
+  QTest::addColumn<double>("scale");
+  QTest::addColumn<double>("thickness");
+  QTest::addColumn<Vec3>("at");
+  const Vec3 origin = Vec3::Zero();
+  QTest::newRow("thin") << 1.0 << 0.01 << origin;
+  QTest::newRow("thicker than its edges are long") << 1.0 << 5.0 << origin;
+  QTest::newRow("tiny") << 1e-7 << 0.1 << origin;
+  QTest::newRow("huge") << 1e7 << 0.1 << origin;
+  QTest::newRow("far from the origin") << 1.0 << 0.25 << Vec3(4096.0, -4096.0, 8192.0);
+}
+
+// A flat rectangle becomes a box, of which it is the upper side, and no edge is sharp.
+void SheetThickeningTest::box() {
+  QFETCH(double, scale);
+  QFETCH(double, thickness);
+  QFETCH(Vec3, at);
+  const double a = 3.0 * scale, b = 2.0 * scale, t = thickness * scale;
+  const HalfEdgeMesh mesh = backed(test::moved(rectangle(a, b), at), t);
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QVERIFY(isBlunt(mesh));
+  const TriangleSoup box = test::moved(mesh.compact().soup, -at);
+  QVERIFY(isNear(test::volume(box), a * b * t));
+  QVERIFY(isNear(test::area(box), 2.0 * a * b + 2.0 * (a + b) * t));
+  for (const Vec3& p : box.points) QVERIFY(p.z() == 0.0 || isNear(p.z(), -t));
+}
+
+// Side faces along both outlines. The area of a ring between two regular polygons, and their edges, times the
+// thickness.
+void SheetThickeningTest::annulus() {
+  const double n = 24.0, t = 0.3, ring = 0.5 * n * std::sin(2.0 * M_PI / n) * (4.0 - 1.0);
+  const double edges = 2.0 * n * std::sin(M_PI / n) * (2.0 + 1.0);
+  const HalfEdgeMesh mesh = backed(test::annulus(24, 3, 1.0, 2.0), t);
+  QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
+  QVERIFY(isNear(volume(mesh), ring * t));
+  QVERIFY(isNear(test::area(mesh.compact().soup), 2.0 * ring + edges * t));
+}
+
+// Of flat sides, which all go back by the thickness: the tube lies between two regular prisms. Its normals point
+// outwards, so the body grows inwards; turned over, outwards.
+void SheetThickeningTest::tube() {
+  for (const std::uint32_t n : {6u, 12u}) {
+    const double inner = std::cos(M_PI / n), t = 0.2, height = 2.0;
+    const auto prism = [&](double apothem) { return height * n * apothem * apothem * std::tan(M_PI / n); };
+    const TriangleSoup soup = test::cylinder(n, 4, 1.0, height, false);
+    for (const bool isTurned : {false, true}) {
+      const HalfEdgeMesh mesh = backed(isTurned ? test::turnedOver(soup) : soup, t);
+      QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
+      const double other = prism(isTurned ? inner + t : inner - t);
+      QVERIFY(isNear(volume(mesh), std::abs(prism(inner) - other)));
+    }
+  }
+}
+
+// A cube without its lid: all of its walls and its bottom get the thickness.
+void SheetThickeningTest::openBox() {
+  TriangleSoup soup = test::cube();
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    return soup.points[t[0]].z() + soup.points[t[1]].z() + soup.points[t[2]].z() == 3.0;
+  });
+  QCOMPARE(soup.triangles.size(), std::size_t{10});
+  const double t = 0.1;
+  const HalfEdgeMesh mesh = backed(soup, t);
+  QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
+  QVERIFY(isNear(volume(mesh), 1.0 - (1.0 - 2.0 * t) * (1.0 - 2.0 * t) * (1.0 - t)));
+}
+
+// A zone of a ball from near its pole to its equator, as a shell of which the ball is the outer side or the inner one.
+void SheetThickeningTest::shellOfABall() {
+  const double r = 2.0, t = 0.3, pole = 0.2;
+  const TriangleSoup soup = test::grid(60, 25, true, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2.0 * M_PI * i / 60.0, v = 0.5 * M_PI + (pole - 0.5 * M_PI) * j / 24.0;
+    return Vec3(r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u), r * std::cos(v));
+  });
+  const auto zone = [&](double radius) { return 2.0 * M_PI / 3.0 * std::pow(radius, 3) * std::cos(pole); };
+  for (const bool isTurned : {false, true}) {
+    const HalfEdgeMesh mesh = backed(isTurned ? test::turnedOver(soup) : soup, t);
+    QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
+    QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+    QVERIFY(isNear(volume(mesh), std::abs(zone(r) - zone(isTurned ? r + t : r - t)), 0.02));
+  }
+}
+
+// The radius of its waves is some 0.6: the body is of one thickness, and its volume near that times the area.
+void SheetThickeningTest::wavySheet() {
+  const TriangleSoup soup = test::grid(41, 31, false, false, [](std::uint32_t i, std::uint32_t j) {
+    const double x = i / 10.0, y = j / 10.0;
+    return Vec3(x, y, 0.2 * std::sin(2.0 * x) * std::cos(2.0 * y));
+  });
+  const double t = 0.1;
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const SheetThickness reached = thickened(mesh, sheetOf(mesh, 0), t).thickness;
+  relink(mesh);
+  QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QVERIFY(isNear(reached.least, t) && isNear(reached.largest, t));
+  QVERIFY(isNear(volume(mesh), test::area(soup) * t, 0.05));
+}
+
+void SheetThickeningTest::severalSheets() {
+  TriangleSoup soup = rectangle(1.0, 2.0);
+  test::append(soup, test::moved(rectangle(1.0, 2.0), {0, 0, 1}));
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const std::vector<OpenSheet> sheets{{sheetOf(mesh, 0), 0.1},
+                                      {sheetOf(mesh, static_cast<Face>(mesh.faceSlots() - 1)), 0.2}};
+  const ThickenedSheets made = thickenSheets(mesh, sheets, NumberType::Float64);
+  relink(mesh);
+  QCOMPARE(made.isThickened, std::vector<bool>({true, true}));
+  QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
+  QVERIFY(isNear(made.thickness.least, 0.1) && isNear(made.thickness.largest, 0.2));
+  QVERIFY(isNear(volume(mesh), 2.0 * 0.1 + 2.0 * 0.2));
+}
+
+// Two squares that touch in a corner: their side faces there would share an edge, so there the bodies touch in one
+// vertex, as the squares do.
+void SheetThickeningTest::pinchedOutline() {
+  HalfEdgeMesh mesh = buildMesh({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+                                 {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}, {2, 5, 6}}})
+                          .mesh;
+  const std::vector<OpenSheet> sheets{{sheetOf(mesh, 0), 0.1}, {sheetOf(mesh, 2), 0.1}};
+  thickenSheets(mesh, sheets, NumberType::Float64);
+  relink(mesh);
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(validate(mesh), std::string());
+}
+
+// A closed body stands just below an edge of the rectangle, in the plane in which its side faces would lie: there both
+// sides meet in the edge, and elsewhere the side faces stand.
+void SheetThickeningTest::sharpWhereNoSideFits() {
+  TriangleSoup soup = rectangle(6.0, 4.0);
+  const std::size_t own = soup.triangles.size();
+  test::append(soup, test::moved(test::cube(), {2.25, -1.0, -1.001}));
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const ThickenedSheets made =
+      thickenSheets(mesh, std::vector<OpenSheet>{{sheetOf(mesh, 0), 0.5}}, NumberType::Float64);
+  relink(mesh);
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(made.thickness.least, 0.0);
+  QVERIFY(isNear(made.thickness.largest, 0.5));
+  for (Face f = 0; f < own; ++f) QVERIFY(mesh.isLive(f));
 }
 
 void SheetThickeningTest::onlyThisSheet() {
@@ -90,7 +263,7 @@ void SheetThickeningTest::onlyThisSheet() {
   HalfEdgeMesh mesh = buildMesh(two).mesh;
   const std::vector<Face> sheet = sheetOf(mesh, 0);
   QCOMPARE(sheet.size(), one);
-  thickenSheets(mesh, {sheet}, 0.01, NumberType::Float64);
+  thickened(mesh, sheet, 0.01);
   relink(mesh);
   QCOMPARE(test::countBorder(mesh), std::size_t{12});
 }
@@ -105,7 +278,7 @@ void SheetThickeningTest::thinnerBeforeAnObstacle() {
   test::append(soup, TriangleSoup{{{0.01, 0.01, -0.011}, {0.06, 0.01, -0.1}, {0.01, 0.06, -0.1}}, {{0, 1, 2}}});
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const std::vector<Face> sheet = sheetOf(mesh, 0);
-  thickenSheets(mesh, {sheet}, thickness, NumberType::Float64);
+  thickened(mesh, sheet, thickness);
   relink(mesh);
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
   QCOMPARE(test::countBorder(mesh), std::size_t{3});  // the flake's
@@ -130,38 +303,35 @@ void SheetThickeningTest::fold() {
   }
 }
 
-// Edges of 0.2 mm allow a quarter of them, and beside the corners a quarter of the diagonal; not the 2 mm.
+// Not more than there is room for: a flake stands behind the middle of the sheet.
 void SheetThickeningTest::saysWhatWasReached() {
-  const TriangleSoup soup =
+  TriangleSoup soup =
       test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(0.2 * i, 0.2 * j, 0.0); });
+  test::append(soup, TriangleSoup{{{0.7, 0.7, -0.5}, {0.9, 0.7, -3.0}, {0.7, 0.9, -3.0}}, {{0, 1, 2}}});
   for (const double thickness : {0.01, 2.0}) {
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const auto front = static_cast<Vertex>(mesh.vertexSlots());
-    const SheetThickness reached = thickenSheets(mesh, {sheetOf(mesh, 0)}, thickness, NumberType::Float64).thickness;
-    double least = 1.0, largest = 0.0;
+    const SheetThickness reached = thickened(mesh, sheetOf(mesh, 0), thickness).thickness;
+    double least = 1e9, largest = 0.0;
     for (Vertex v = front; v < mesh.vertexSlots(); ++v) {
       least = std::min(least, std::abs(mesh.position(v).z()));
       largest = std::max(largest, std::abs(mesh.position(v).z()));
     }
-    QVERIFY(std::abs(reached.least - least) < 1e-12);
-    QVERIFY(std::abs(reached.largest - largest) < 1e-12);
-    QVERIFY(std::abs(least - std::min(thickness, 0.05)) < 1e-12);
-    QVERIFY(largest <= std::min(thickness, 0.05 * M_SQRT2) + 1e-12);
+    QVERIFY(isNear(reached.least, least) && isNear(reached.largest, largest));
+    QVERIFY(isNear(largest, thickness));
+    QVERIFY(thickness < 0.5 ? isNear(least, thickness) : least < 0.5);
   }
 }
 
-// So far from the origin, single precision has no room for the thickness: faces go with their backs, and what crosses
-// both is met again after they are gone.
-void SheetThickeningTest::crossedWhereBackAndFrontAreOne() {
-  const double z = 1e5;
-  TriangleSoup soup =
-      test::grid(9, 9, false, false, [&](std::uint32_t i, std::uint32_t j) { return Vec3(i / 8.0, j / 8.0, z); });
-  test::append(soup, TriangleSoup{{{0.4, 0.4, z - 1}, {0.45, 0.4, z + 1}, {0.4, 0.45, z + 1}}, {{0, 1, 2}}});
-  HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  thickenSheets(mesh, {sheetOf(mesh, 0)}, 1e-3, NumberType::Float32);
-  relink(mesh);
-  QCOMPARE(validate(mesh), std::string());
-  QVERIFY(mesh.isLive(static_cast<Face>(soup.triangles.size() - 1)));
+// So far from the origin, single precision has no room for the thickness: its back would be the sheet itself.
+void SheetThickeningTest::noRoomForTheThickness() {
+  const TriangleSoup soup =
+      test::grid(9, 9, false, false, [&](std::uint32_t i, std::uint32_t j) { return Vec3(i / 8.0, j / 8.0, 1e5); });
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = before;
+  QCOMPARE(thickened(mesh, sheetOf(mesh, 0), 1e-3, NumberType::Float32).isThickened, std::vector<bool>{false});
+  QVERIFY(test::sameMesh(mesh, before));
+  QCOMPARE(thickened(mesh, sheetOf(mesh, 0), 1.0, NumberType::Float32).isThickened, std::vector<bool>{true});
 }
 
 HANDWHEEL_TEST(SheetThickeningTest)

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/SheetBacks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+// The offset is a 256th of the thickness at last: nearer than that, single precision shows hardly any.
+constexpr int kMostOffsetHalvings = 8;
+
+}  // namespace
+
+Vec3 unitNormal(const HalfEdgeMesh& mesh, Face f) {
+  const TrianglePoints p = mesh.points(f);
+  return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
+}
+
+bool SheetBacks::add(const OpenSheet& sheet) {
+  m_corners.clear();
+  m_middles.clear();
+  m_thickness = sheet.thickness;
+  for (Face f : sheet.faces) look(f);
+  for (auto& [v, corner] : m_corners) corner.offset = m_kept.contains(v) ? Vec3::Zero() : offsetBehind(corner.faces);
+  if (!hasRoom()) return false;
+  for (const auto& [v, corner] : m_corners) m_isSharpSomewhere |= corner.stays();
+  for (Face f : sheet.faces) cover(f);
+  for (Face f : sheet.faces) addSides(f);
+  return true;
+}
+
+const SheetOffset* SheetBacks::offsetOf(Vertex v) const {
+  const auto found = m_offsets.find(v);
+  return found == m_offsets.end() ? nullptr : &found->second;
+}
+
+bool SheetBacks::halve(Vertex v) {
+  SheetOffset& offset = m_offsets.at(v);
+  if (offset.halvings == kMostOffsetHalvings) return false;
+  ++offset.halvings;
+  offset.depth *= 0.5;
+  m_mesh.setPosition(v, place(offset));
+  return true;
+}
+
+SheetThickness SheetBacks::reached() const {
+  SheetThickness reached;
+  for (const Face f : m_faces) {
+    if (!m_mesh.isLive(f)) continue;
+    for (const Vertex v : m_mesh.triangle(f)) {
+      const SheetOffset* const offset = offsetOf(v);
+      if (!offset || offset->direction.isZero()) continue;
+      const double depth = (m_mesh.position(v) - offset->from).norm() / offset->direction.norm();
+      reached.extend({depth, depth});
+    }
+  }
+  if (m_isSharpSomewhere) reached.least = 0.0;
+  return reached;
+}
+
+void SheetBacks::look(Face f) {
+  const Vec3 n = unitNormal(m_mesh, f);
+  for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+    const Vec3 p = m_mesh.position(m_mesh.from(h));
+    const Vec3 on = m_mesh.position(m_mesh.to(h)) - p,
+               back = m_mesh.position(m_mesh.from(HalfEdgeMesh::previous(h))) - p;
+    Corner& from = m_corners[m_mesh.from(h)];
+    from.faces.push_back({n, std::atan2(on.cross(back).norm(), on.dot(back))});
+    if (!m_mesh.hasOpposite(h)) from.isOpen = m_corners[m_mesh.to(h)].isOpen = true;
+  }
+}
+
+// Else a back would be the sheet itself.
+bool SheetBacks::hasRoom() const {
+  return std::all_of(m_corners.begin(), m_corners.end(), [&](const auto& entry) {
+    if (entry.second.stays()) return true;
+    const Vec3& p = m_mesh.position(entry.first);
+    const Vec3 offset = m_thickness * entry.second.offset;
+    return (rounded(Vec3(p + offset), m_numbers) - (p + offset)).norm() <= 0.5 * offset.norm();
+  });
+}
+
+Vec3 SheetBacks::place(const SheetOffset& offset) const {
+  return rounded(Vec3(offset.from + offset.depth * offset.direction), m_numbers);
+}
+
+Vertex SheetBacks::behind(const SheetOffset& offset) {
+  const Vertex v = m_mesh.addVertex(place(offset));
+  m_offsets.emplace(v, offset);
+  return v;
+}
+
+Vertex SheetBacks::back(Vertex v) {
+  Corner& c = m_corners.at(v);
+  if (c.stays()) return v;
+  if (c.back == kNone) c.back = behind({m_mesh.position(v), c.offset, m_thickness, c.isOpen ? v : kNone});
+  return c.back;
+}
+
+// The vertex behind the middle of an edge whose ends both stay; kNone for other edges.
+Vertex SheetBacks::middle(HalfEdge h) {
+  if (!m_mesh.hasOpposite(h) || !m_corners.at(m_mesh.from(h)).stays() || !m_corners.at(m_mesh.to(h)).stays())
+    return kNone;
+  const HalfEdge g = m_mesh.opposite(h);
+  const auto [at, isNew] = m_middles.emplace(std::min(g, h), kNone);
+  if (isNew) {
+    const Vec3 a = m_mesh.position(m_mesh.from(h)), b = m_mesh.position(m_mesh.to(h));
+    const Vec3 offset = offsetBehind(
+        {{unitNormal(m_mesh, HalfEdgeMesh::face(h)), 1.0}, {unitNormal(m_mesh, HalfEdgeMesh::face(g)), 1.0}});
+    at->second = behind({0.5 * (a + b), offset, m_thickness, kNone});
+  }
+  return at->second;
+}
+
+Face SheetBacks::add(Vertex a, Vertex b, Vertex c) {  // turned
+  m_faces.push_back(m_mesh.addFace({c, b, a}));
+  return m_faces.back();
+}
+
+void SheetBacks::cover(Face f) {
+  std::array<Vertex, 3> v{}, m{};  // m[k] is on the edge from corner k
+  for (HalfEdge k = 0; k < 3; ++k) {
+    v[k] = back(m_mesh.triangle(f)[k]);
+    m[k] = middle(3 * f + k);
+  }
+  const auto split = std::count_if(m.begin(), m.end(), [](Vertex x) { return x != kNone; });
+  if (split == 3) {
+    for (int k = 0; k < 3; ++k) add(v[k], m[k], m[(k + 2) % 3]);
+    add(m[0], m[1], m[2]);
+  } else if (split == 0) {
+    coverWhole(f, v);
+  } else {  // from the middle of one split edge to the corner opposite; the other split edge lies on one side of it
+    const int k =
+        split == 1 ? static_cast<int>(std::find_if(m.begin(), m.end(), [](Vertex x) { return x != kNone; }) - m.begin())
+                   : (static_cast<int>(std::find(m.begin(), m.end(), kNone) - m.begin()) + 1) % 3;
+    const int l = (k + 1) % 3, o = (k + 2) % 3;
+    add(v[k], m[k], v[o]);
+    if (split == 1) {
+      add(m[k], v[l], v[o]);
+    } else {  // edge l is split, too
+      add(m[k], v[l], m[l]);
+      add(m[k], m[l], v[o]);
+    }
+  }
+}
+
+// A face none of whose edges is split: one whose corners all stay would lie on its back.
+void SheetBacks::coverWhole(Face f, const std::array<Vertex, 3>& v) {
+  if (v != m_mesh.triangle(f)) {
+    m_facePairs.emplace_back(add(v[0], v[1], v[2]), f);
+    return;
+  }
+  const TrianglePoints p = m_mesh.points(f);
+  const Vertex c = behind({(p[0] + p[1] + p[2]) / 3.0, -unitNormal(m_mesh, f), m_thickness, kNone});
+  for (int k = 0; k < 3; ++k) add(v[k], v[(k + 1) % 3], c);
+}
+
+// The side faces behind the open edges of a face.
+void SheetBacks::addSides(Face f) {
+  for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+    if (m_mesh.hasOpposite(h)) continue;
+    const Vertex a = m_mesh.from(h), b = m_mesh.to(h), behindA = back(a), behindB = back(b);
+    if (behindA != a) add(behindA, a, b);
+    if (behindB != b) add(behindB, behindA, b);
+  }
+}
+
+}  // namespace handwheel

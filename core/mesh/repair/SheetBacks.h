@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/repair/OffsetDirection.h"
+#include "mesh/repair/SheetThickening.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+namespace handwheel {
+
+// The vertex behind one of a sheet.
+struct SheetOffset {
+  Vec3 from;
+  Vec3 direction;  // as of offsetBehind()
+  double depth;    // times the direction
+  Vertex outline;  // of which it is the back; kNone within the sheet
+  int halvings = 0;
+};
+
+// The backs of sheets and the side faces along their outlines, as thickenSheets() makes them.
+class SheetBacks {
+ public:
+  // kept: vertices without an offset.
+  SheetBacks(HalfEdgeMesh& mesh, NumberType numbers, const std::unordered_set<Vertex>& kept)
+      : m_mesh(mesh), m_numbers(numbers), m_kept(kept) {}
+
+  // False, without a change, where the numbers of the file cannot show the thickness.
+  bool add(const OpenSheet& sheet);
+
+  const std::vector<Face>& faces() const { return m_faces; }
+  // Pairs of a back and its face in the sheet.
+  const std::vector<std::pair<Face, Face>>& facePairs() const { return m_facePairs; }
+  // Null for a vertex of a sheet.
+  const SheetOffset* offsetOf(Vertex v) const;
+  // Halves the depth of a vertex behind a sheet; false where that was done too often.
+  bool halve(Vertex v);
+  // Of the faces that are still live.
+  SheetThickness reached() const;
+
+ private:
+  struct Corner {
+    std::vector<FaceAtVertex> faces;
+    bool isOpen = false;
+    Vec3 offset = Vec3::Zero();
+    Vertex back = kNone;
+
+    bool stays() const { return offset.isZero(); }
+  };
+
+  void look(Face f);
+  bool hasRoom() const;
+  Vec3 place(const SheetOffset& offset) const;
+  Vertex behind(const SheetOffset& offset);
+  Vertex back(Vertex v);
+  Vertex middle(HalfEdge h);
+  Face add(Vertex a, Vertex b, Vertex c);
+  void cover(Face f);
+  void coverWhole(Face f, const std::array<Vertex, 3>& v);
+  void addSides(Face f);
+
+  HalfEdgeMesh& m_mesh;
+  NumberType m_numbers;
+  const std::unordered_set<Vertex>& m_kept;
+  double m_thickness = 0.0;  // of the sheet that is added
+  bool m_isSharpSomewhere = false;
+  std::unordered_map<Vertex, Corner> m_corners;    // of that sheet
+  std::unordered_map<HalfEdge, Vertex> m_middles;  // the same; by the smaller half-edge
+  std::unordered_map<Vertex, SheetOffset> m_offsets;
+  std::vector<std::pair<Face, Face>> m_facePairs;
+  std::vector<Face> m_faces;
+};
+
+// The normal of a face; zero where it is degenerate.
+Vec3 unitNormal(const HalfEdgeMesh& mesh, Face f);
+
+}  // namespace handwheel
