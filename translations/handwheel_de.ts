@@ -1892,6 +1892,10 @@
         <source>Change unit…</source>
         <translation>Einheit ändern …</translation>
     </message>
+    <message>
+        <source>%1: some sheets stay open</source>
+        <translation>%1: Einige Flächen bleiben offen</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -2101,6 +2105,32 @@
         <translation>
             <numerusform>Keine Löcher. %Ln offene Fläche unter %1 Stücken.</numerusform>
             <numerusform>Keine Löcher. %Ln offene Flächen unter %1 Stücken.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s)</source>
+        <translation>
+            <numerusform>%Ln Loch</numerusform>
+            <numerusform>%Ln Löcher</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 closed</source>
+        <translation>%1 von %2 geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 removed</source>
+        <translation>%1 von %2 entfernt</translation>
+    </message>
+    <message>
+        <source>new: %1</source>
+        <translation>neu: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln open sheet(s).</source>
+        <translation>
+            <numerusform>%Ln offene Fläche.</numerusform>
+            <numerusform>%Ln offene Flächen.</numerusform>
         </translation>
     </message>
 </context>
@@ -3053,6 +3083,22 @@
         <source>Resulting triangles</source>
         <translation>Ergebnis: Dreiecke</translation>
     </message>
+    <message>
+        <source>However thin, the body of the sheet would intersect the part.</source>
+        <translation>Der Körper der Fläche würde das Teil durchdringen, so dünn er auch wäre.</translation>
+    </message>
+    <message>
+        <source>The numbers of the file cannot show such a thickness.</source>
+        <translation>Die Zahlen der Datei können eine solche Dicke nicht darstellen.</translation>
+    </message>
+    <message>
+        <source>A boundary of the sheet is kept open, and a thin body has none.</source>
+        <translation>Ein Rand der Fläche bleibt auf Wunsch offen, und ein dünner Körper hat keinen.</translation>
+    </message>
+    <message>
+        <source>Selected triangles</source>
+        <translation>Ausgewählte Dreiecke</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -3380,6 +3426,37 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>however thin, the body of the sheet would intersect the part</source>
+        <translation>der Körper der Fläche würde das Teil durchdringen, so dünn er auch wäre</translation>
+    </message>
+    <message>
+        <source>the numbers of the file cannot show such a thickness</source>
+        <translation>die Zahlen der Datei können eine solche Dicke nicht darstellen</translation>
+    </message>
+    <message>
+        <source>a boundary of the sheet is marked to stay open, and a thin body has none</source>
+        <translation>ein Rand der Fläche soll offen bleiben, und ein dünner Körper hat keinen</translation>
+    </message>
+    <message>
+        <source>sheets: %1</source>
+        <translation>Flächen: %1</translation>
+    </message>
+    <message>
+        <source>none of %1 thickened</source>
+        <translation>keine von %1 verdickt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 thickened by %3</source>
+        <translation>%1 von %2 um %3 verdickt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) left open: %1</source>
+        <translation>
+            <numerusform>%n Fläche bleibt offen: %1</numerusform>
+            <numerusform>%n Flächen bleiben offen: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4071,6 +4148,14 @@
         <source>subdivide the mesh</source>
         <translation>das Netz unterteilen</translation>
     </message>
+    <message>
+        <source>the numbers of the file cannot show such a thickness</source>
+        <translation>die Zahlen der Datei können eine solche Dicke nicht darstellen</translation>
+    </message>
+    <message>
+        <source>no cut would separate the triangles cleanly; “Repair all” may replace them together with a hole</source>
+        <translation>kein Schnitt würde die Dreiecke sauber trennen; „Alles reparieren“ ersetzt sie vielleicht zusammen mit einem Loch</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -4581,10 +4666,6 @@
         <translation>Die in der Liste ausgewählten Fehler beheben</translation>
     </message>
     <message>
-        <source>Turn open sheets into thin closed bodies: the selected one, or all</source>
-        <translation>Aus offenen Flächen dünne geschlossene Körper machen: aus der ausgewählten oder aus allen</translation>
-    </message>
-    <message>
         <source>Close the hole across the part, and cut the part where the patch intersects it</source>
         <translation>Das Loch quer durch das Teil schließen und das Teil schneiden, wo die Füllfläche es durchdringt</translation>
     </message>
@@ -4603,6 +4684,14 @@
     <message>
         <source>Cut all triangles that intersect apart, and join the rest</source>
         <translation>Alle sich durchdringenden Dreiecke zerschneiden und den Rest verbinden</translation>
+    </message>
+    <message>
+        <source>Turn open sheets into thin closed bodies: the selected one, or all. A body grows to the side opposite to the normals; the triangles of the sheet stay where they are</source>
+        <translation>Offene Flächen zu dünnen geschlossenen Körpern machen: die ausgewählte oder alle. Ein Körper wächst zur Seite entgegen den Normalen; die Dreiecke der Fläche bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>&amp;Thicken sheets by %1</source>
+        <translation>Flächen um %1 &amp;verdicken</translation>
     </message>
 </context>
 <context>
@@ -4664,6 +4753,10 @@
             <numerusform>Hier ist das %Ln Dreieck, %1 % von allen.</numerusform>
             <numerusform>Hier sind das %Ln Dreiecke, %1 % von allen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2, before the repair %3</source>
+        <translation>%1: %2, vor der Reparatur %3</translation>
     </message>
 </context>
 <context>
@@ -5373,8 +5466,8 @@
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>Thickness of the sheet&apos;s thin body: at most a quarter of the shortest edge at each vertex, and less where that would intersect anything. The log says what was reached.</source>
-        <translation>Dicke des dünnen Körpers der Fläche: an jedem Eckpunkt höchstens ein Viertel der kürzesten Kante, und weniger, wo er etwas durchdringen würde. Das Protokoll nennt, was erreicht wurde.</translation>
+        <source>Thickness of the sheet&apos;s thin body, which grows to the side opposite to the normals: the triangles of the sheet stay where they are. Less where that would intersect anything; the log says what was reached.</source>
+        <translation>Dicke des dünnen Körpers der Fläche, der zur Seite entgegen den Normalen wächst: Die Dreiecke der Fläche bleiben, wo sie sind. Weniger, wo das etwas durchdringen würde; das Protokoll sagt, was erreicht wurde.</translation>
     </message>
 </context>
 <context>
@@ -6433,10 +6526,6 @@
         </translation>
     </message>
     <message>
-        <source>The remaining defects could not be repaired without damage. The list of defects shows them, and the log says why holes stay open.</source>
-        <translation>Die übrigen Fehler ließen sich nicht ohne Schaden reparieren. Die Liste der Fehler zeigt sie, und das Protokoll sagt, warum Löcher offen bleiben.</translation>
-    </message>
-    <message>
         <source>A hole opened by the repair</source>
         <translation>Ein durch die Reparatur entstandenes Loch</translation>
     </message>
@@ -6458,6 +6547,36 @@
             <numerusform>%1 von %n Loch gefüllt</numerusform>
             <numerusform>%1 von %n Löchern gefüllt</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln whole piece(s) deleted</source>
+        <translation>
+            <numerusform>%Ln ganzes Stück gelöscht</numerusform>
+            <numerusform>%Ln ganze Stücke gelöscht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) are gone from %1.</source>
+        <translation>
+            <numerusform>%Ln Dreieck ist aus %1 verschwunden.</numerusform>
+            <numerusform>%Ln Dreiecke sind aus %1 verschwunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>The remaining defects could not be repaired without damage. The list of defects shows them.</source>
+        <translation>Die verbleibenden Fehler ließen sich nicht ohne Schaden reparieren. Die Liste der Fehler zeigt sie.</translation>
+    </message>
+    <message>
+        <source>The log says why holes stay open.</source>
+        <translation>Das Protokoll sagt, warum Löcher offen bleiben.</translation>
     </message>
 </context>
 <context>
@@ -6884,10 +7003,6 @@
         </translation>
     </message>
     <message>
-        <source>No holes left</source>
-        <translation>Keine Löcher mehr</translation>
-    </message>
-    <message>
         <source>Not manifold</source>
         <translation>Nicht mannigfaltig</translation>
     </message>
@@ -6923,6 +7038,10 @@
             <numerusform>%Ln Loch bleibt offen</numerusform>
             <numerusform>%Ln Löcher bleiben offen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No holes</source>
+        <translation>Keine Löcher</translation>
     </message>
 </context>
 <context>

@@ -1892,6 +1892,10 @@
         <source>Change unit…</source>
         <translation>更改单位…</translation>
     </message>
+    <message>
+        <source>%1: some sheets stay open</source>
+        <translation>%1：部分片体保持开放</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -2086,6 +2090,30 @@
         <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
         <translation>
             <numerusform>没有孔。%1 个部分中有 %Ln 个开放片体。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s)</source>
+        <translation>
+            <numerusform>%Ln 个孔</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 closed</source>
+        <translation>已封闭 %2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 of %2 removed</source>
+        <translation>已移除 %2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>new: %1</source>
+        <translation>新增：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln open sheet(s).</source>
+        <translation>
+            <numerusform>%Ln 个开放片体。</numerusform>
         </translation>
     </message>
 </context>
@@ -3038,6 +3066,22 @@
         <source>Resulting triangles</source>
         <translation>结果三角形数</translation>
     </message>
+    <message>
+        <source>However thin, the body of the sheet would intersect the part.</source>
+        <translation>无论多薄，片体的实体都会与零件相交。</translation>
+    </message>
+    <message>
+        <source>The numbers of the file cannot show such a thickness.</source>
+        <translation>文件的数值无法表示这样的厚度。</translation>
+    </message>
+    <message>
+        <source>A boundary of the sheet is kept open, and a thin body has none.</source>
+        <translation>片体有一条边界保持开放，而薄实体没有边界。</translation>
+    </message>
+    <message>
+        <source>Selected triangles</source>
+        <translation>已选三角形</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -3350,6 +3394,36 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>however thin, the body of the sheet would intersect the part</source>
+        <translation>无论多薄，片体的实体都会与零件相交</translation>
+    </message>
+    <message>
+        <source>the numbers of the file cannot show such a thickness</source>
+        <translation>文件的数值无法表示这样的厚度</translation>
+    </message>
+    <message>
+        <source>a boundary of the sheet is marked to stay open, and a thin body has none</source>
+        <translation>片体有一条边界标记为保持开放，而薄实体没有边界</translation>
+    </message>
+    <message>
+        <source>sheets: %1</source>
+        <translation>片体：%1</translation>
+    </message>
+    <message>
+        <source>none of %1 thickened</source>
+        <translation>%1 个均未加厚</translation>
+    </message>
+    <message>
+        <source>%1 of %2 thickened by %3</source>
+        <translation>%2 个中的 %1 个已加厚 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) left open: %1</source>
+        <translation>
+            <numerusform>%n 个片体保持开放：%1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4041,6 +4115,14 @@
         <source>subdivide the mesh</source>
         <translation>细分网格</translation>
     </message>
+    <message>
+        <source>the numbers of the file cannot show such a thickness</source>
+        <translation>文件的数值无法表示这样的厚度</translation>
+    </message>
+    <message>
+        <source>no cut would separate the triangles cleanly; “Repair all” may replace them together with a hole</source>
+        <translation>没有切割能干净地分开这些三角形；“全部修复”可能会将它们连同孔一起替换</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -4547,10 +4629,6 @@
         <translation>修复列表中所选的缺陷</translation>
     </message>
     <message>
-        <source>Turn open sheets into thin closed bodies: the selected one, or all</source>
-        <translation>将开放曲面变为薄的封闭物体：所选的一个，或全部</translation>
-    </message>
-    <message>
         <source>Close the hole across the part, and cut the part where the patch intersects it</source>
         <translation>跨零件封闭孔洞，并在补片与零件相交处切割零件</translation>
     </message>
@@ -4569,6 +4647,14 @@
     <message>
         <source>Cut all triangles that intersect apart, and join the rest</source>
         <translation>切开所有相交的三角形，并连接其余部分</translation>
+    </message>
+    <message>
+        <source>Turn open sheets into thin closed bodies: the selected one, or all. A body grows to the side opposite to the normals; the triangles of the sheet stay where they are</source>
+        <translation>将开放片体变成薄的封闭实体：所选片体或全部。实体向法线的反方向增长；片体的三角形保持原位</translation>
+    </message>
+    <message>
+        <source>&amp;Thicken sheets by %1</source>
+        <translation>加厚片体 %1(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -4628,6 +4714,10 @@
         <translation>
             <numerusform>此处为 %Ln 个三角形，占全部的 %1 %。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2, before the repair %3</source>
+        <translation>%1：%2，修复前 %3</translation>
     </message>
 </context>
 <context>
@@ -5332,8 +5422,8 @@
         <translation>厚度</translation>
     </message>
     <message>
-        <source>Thickness of the sheet&apos;s thin body: at most a quarter of the shortest edge at each vertex, and less where that would intersect anything. The log says what was reached.</source>
-        <translation>片体加厚后的厚度：每个顶点处最多为最短边的四分之一，会与其他部分相交处则更薄。日志中列出实际达到的厚度。</translation>
+        <source>Thickness of the sheet&apos;s thin body, which grows to the side opposite to the normals: the triangles of the sheet stay where they are. Less where that would intersect anything; the log says what was reached.</source>
+        <translation>片体薄实体的厚度，向法线的反方向增长：片体的三角形保持原位。会与其他部分相交处则更薄；日志说明达到的厚度。</translation>
     </message>
 </context>
 <context>
@@ -6380,10 +6470,6 @@
         </translation>
     </message>
     <message>
-        <source>The remaining defects could not be repaired without damage. The list of defects shows them, and the log says why holes stay open.</source>
-        <translation>其余缺陷无法在不造成损害的情况下修复。缺陷列表中列出了它们，日志说明了孔洞保持开放的原因。</translation>
-    </message>
-    <message>
         <source>A hole opened by the repair</source>
         <translation>修复过程中产生的孔洞</translation>
     </message>
@@ -6404,6 +6490,34 @@
         <translation>
             <numerusform>已填充 %n 个孔中的 %1 个</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln whole piece(s) deleted</source>
+        <translation>
+            <numerusform>已删除 %Ln 个完整部分</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) are gone from %1.</source>
+        <translation>
+            <numerusform>%1 中已移除 %Ln 个三角形。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>The remaining defects could not be repaired without damage. The list of defects shows them.</source>
+        <translation>剩余的缺陷无法在不损坏的情况下修复。缺陷列表中有显示。</translation>
+    </message>
+    <message>
+        <source>The log says why holes stay open.</source>
+        <translation>日志说明孔保持开放的原因。</translation>
     </message>
 </context>
 <context>
@@ -6821,10 +6935,6 @@
         </translation>
     </message>
     <message>
-        <source>No holes left</source>
-        <translation>已无孔洞</translation>
-    </message>
-    <message>
         <source>Not manifold</source>
         <translation>非流形</translation>
     </message>
@@ -6857,6 +6967,10 @@
         <translation>
             <numerusform>%Ln 个孔保持开放</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No holes</source>
+        <translation>没有孔</translation>
     </message>
 </context>
 <context>
