@@ -209,7 +209,8 @@ void SculptToolActionsTest::warnsOfSlimTriangles() {
   SculptBench b({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
   for (int level = 1; level <= 4; ++level) {
     b.runner.perform("subdivide");
-    const Property* aspect = propertyNamed(b.tool->settings(), "aspect");
+    const std::vector<Property> settings = b.tool->settings();
+    const Property* aspect = propertyNamed(settings, "aspect");
     QVERIFY(aspect);
     QCOMPARE(aspect->problem.empty(), level <= 3);
   }
