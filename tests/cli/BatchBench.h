@@ -95,7 +95,7 @@ class Batch {
   }
   void send(int signal) { ::kill(static_cast<pid_t>(m_process.processId()), signal); }
   Ran finish() {
-    if (!m_process.waitForFinished(120000)) return {};
+    if (!m_process.waitForFinished(kLongestRun)) return {};
     const int code = m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
     return {code, m_process.readAllStandardOutput(), m_process.readAllStandardError()};
   }

@@ -106,9 +106,10 @@ class CalibrateTest : public QObject {
     process.setWorkingDirectory(bench.path());
     process.start(HANDWHEEL_PROGRAM, kCalibrate);
     QVERIFY(process.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(catches(process.processId(), SIGINT), 30000);
     QTest::qWait(700);  // into the servo loop's ticks
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kLongestRun));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(process.exitCode(), 130);
     QCOMPARE(process.readAllStandardError(), QByteArray("handwheel: Cancelled.\n"));

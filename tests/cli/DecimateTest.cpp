@@ -85,7 +85,8 @@ class DecimateTest : public QObject {
     QCOMPARE(ran.code, 0);
     const auto length = [&](const QString& name) {
       double sum = 0.0;
-      for (const auto& loop : decimateInspected(bench, name)["loops"]) sum += loop["length_mm"].get<double>();
+      const nlohmann::json inspected = decimateInspected(bench, name);
+      for (const auto& loop : inspected["loops"]) sum += loop["length_mm"].get<double>();
       return sum;
     };
     QVERIFY(std::abs(length("b.off") - length("a.off")) < 1e-9);

@@ -23,16 +23,6 @@ QByteArray largeTorus(int n) {
   return grid(n, n, at, [](int, int) { return false; }).off();
 }
 
-// The program has come so far that it handles the signal, by the mask that the kernel shows for it.
-bool catches(qint64 process, int signal) {
-  QFile status(QString("/proc/%1/status").arg(process));
-  if (!status.open(QIODevice::ReadOnly)) return false;
-  for (const QByteArray& line : status.readAll().split('\n')) {
-    if (line.startsWith("SigCgt:")) return line.mid(7).trimmed().toULongLong(nullptr, 16) >> (signal - 1) & 1;
-  }
-  return false;
-}
-
 // Those whose environment has this in it.
 QList<int> processesWith(const QString& words) {
   QList<int> found;
@@ -105,7 +95,7 @@ class InterruptTest : public QObject {
     QTRY_VERIFY(catches(process.processId(), SIGTERM));
     QTest::qWait(milliseconds);
     process.terminate();
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kLongestRun));
     QTest::qWait(1000);
     const bool isDone = process.exitCode() == 0;  // it was quicker than that
     QCOMPARE(bench.names(), isDone ? (QStringList{"a.off", "p.png"}) : QStringList{"a.off"});
@@ -142,7 +132,7 @@ class InterruptTest : public QObject {
     const int count = isDrawing ? 4 : 2;  // with the shell; with the display and the one that draws
     QTRY_VERIFY_WITH_TIMEOUT(processesWith(mark).size() >= count, 30000);
     ::kill(static_cast<pid_t>(process.processId()), signal);
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kLongestRun));
     if (signal != SIGKILL) QCOMPARE(process.exitCode(), 130);
     QTRY_COMPARE_WITH_TIMEOUT(processesWith(mark), QList<int>(), 30000);
     QCOMPARE(bench.names(), (QStringList{"a.off", "tmp"}));

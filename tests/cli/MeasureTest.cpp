@@ -286,9 +286,10 @@ void MeasureTest::interrupted() {
   process.setWorkingDirectory(bench.path());
   process.start(HANDWHEEL_PROGRAM, {"measure", "--repeats", "1000", "--csv", "a.csv"});
   QVERIFY(process.waitForStarted());
+  QTRY_VERIFY_WITH_TIMEOUT(catches(process.processId(), SIGINT), 30000);
   QTest::qWait(1500);  // into the middle of it
   ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-  QVERIFY(process.waitForFinished());
+  QVERIFY(process.waitForFinished(kLongestRun));
   QCOMPARE(process.exitStatus(), QProcess::NormalExit);
   QCOMPARE(process.exitCode(), 130);
   QCOMPARE(process.readAllStandardError(), QByteArray("handwheel: Cancelled.\n"));

@@ -10,6 +10,8 @@
 
 namespace handwheel {
 
+inline constexpr int kLongestRun = 600'000;  // ms; with sanitizers some runs take minutes
+
 // What the program said and how it ended; -1 when it crashed or did not end.
 struct Ran {
   int code = -1;
@@ -31,13 +33,23 @@ inline Ran runProgram(const QString& program, const QString& folder, const QStri
   process.setWorkingDirectory(folder);
   process.setProcessEnvironment(environmentWith(locale));
   process.start(program, words);
-  if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit) return {};
+  if (!process.waitForFinished(kLongestRun) || process.exitStatus() != QProcess::NormalExit) return {};
   return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
 // The program as it was built.
 inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
   return runProgram(HANDWHEEL_PROGRAM, folder, words, locale);
+}
+
+// Whether a process has come so far that it handles the signal, by the mask that the kernel shows for it.
+inline bool catches(qint64 process, int signal) {
+  QFile status(QString("/proc/%1/status").arg(process));
+  if (!status.open(QIODevice::ReadOnly)) return false;
+  for (const QByteArray& line : status.readAll().split('\n')) {
+    if (line.startsWith("SigCgt:")) return line.mid(7).trimmed().toULongLong(nullptr, 16) >> (signal - 1) & 1;
+  }
+  return false;
 }
 
 // A folder of its own for each test, and the program run in it.
