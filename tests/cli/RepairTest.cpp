@@ -73,6 +73,8 @@ class RepairTest : public QObject {
                                             "removed_debris",
                                             "turned_faces",
                                             "turned_bodies",
+                                            "sheets_thickened",
+                                            "sheets_left_open",
                                             "sheet_thickness_mm",
                                             "merged_vertices",
                                             "cut_crossings",
