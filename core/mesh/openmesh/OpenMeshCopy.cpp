@@ -77,7 +77,8 @@ bool OpenMeshCopy::link(const HalfEdgeMesh& mesh, std::span<const Triangle> tria
     const auto face = m_surface.new_face();
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdge h = 3 * m_faceOf[i] + k;
-      const OpenMesh::VertexHandle from(int(triangles[i][k])), to(int(triangles[i][(k + 1) % 3]));
+      const OpenMesh::VertexHandle from{static_cast<int>(triangles[i][k])},
+          to{static_cast<int>(triangles[i][(k + 1) % 3])};
       if (!handleOf[h].is_valid()) {
         handleOf[h] = m_surface.new_edge(from, to);
         if (mesh.hasOpposite(h)) handleOf[mesh.opposite(h)] = m_surface.opposite_halfedge_handle(handleOf[h]);
