@@ -56,9 +56,9 @@ class ContactHierarchy {
   static bool meets(const TrianglePoints& t, const Box& box) {
     const Eigen::Array3d low = t[0].array().min(t[1].array()).min(t[2].array());
     const Eigen::Array3d high = t[0].array().max(t[1].array()).max(t[2].array());
-    bool all = true;
-    for (int k = 0; k < 3; ++k) all = all & (low[k] <= box.max()[k]) & (box.min()[k] <= high[k]);
-    return all;
+    int all = 1;
+    for (int k = 0; k < 3; ++k) all &= int{low[k] <= box.max()[k]} & int{box.min()[k] <= high[k]};
+    return all != 0;
   }
 
  private:
