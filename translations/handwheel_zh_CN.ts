@@ -13,6 +13,37 @@
     </message>
 </context>
 <context>
+    <name>ClassTable</name>
+    <message>
+        <source>Student</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ClosePrompt</name>
     <message>
         <source>Unsaved changes</source>
@@ -298,6 +329,10 @@
     <message>
         <source>Workpiece</source>
         <translation>工件</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -701,6 +736,226 @@
     <message>
         <source>the file contains a &apos;%1&apos;, a kind of document that this program does not know</source>
         <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
+    </message>
+    <message>
+        <source>the exercise is about “%1”, which this program cannot mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exercise does not say what it is about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it with a newer version of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was handed in for another exercise, “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark it with the exercise that the student&apos;s file was made from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the work does not belong to this exercise: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin the exercise from its file, and hand in that work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no work that was handed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the student to hand in the exercise once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a student&apos;s copy, which has no marking scheme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the teacher&apos;s file of the exercise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a student&apos;s copy of an exercise cannot be changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the teacher&apos;s file and make students&apos; copies of it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 closed hollows, which the file cannot contain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bore the part open from an end, or export triangles, for example STL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table has no column for the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its first line has to name the columns; this one may be called %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table has two columns for the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table gives the spindle speed only, and no cutting speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say the diameter of the work (on the command line: --diameter), or add a column v in m/min.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 different cuts, and a model needs at least %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add measurements at other depths, feeds and speeds, made with a sharp tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no work material &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See the list of materials (on the command line: handwheel force --list).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%4 Then run the program again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program did not end after %1 blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for a loop whose condition never becomes false.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool path has more than %1 moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a larger depth of cut, or divide the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the profile crosses the axis at Z %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw only the half of the section on one side of the axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the profile touches the axis at Z %1 mm, so the part would be in pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import each piece from a file of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the profile crosses or touches itself at radius %1 mm, Z %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the outline there: it must enclose one area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the profile has a gap of %1 mm at radius %2 mm, Z %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the ends of the lines there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the profile encloses no material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the outline of the half section, from one end of the part to the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains no profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the half section with visible lines, arcs or polylines, outside of blocks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 separate outlines, and a profile is one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove frames, dimensions and other views, or join the ends of the lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a binary DXF file, and only those in text can be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save it as ASCII DXF.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drawing does not show where the axis is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the axis as a horizontal line with the id or layer &apos;axis&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the solid has no axis of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a part that can be turned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a turned part: face %1, a %2 at (%3, %4, %5), does not turn about its axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove that feature, or choose to ignore what is not turned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 solids, and a target is one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the turned part alone in a file.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1381,6 +1636,210 @@
         <source>its scale is degenerate</source>
         <translation>其缩放为零，形状退化</translation>
     </message>
+    <message>
+        <source>segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of segments is missing or impossible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its radius is not above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its code is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no extent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a command was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not one that SVG has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its answer is not understood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its outline differs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no fonts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the page cannot be painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a nose radius is impossible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number was expected, or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a range ends before it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a section has no corners, too many, or impossible ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a switch was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text in UTF-8 was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tool is impossible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>criteria</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed and spindle speed must be above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has too few points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is impossible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a list of the numbers that belong there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it names a criterion that there is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its kind is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its lists differ in length, or do not ascend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its time is impossible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation type="unfinished">线段</translation>
+    </message>
+    <message>
+        <source>nothing is left of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers with “;” between them were expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of its numbers is impossible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points of two numbers each were expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points were expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bore is longer than the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bore is wider than the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are two with this id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such choice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many sections, or no list</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1727,6 +2186,26 @@
         <source>CPU time to remove triangles</source>
         <translation>移除三角形的 CPU 时间</translation>
     </message>
+    <message>
+        <source>Law of the cutting force</source>
+        <translation>切削力定律</translation>
+    </message>
+    <message>
+        <source>largest difference from the cited tables</source>
+        <translation>与所引表格的最大差异</translation>
+    </message>
+    <message>
+        <source>CPU time of one force</source>
+        <translation>计算一次力的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Method of cutting a turned profile</source>
+        <translation>车削轮廓的切削方法</translation>
+    </message>
+    <message>
+        <source>Distance of the control points of a turned profile</source>
+        <translation>车削轮廓控制点的间距</translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -1761,6 +2240,137 @@
     <message>
         <source>%1: no value is fast enough, the fastest is used.</source>
         <translation>%1：没有足够快的值，采用最快的值。</translation>
+    </message>
+</context>
+<context>
+    <name>Figure</name>
+    <message>
+        <source>Time of the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from Z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to Z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at radius (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>near Z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation type="unfinished">直径</translation>
+    </message>
+    <message>
+        <source>Diameter of a bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length between two faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of a bore to a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of an arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of an arc inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of a taper to the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest deviation from the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness Ra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness Ra inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest cutting force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of all passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation type="unfinished">曲线</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished">半径</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation type="unfinished">目标</translation>
+    </message>
+    <message>
+        <source>Target, bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path of the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of the nose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">时间</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1875,6 +2485,120 @@
     </message>
 </context>
 <context>
+    <name>LathePart</name>
+    <message>
+        <source>Cutting edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compound slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tailstock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jaws</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workpiece</source>
+        <translation type="unfinished">工件</translation>
+    </message>
+    <message>
+        <source>These parts must not touch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rapid traverse ran into the workpiece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle was at rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle turned backwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was deeper than the cutting edge is long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut needed more than the motor has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LatheTool</name>
+    <message>
+        <source>Turning tool, right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning tool, left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facing tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parting tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grooving tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Threading tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boring bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Abrasive paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grinding disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MeshUi</name>
     <message>
         <source>%1: nothing was changed</source>
@@ -1963,24 +2687,6 @@
 <context>
     <name>NextSteps</name>
     <message numerus="yes">
-        <source>%Ln non-manifold edge(s)</source>
-        <translation>
-            <numerusform>%Ln 条非流形边</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln pair(s) of near vertices</source>
-        <translation>
-            <numerusform>%Ln 对邻近顶点</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln duplicate triangle(s)</source>
-        <translation>
-            <numerusform>%Ln 个重复三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln hole(s) found.</source>
         <translation>
             <numerusform>发现 %Ln 个孔洞。</numerusform>
@@ -2022,45 +2728,9 @@
             <numerusform>%Ln 个孔洞无法填补。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln self-intersection(s)</source>
-        <translation>
-            <numerusform>%Ln 处自相交</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Closed, but self-intersecting.</source>
         <translation>封闭，但自相交。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln body(ies) inside out</source>
-        <translation>
-            <numerusform>%Ln 个内外翻转的物体</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln non-manifold vertex(ices)</source>
-        <translation>
-            <numerusform>%Ln 个非流形顶点</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln one-sided edge(s)</source>
-        <translation>
-            <numerusform>%Ln 条单侧面的边</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln degenerate triangle(s)</source>
-        <translation>
-            <numerusform>%Ln 个退化三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln piece(s) of debris</source>
-        <translation>
-            <numerusform>%Ln 个孤立碎片</numerusform>
-        </translation>
     </message>
     <message>
         <source>No holes remain except those kept open.</source>
@@ -2091,24 +2761,6 @@
         <translation>
             <numerusform>没有孔。%1 个部分中有 %Ln 个开放片体。</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln hole(s)</source>
-        <translation>
-            <numerusform>%Ln 个孔</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 of %2 closed</source>
-        <translation>已封闭 %2 个中的 %1 个</translation>
-    </message>
-    <message>
-        <source>%1 of %2 removed</source>
-        <translation>已移除 %2 个中的 %1 个</translation>
-    </message>
-    <message>
-        <source>new: %1</source>
-        <translation>新增：%1</translation>
     </message>
     <message numerus="yes">
         <source>%Ln open sheet(s).</source>
@@ -2202,6 +2854,126 @@
     <message>
         <source>The part measures %1 × %2 × %3 mm, if its numbers are millimetres: the file does not say its unit.</source>
         <translation>如果数值以毫米为单位，则部件尺寸为 %1 × %2 × %3 mm：文件未注明单位。</translation>
+    </message>
+    <message>
+        <source>The description has neither model solution nor work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such surface along all of the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at Z %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first face is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the second face is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between Z %1 and %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface is within %1 mm of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this figure is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scheme does not say where to measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is not what its recorded passes cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many passes to measure it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface was not cut along all of the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1 µm, at Z %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exercise has no target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool hit the chuck at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was rammed into the material at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not say its unit of length: taken as 1 mm in DXF, a pixel in SVG.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not read from the drawing: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces that are not of revolution were ignored: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is within %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not above %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not below %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, without a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it could not be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 below the lower limit, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 above the upper limit, %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3082,6 +3854,317 @@
         <source>Selected triangles</source>
         <translation>已选三角形</translation>
     </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this figure is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance on the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No points this far beyond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden from students</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time (min)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints, with | between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done when met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle speed (r/min)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held by the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest feed (mm per revolution)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest force (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor power (kW)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Midpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trainer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levenberg-Marquardt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BFGS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled conjugate gradient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gradient descent with momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gradient descent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed and radial force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By depth and nose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constant share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laws of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carbide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High-speed steel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read-out in diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth limit (0: none)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compound slide angle (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length in the jaws</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jaws grip inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the tailstock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tailstock at Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact trimming</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control point distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RepairAccount</name>
+    <message numerus="yes">
+        <source>%Ln hole(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln sheet edge(s) and kept hole(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold edge(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 条非流形边</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold vertex(ices)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 个非流形顶点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln one-sided edge(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 条单侧面的边</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside out</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 个内外翻转的物体</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of near vertices</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 对邻近顶点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln degenerate triangle(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 个退化三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln duplicate triangle(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 个重复三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln self-intersection(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 处自相交</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln piece(s) of debris</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 个孤立碎片</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln reversed triangle(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 closed</source>
+        <translation type="unfinished">已封闭 %2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 of %2 corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 removed</source>
+        <translation type="unfinished">已移除 %2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>new: %1</source>
+        <translation type="unfinished">新增：%1</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -3423,6 +4506,20 @@
         <source>%n sheet(s) left open: %1</source>
         <translation>
             <numerusform>%n 个片体保持开放：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outer boundary %1</source>
+        <translation type="unfinished">外边界 %1</translation>
+    </message>
+    <message>
+        <source>Hole %1</source>
+        <translation type="unfinished">孔洞 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, thinner than requested at %2 of %n vertex(ices)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -4056,10 +5153,6 @@
         <translation>没有切割能将这些三角形干净地分开</translation>
     </message>
     <message>
-        <source>merging them would not close the surface any further</source>
-        <translation>合并它们不会使表面更封闭</translation>
-    </message>
-    <message>
         <source>no body is inside out</source>
         <translation>没有内外颠倒的体</translation>
     </message>
@@ -4122,6 +5215,82 @@
     <message>
         <source>no cut would separate the triangles cleanly; “Repair all” may replace them together with a hole</source>
         <translation>没有切割能干净地分开这些三角形；“全部修复”可能会将它们连同孔一起替换</translation>
+    </message>
+    <message>
+        <source>merging them would close no open edge, or make edges with more than two triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Train a force model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up the lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carriage to the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carriage away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carriage by ten divisions to the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carriage by ten divisions away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross slide in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross slide out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross slide by ten divisions in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross slide by ten divisions out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compound slide in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compound slide out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start or stop the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the tool post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop the lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4566,6 +5735,29 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ClassView</name>
+    <message>
+        <source>&amp;Mark…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark files that students have handed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Table…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Submissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ColourRow</name>
     <message>
         <source>Choose a colour…</source>
@@ -4718,6 +5910,10 @@
     <message>
         <source>%1: %2, before the repair %3</source>
         <translation>%1：%2，修复前 %3</translation>
+    </message>
+    <message>
+        <source>Remains: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5051,6 +6247,261 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ExerciseEditor</name>
+    <message>
+        <source>Add what is marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation type="unfinished">%1，%2 {1.?}</translation>
+    </message>
+    <message>
+        <source>Add a criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ExerciseLesson</name>
+    <message>
+        <source>&amp;Begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation type="unfinished">测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the sizes of the drawing on the part as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ExerciseUi</name>
+    <message>
+        <source>&amp;Begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the stock and work on the exercise, step by step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Student&apos;s copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the exercise as students see it; save it for them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take as model s&amp;olution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the work that was begun from this exercise as its model solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take as &amp;target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the shape of that work the target of the exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mark…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark files that students have handed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New e&amp;xercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prepare an exercise for students</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First &amp;lesson at the lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn a shoulder step by step, without having turned before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn your first shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lesson of three minutes: the program says what to do, and measures the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: shaft with shoulders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: bored bush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: blank of a thread M20</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: gourd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: dumb-bell weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: wine glass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a prepared exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed in by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The teacher marks it with the exercise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>New exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points. Students get a copy without the answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened %1: exercise “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the model solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target was not taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark what was handed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Submissions (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation type="unfinished">无法保存 %1</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::FidelityPanel</name>
     <message>
         <source>Measured</source>
@@ -5356,6 +6807,37 @@
     </message>
 </context>
 <context>
+    <name>handwheel::HandwheelDial</name>
+    <message>
+        <source>Handwheel</source>
+        <translation type="unfinished">Handwheel</translation>
+    </message>
+    <message>
+        <source>Drag around the centre, or use the wheel or arrow keys: one division (Shift: ten, Ctrl: a tenth); Page Up and Down: one turn; Home or double click: set the dial to zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 div</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s) below zero</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handwheel::HapticSession</name>
     <message>
         <source>Opening %1</source>
@@ -5428,10 +6910,6 @@
 </context>
 <context>
     <name>handwheel::Inspection</name>
-    <message>
-        <source>Hole %1</source>
-        <translation>孔洞 %1</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln edge(s), %1</source>
         <translation>
@@ -5445,10 +6923,6 @@
     <message>
         <source>Area %1.</source>
         <translation>面积 %1。</translation>
-    </message>
-    <message>
-        <source>Outer boundary %1</source>
-        <translation>外边界 %1</translation>
     </message>
     <message>
         <source>%1 from the best-fitting plane (RMS).</source>
@@ -5507,6 +6981,223 @@
     <message>
         <source>Measure distances, angles and walls</source>
         <translation>测量距离、角度和壁厚</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LathePanel</name>
+    <message>
+        <source>Crashes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What met what, and when. A crash stops the spindle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool in the post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value for touching off, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch off &amp;X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The read-out shows this value for X here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch off &amp;Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The read-out shows this value for Z here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed, r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constant surface speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface speed, m/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest speed, r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m/min, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed, mm in a turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/rev</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch of the thread, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Half-nut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the half-nut: the carriage follows the lead screw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carriage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compound slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tailstock quill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">无</translation>
+    </message>
+    <message>
+        <source>%1 s: %2 – %3 at R %4, Z %5. %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth %1 mm, %2 m/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LatheView</name>
+    <message>
+        <source>Lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LessonPanel</name>
+    <message>
+        <source>Show a hint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time is over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the beginning</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6104,6 +7795,56 @@
         <source>Takes effect at the next start.</source>
         <translation>下次启动时生效。</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the sound of machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume of machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle and cut, from speed, feed, force and wear. Louder means more force; a deep tone means chatter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProgramEditor</name>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProgramSearchBar</name>
+    <message>
+        <source>Find in the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous (Shift+F3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next (F3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ReadOnlyRow</name>
@@ -6432,10 +8173,6 @@
         <translation>全部修复</translation>
     </message>
     <message>
-        <source>%1 kept open</source>
-        <translation>%1 个保持开放</translation>
-    </message>
-    <message>
         <source>Repaired %1: %2</source>
         <translation>已修复 %1：%2</translation>
     </message>
@@ -6486,12 +8223,6 @@
         <translation>%1：%2，%3</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n hole(s) filled</source>
-        <translation>
-            <numerusform>已填充 %n 个孔中的 %1 个</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln whole piece(s) deleted</source>
         <translation>
             <numerusform>已删除 %Ln 个完整部分</numerusform>
@@ -6512,12 +8243,31 @@
         <translation>%1：%2：%3</translation>
     </message>
     <message>
-        <source>The remaining defects could not be repaired without damage. The list of defects shows them.</source>
-        <translation>剩余的缺陷无法在不损坏的情况下修复。缺陷列表中有显示。</translation>
+        <source>largest distance found between the surface before and after %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The log says why holes stay open.</source>
-        <translation>日志说明孔保持开放的原因。</translation>
+        <source>The remaining defects could not be repaired without damage. The list of defects gives the reasons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repaired %1: nothing was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ResultTable</name>
+    <message>
+        <source>Results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished">复制</translation>
+    </message>
+    <message>
+        <source>Sort by “%1”</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6622,6 +8372,21 @@
         <translation>
             <numerusform>%n 个活动关节</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RunningAttempt</name>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It could not be handed in</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7020,6 +8785,100 @@
     </message>
 </context>
 <context>
+    <name>handwheel::TargetPanel</name>
+    <message>
+        <source>Bore %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured dimensions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation type="unfinished">目标</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No target: import one to compare the part with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too large by up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too small by up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blue: %1 too small, red: %1 too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TargetView</name>
+    <message>
+        <source>Import &amp;target…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Deviation in colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read what the part is to become, from STEP, DXF, SVG or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the part with nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show where the part is larger or smaller than the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned parts (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished">正在读取 %1</translation>
+    </message>
+    <message>
+        <source>%1 is no target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target read from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::TickTiming</name>
     <message>
         <source>Servo tick in use: %1 of %2 µs (%3 %)</source>
@@ -7032,6 +8891,80 @@
     <message>
         <source>While touching: %1 µs, predicted %2 µs (%3 %)</source>
         <translation>触碰时：%1 µs，预测 %2 µs（%3 %）</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TimeLinePanel</name>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation type="unfinished">%1。 {1×?}</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">时间</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished">距离</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TimeTrack</name>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7342,6 +9275,14 @@
     <message>
         <source>Opens a sample bar. Cut it to a shaft by hand, save it as STEP.</source>
         <translation>打开示例棒料。手动将其车削成轴，并保存为 STEP。</translation>
+    </message>
+    <message>
+        <source>&amp;Lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work the part on a manual lathe with handwheels and levers</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

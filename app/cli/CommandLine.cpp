@@ -170,10 +170,16 @@ int dispatch(std::span<char* const> words, const Registered& registered) {
   return runWithinMemory(*command, arguments, registered);
 }
 
+// Whether a word is the name of a printed page, to which documents are written, too.
+bool namesPage(std::span<char* const> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](std::string_view word) { return word.ends_with(".pdf") || word.ends_with(".PDF"); });
+}
+
 bool needsFonts(std::span<char* const> words, const Registered& registered) {
   const std::vector<Command> all = allCommands(registered);
   const Command* command = find(all, words[0]);
-  return command && command->needsFonts && command->needsFonts(words.subspan(1));
+  return command && (namesPage(words.subspan(1)) || (command->needsFonts && command->needsFonts(words.subspan(1))));
 }
 
 // Plots and printed pages need fonts, and so a QGuiApplication; it needs no display.

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "mesh/boundary/LoopNumbers.h"
+#include "text/RepairText.h"
 
 namespace handwheel {
 
@@ -26,19 +27,37 @@ std::string rightAligned(const std::string& text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-// Of the holes, or of the outer edges of open sheets; nothing where there is none. no: as the window has it; id: as
+// What "oriented" says of a file: its triangles as they are in it, before any are reversed on opening.
+std::string orientedText(const MeshReport& report) {
+  if (report.oriented) return "yes";
+  std::string why = "no";
+  if (report.inconsistentEdges > 0) {
+    why += ", in the file the triangles disagree at " + std::to_string(report.inconsistentEdges) +
+           (report.inconsistentEdges == 1 ? " edge" : " edges");
+    if (report.reversedFaces > 0)
+      why += "; opening it reverses " + std::to_string(report.reversedFaces) +
+             (report.reversedFaces == 1 ? " triangle" : " triangles");
+  } else if (report.insideOutBodies > 0) {
+    why += ", inside out";
+  }
+  return why;
+}
+
+// Of the holes, or of the outer edges of open sheets; nothing where there is none. name: as the window has it; id: as
 // options and steps have it.
 std::string loopTable(const std::vector<LoopReport>& loops, bool isOfRims, const std::string& title) {
-  std::string table = "\n" + title + "\n    no    id   edges     length (mm)      area (mm2)   planarity   islands\n";
+  constexpr std::size_t kName = 20;
+  std::string table = "\n" + title + "\n" + std::string(kName - 4, ' ') +
+                      "name    id   edges     length (mm)      area (mm2)   planarity   islands\n";
   bool isAny = false;
   LoopNumbers numbers;
   for (const LoopReport& loop : loops) {
     if (loop.rim != isOfRims) continue;
     isAny = true;
-    table += rightAligned(std::to_string(numbers.take(isOfRims)), 6) + rightAligned(std::to_string(loop.id), 6) +
-             rightAligned(std::to_string(loop.edges), 8) + rightAligned(roundedText(loop.lengthMm), 16) +
-             rightAligned(roundedText(loop.areaMm2), 16) + rightAligned(roundedText(loop.planarity), 12) +
-             rightAligned(std::to_string(loop.islands), 10) + "\n";
+    table += rightAligned(boundaryLoopName(isOfRims, numbers.take(isOfRims)).toStdString(), kName) +
+             rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
+             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.areaMm2), 16) +
+             rightAligned(roundedText(loop.planarity), 12) + rightAligned(std::to_string(loop.islands), 10) + "\n";
   }
   return isAny ? table : std::string();
 }
@@ -49,10 +68,10 @@ std::string readableText(const MeshReport& report) {
   std::string text;
   text += line("Triangles", std::to_string(report.triangles));
   text += line("Vertices", std::to_string(report.vertices));
-  text += line("Parts", std::to_string(report.components));
+  text += line("Pieces", std::to_string(report.components));
   text += line("Closed", yesNo(report.closed));
   text += line("Manifold", yesNo(report.manifold));
-  text += line("Oriented", yesNo(report.oriented));
+  text += line("Oriented", orientedText(report));
   if (report.insideOutBodies > 0)
     text += line("Inside out",
                  std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));
@@ -61,7 +80,6 @@ std::string readableText(const MeshReport& report) {
   text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));
   text += line("Degenerate triangles", std::to_string(report.degenerateFaces));
   text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
-  if (report.reversedFaces > 0) text += line("Triangles reversed", std::to_string(report.reversedFaces));
   if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
   if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
   const auto& pairs = report.selfIntersectingPairs;

@@ -3,9 +3,8 @@
 #include "cli/Wording.h"
 
 #include "cli/Messages.h"
+#include "mesh/boundary/LoopNumbers.h"
 #include "text/RepairText.h"
-
-#include <cctype>
 
 namespace handwheel {
 
@@ -15,14 +14,18 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
-std::string nameOf(const LoopResult& loop) {
-  return loop.id < 0 ? "a hole opened by the repair" : "loop " + std::to_string(loop.id);
+// By id: as the window and 'handwheel inspect' name them.
+std::vector<std::string> namesOf(const std::vector<LoopResult>& loops) {
+  LoopNumbers numbers;
+  std::vector<std::string> names;
+  for (const LoopResult& loop : loops)
+    names.push_back(loop.id < 0 ? "A hole opened by the repair"
+                                : boundaryLoopName(loop.rim, numbers.take(loop.rim)).toStdString());
+  return names;
 }
 
-std::string leftOpen(const LoopResult& loop) {
+std::string leftOpen(const LoopResult& loop, const std::string& name) {
   const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
-  std::string name = nameOf(loop);
-  name.front() = static_cast<char>(std::toupper(name.front()));
   return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
 }
 
@@ -57,10 +60,11 @@ std::string reasonSentence(FillFailure failure) {
 
 std::vector<std::string> patchWarnings(const RepairReport& repair) {
   std::vector<std::string> lines;
-  for (const LoopResult& loop : repair.loops) {
+  const std::vector<std::string> names = namesOf(repair.loops);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const LoopResult& loop = repair.loops[i];
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
-    if (!warning.isEmpty())
-      lines.push_back("Look at the patch of " + nameOf(loop) + ": " + warning.toStdString() + ".");
+    if (!warning.isEmpty()) lines.push_back(names[i] + ": look at its patch: " + warning.toStdString() + ".");
   }
   return lines;
 }
@@ -82,12 +86,14 @@ std::string changesLine(const RepairReport& repair) {
 std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after) {
   std::vector<std::string> lines;
   std::size_t sheets = 0;
-  for (const LoopResult& loop : repair.loops) {
+  const std::vector<std::string> names = namesOf(repair.loops);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const LoopResult& loop = repair.loops[i];
     const bool isOpen = loop.outcome != LoopOutcome::Filled;
     if (isOpen && loop.reason == FillFailure::Rim) {
       ++sheets;
     } else if (isOpen) {
-      lines.push_back(leftOpen(loop));
+      lines.push_back(leftOpen(loop, names[i]));
     }
   }
   if (sheets > 0) {

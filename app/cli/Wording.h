@@ -18,9 +18,9 @@ std::string wordFor(LoopOutcome outcome);
 // "3 of 4 holes filled", or that there are none.
 std::string filledText(std::size_t filled, std::size_t holes);
 
-// Why a loop was not filled, as a sentence.
 // A line for each patch that is unlike its surroundings.
 std::vector<std::string> patchWarnings(const RepairReport& repair);
+// Why a loop was not filled, as a sentence.
 std::string reasonSentence(FillFailure failure);
 
 // One sentence for each damage that was skipped or repaired on reading. The last one counts those that are not listed.

@@ -44,15 +44,22 @@ std::vector<FidelityCase> decimationMethodCasesOn(const std::string& name, const
 std::vector<FidelityCase> undoGranularityCases();
 FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
 
-// nurbs.chord_mm: stock cylinders as triangles.
+// nurbs.chord_mm: stock cylinders as triangles, and a turned part as a fitted curve and triangles.
 FidelitySetting chordSetting();
 std::vector<FidelityCase> chordCases();
 
 // step.chord: a bar and a ball in STEP files, read as triangles.
 std::vector<FidelityCase> stepChordCases();
 
+// turn.force_model: forces of published tables.
+std::vector<FidelityCase> forceModelCases();
+
 // turn.spacing: grooves turned into a bar.
 std::vector<FidelityCase> turnSpacingCases();
+
+// turn.method, turn.resolution: a shoulder and a cone, each turned in one pass.
+std::vector<FidelityCase> turnMethodCases();
+std::vector<FidelityCase> turnResolutionCases();
 
 // view.block_faces: display blocks that are rebuilt after an edit of one face.
 FidelitySetting blockFacesSetting();

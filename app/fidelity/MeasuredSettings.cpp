@@ -6,6 +6,7 @@
 #include "haptics/scene/TouchFidelity.h"
 #include "haptics/snap/SnapFidelity.h"
 #include "machining/TurningFidelity.h"
+#include "machining/force/ForceFidelity.h"
 #include "mesh/measure/MeshFidelity.h"
 #include "mesh/simplify/DecimationFidelity.h"
 
@@ -23,6 +24,9 @@ FidelityRegistry measuredSettings() {
   registry.add(chordSetting(), chordCases());
   registry.add(stepChordSetting(), stepChordCases());
   registry.add(turnSpacingSetting(), turnSpacingCases());
+  registry.add(turnMethodSetting(), turnMethodCases());
+  registry.add(turnResolutionSetting(), turnResolutionCases());
+  registry.add(forceModelSetting(), forceModelCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());
   registry.add(coarseTrianglesSetting(), coarseTrianglesCases());

@@ -3,12 +3,16 @@
 #include "registration/Registration.h"
 
 #include "cli/cell/BodyCommand.h"
+#include "cli/exercise/ExerciseCommand.h"
 #include "cli/mesh/MeshCommands.h"
 #include "cli/workpiece/TurnCommand.h"
 #include "document/cell/RobotCellKind.h"
+#include "document/exercise/ExerciseKind.h"
 #include "document/mesh/MeshKind.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/exercise/TurningSubject.h"
 #include "window/cell/RobotCellUi.h"
+#include "window/exercise/ExerciseUi.h"
 #include "window/mesh/MeshUi.h"
 #include "window/workpiece/WorkpieceUi.h"
 
@@ -29,6 +33,15 @@ KindEntry entryOf() {
   return {std::make_unique<Kind>(), [](const WindowContext& parts) { return std::make_unique<Ui>(parts); }};
 }
 
+// What exercises can be about.
+KindEntry exerciseEntry() {
+  std::vector<std::unique_ptr<ExerciseSubject>> subjects;
+  subjects.push_back(std::make_unique<TurningSubject>());
+  auto kind = std::make_unique<ExerciseKind>(std::move(subjects));
+  const auto window = [](const WindowContext& parts) { return std::make_unique<ExerciseUi>(parts); };
+  return {std::move(kind), window};
+}
+
 std::vector<KindEntry> entriesOf(std::vector<KindRegistration>& registrations) {
   std::vector<KindEntry> entries;
   for (KindRegistration& registration : registrations) entries.push_back(std::move(registration.entry));
@@ -40,6 +53,7 @@ std::vector<KindEntry> entriesOf(std::vector<KindRegistration>& registrations) {
 std::vector<KindRegistration> registeredKinds() {
   std::vector<KindRegistration> all;
   all.push_back({entryWithKind<RobotCellUi, RobotCellKind>(), cellCommands()});
+  all.push_back({exerciseEntry(), exerciseCommands()});
   all.push_back({entryOf<WorkpieceUi, WorkpieceKind>(), workpieceCommands()});
   all.push_back({entryWithKind<MeshUi, MeshKind>(), meshCommands()});
   return all;

@@ -85,24 +85,27 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeKinds(const KindSet& kinds) {
-  const WindowContext parts{.window = this,
-                            .kinds = kinds.documents,
-                            .tabs = *m_tabs,
-                            .jobs = m_jobs,
-                            .pool = m_pool,
-                            .log = m_log,
-                            .viewport = *m_viewport,
-                            .services = m_services,
-                            .tools = *m_tools,
-                            .fidelity = m_fidelity,
-                            .haptics = m_haptics,
-                            .touch = m_touch,
-                            .servoClock = m_servoClock,
-                            .saveAs = m_fileActions.saveAs(),
-                            .chooseTool = [this](const QString& id) { m_toolChoice->choose(id); },
-                            .openFile = [this](const QString& path) { openPaths({path}); },
-                            .isPanelVisible = [this] { return m_kindDock->isVisible(); },
-                            .showPanel = &m_showPanel};
+  const WindowContext parts{
+      .window = this,
+      .kinds = kinds.documents,
+      .tabs = *m_tabs,
+      .jobs = m_jobs,
+      .pool = m_pool,
+      .log = m_log,
+      .viewport = *m_viewport,
+      .services = m_services,
+      .sound = m_sound,
+      .tools = *m_tools,
+      .fidelity = m_fidelity,
+      .haptics = m_haptics,
+      .touch = m_touch,
+      .servoClock = m_servoClock,
+      .saveAs = m_fileActions.saveAs(),
+      .chooseTool = [this](const QString& id) { m_toolChoice->choose(id); },
+      .openFile = [this](const QString& path) { openPaths({path}); },
+      .openDocument = [this](OpenedFile opened) { return m_fileActions.loader().open(std::move(opened)); },
+      .isPanelVisible = [this] { return m_kindDock->isVisible(); },
+      .showPanel = &m_showPanel};
   for (const auto& [id, make] : kinds.windows) {
     auto made = make(parts);
     made->setParent(this);  // whose actions are found below the window
@@ -169,6 +172,8 @@ void MainWindow::prefer(const Preferences& preferences) {
   m_viewport->setNavigationPreset(presetOf(preferences.navigation));
   m_autosave.setInterval(preferences.autosaveSeconds);
   m_spaceMouse->setMotion(preferences.hasSpaceMouse, 0.01 * preferences.spaceMouseSpeed);
+  m_sound.setVolume(0.01 * preferences.machineVolume);
+  m_sound.setOn(preferences.hasMachineSound);
   updateHints();
 }
 

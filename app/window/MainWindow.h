@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "audio/MachineSound.h"
 #include "controls/ShortcutModel.h"
 #include "panels/LogModel.h"
 #include "window/JobRunner.h"
@@ -113,6 +114,7 @@ class MainWindow : public QMainWindow {
   Thumbnails m_thumbnails;
   QUndoGroup m_undo;
   WindowServices m_services;
+  MachineSound m_sound;
   FidelityChoice m_fidelity;
   BenchmarkRunner m_calibrator;
   MonotonicClock m_servoClock;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/DocumentKind.h"
 
+#include "base/JsonText.h"
 #include "document/AtomicFile.h"
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "document/NewerFile.h"
-#include "document/container/JsonText.h"
 #include "document/container/RecordingBlobs.h"
 #include "document/container/UnknownPart.h"
 #include "mesh/structure/Weld.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/NewerFile.h"
 
+#include "base/JsonText.h"
 #include "document/Container.h"
 #include "document/FileBytes.h"
 #include "document/container/ContainerLayout.h"
-#include "document/container/JsonText.h"
 #include "document/container/ZipReader.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/RecoveryFiles.h"
 
-#include "document/container/JsonText.h"
+#include "base/JsonText.h"
 
 #include <QByteArray>
 #include <QStandardPaths>

@@ -42,10 +42,40 @@ class LowerTangent {
   ProfilePoint m_from{0, 0}, m_to{0, 0};
 };
 
-double distanceToChord(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
-  const ProfilePoint along = b - a;
-  const double length = along.norm();
-  return length > 0.0 ? std::abs(along.x() * (p - a).y() - along.y() * (p - a).x()) / length : (p - a).norm();
+ProfilePoint mirrored(const ProfilePoint& p) {
+  return {-p.x(), p.y()};
+}
+
+// The lowest and the highest side of a disc that moves straight from a to b, at each z; infinite beside it.
+class SweepEnvelope {
+ public:
+  SweepEnvelope(const ProfilePoint& a, const ProfilePoint& b, double radius)
+      : m_a(a), m_b(b), m_radius(radius), m_under(a, b, radius), m_over(mirrored(a), mirrored(b), radius) {}
+  double lower(double z) const {
+    return std::min({lowerSide(m_a, m_radius, z), lowerSide(m_b, m_radius, z), m_under.at(z)});
+  }
+  double upper(double z) const {  // the lower side of the mirror image at the axis
+    return -std::min({lowerSide(mirrored(m_a), m_radius, z), lowerSide(mirrored(m_b), m_radius, z), m_over.at(z)});
+  }
+
+ private:
+  ProfilePoint m_a, m_b;
+  double m_radius;
+  LowerTangent m_under, m_over;
+};
+
+// Frustum between two circles at a distance 1, over π / 3.
+double frustum(double r, double s) {
+  return r * r + r * s + s * s;
+}
+
+bool isSamePage(const PagedArray<double>& a, const PagedArray<double>& b, std::size_t page) {
+  if (a.sharesPage(b, page)) return true;
+  const std::size_t end = std::min(a.size(), (page + 1) * PagedArray<double>::kPageSize);
+  for (std::size_t i = page * PagedArray<double>::kPageSize; i < end; ++i) {
+    if (a[i] != b[i]) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -69,9 +99,16 @@ TurnedProfile TurnedProfile::fromRadii(const std::vector<double>& radii, double 
   return profile;
 }
 
+TurnedProfile TurnedProfile::fromRadii(const std::vector<double>& radii, const std::vector<double>& inner,
+                                       double length) {
+  TurnedProfile profile = fromRadii(radii, length);
+  for (std::size_t i = 0; i < inner.size(); ++i) profile.limitInner(i, inner[i]);
+  return profile;
+}
+
 TurnedProfile::Range TurnedProfile::samplesUnder(const ProfilePoint& a, const ProfilePoint& b,
                                                  double noseRadius) const {
-  if (!a.allFinite() || !b.allFinite() || !(noseRadius > 0.0)) return {};
+  if (!a.allFinite() || !b.allFinite() || !(noseRadius > 0.0) || !std::isfinite(noseRadius)) return {};
   const double from = std::min(a.y(), b.y()) - noseRadius, to = std::max(a.y(), b.y()) + noseRadius;
   const double last = static_cast<double>(size() - 1);
   if (to < 0.0 || from > length()) return {};
@@ -80,76 +117,80 @@ TurnedProfile::Range TurnedProfile::samplesUnder(const ProfilePoint& a, const Pr
   return {begin, end + 1};
 }
 
+bool TurnedProfile::limitOuter(std::size_t i, double radius) {
+  if (!std::isfinite(radius)) return false;
+  const double left = std::max(radius, inner(i));
+  if (!(left < m_radii[i])) return false;
+  m_radii.set(i, left);
+  return true;
+}
+
+bool TurnedProfile::limitInner(std::size_t i, double radius) {
+  if (!std::isfinite(radius)) return false;
+  const double left = std::min(radius, m_radii[i]);
+  if (!(left > inner(i))) return false;
+  if (m_inner.empty()) {
+    for (std::size_t k = 0; k < size(); ++k) m_inner.push_back(0.0);
+  }
+  m_inner.set(i, left);
+  return true;
+}
+
 TurnedProfile::Range TurnedProfile::cut(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) {
   Range changed;
   const Range under = samplesUnder(a, b, noseRadius);
-  const LowerTangent tangent(a, b, noseRadius);
+  const SweepEnvelope sweep(a, b, noseRadius);
   for (std::size_t i = under.first; i < under.last; ++i) {
     const double at = z(i);
-    const double low = std::min({lowerSide(a, noseRadius, at), lowerSide(b, noseRadius, at), tangent.at(at)});
-    const double left = std::max(low, 0.0);
-    if (!(left < m_radii[i])) continue;
-    m_radii.set(i, left);
-    changed.extend({i, i + 1});
+    if (isBored() && m_inner[i] > 0.0 && sweep.upper(at) <= m_inner[i]) continue;
+    if (limitOuter(i, sweep.lower(at))) changed.extend({i, i + 1});
+  }
+  return changed;
+}
+
+TurnedProfile::Range TurnedProfile::cutBore(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) {
+  Range changed;
+  const Range under = samplesUnder(a, b, noseRadius);
+  const SweepEnvelope sweep(a, b, noseRadius);
+  for (std::size_t i = under.first; i < under.last; ++i) {
+    const double at = z(i);
+    if (sweep.lower(at) < m_radii[i] && limitInner(i, sweep.upper(at))) changed.extend({i, i + 1});
   }
   return changed;
 }
 
 double TurnedProfile::volume() const {
   double sum = 0.0;
-  for (std::size_t i = 0; i + 1 < size(); ++i) {
-    const double r = m_radii[i], s = m_radii[i + 1];
-    sum += r * r + r * s + s * s;
-  }
+  for (std::size_t i = 0; i + 1 < size(); ++i)
+    sum += frustum(m_radii[i], m_radii[i + 1]) - frustum(inner(i), inner(i + 1));
   return M_PI / 3.0 * m_spacing * sum;
 }
 
 double TurnedProfile::area() const {
-  const double first = m_radii[0], last = m_radii[size() - 1];
-  double sum = first * first + last * last;
+  const auto end = [this](std::size_t i) { return m_radii[i] * m_radii[i] - inner(i) * inner(i); };
+  const auto side = [this](double r, double s) { return (r + s) * std::hypot(m_spacing, s - r); };
+  double sum = end(0) + end(size() - 1);
   for (std::size_t i = 0; i + 1 < size(); ++i) {
-    sum += (m_radii[i] + m_radii[i + 1]) * std::hypot(m_spacing, m_radii[i + 1] - m_radii[i]);
+    if (!hasMaterial(i) && !hasMaterial(i + 1)) continue;
+    sum += side(m_radii[i], m_radii[i + 1]) + (isBored() ? side(m_inner[i], m_inner[i + 1]) : 0.0);
   }
   return M_PI * sum;
 }
 
 std::size_t TurnedProfile::pieces() const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < size(); ++i) count += m_radii[i] > 0.0 && (i == 0 || !(m_radii[i - 1] > 0.0)) ? 1 : 0;
+  for (std::size_t i = 0; i < size(); ++i) count += hasMaterial(i) && (i == 0 || !hasMaterial(i - 1)) ? 1 : 0;
   return count;
-}
-
-// Greedy: each chord goes as far as all samples under it allow, doubling and halving its length.
-std::vector<ProfilePoint> TurnedProfile::polyline(double chord) const {
-  const auto point = [this](std::size_t i) { return ProfilePoint(m_radii[i], z(i)); };
-  const auto fits = [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from + 1; i < to; ++i) {
-      if (distanceToChord(point(i), point(from), point(to)) > chord) return false;
-    }
-    return true;
-  };
-  std::vector<ProfilePoint> points{point(0)};
-  for (std::size_t at = 0; at + 1 < size();) {
-    std::size_t step = 1;
-    while (at + 2 * step < size() && fits(at, at + 2 * step)) step *= 2;
-    std::size_t next = at + step;
-    for (std::size_t half = step; half > 0; half /= 2) {
-      if (next + half < size() && fits(at, next + half)) next += half;
-    }
-    points.push_back(point(next));
-    at = next;
-  }
-  return points;
 }
 
 bool TurnedProfile::operator==(const TurnedProfile& other) const {
   if (m_spacing != other.m_spacing || size() != other.size()) return false;
   for (std::size_t page = 0; page < m_radii.pageCount(); ++page) {
-    if (m_radii.sharesPage(other.m_radii, page)) continue;
-    const std::size_t end = std::min(size(), (page + 1) * PagedArray<double>::kPageSize);
-    for (std::size_t i = page * PagedArray<double>::kPageSize; i < end; ++i) {
-      if (m_radii[i] != other.m_radii[i]) return false;
-    }
+    if (!isSamePage(m_radii, other.m_radii, page)) return false;
+  }
+  if (isBored() != other.isBored()) return false;
+  for (std::size_t page = 0; page < m_inner.pageCount(); ++page) {
+    if (!isSamePage(m_inner, other.m_inner, page)) return false;
   }
   return true;
 }

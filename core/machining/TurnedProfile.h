@@ -9,10 +9,14 @@
 
 namespace handwheel {
 
-// The profile of a part on a lathe: radii at equal steps of z. Material lies between the axis and the profile. A copy
-// shares its pages with the original, so a version costs only what was cut since. The lower end is at z = 0.
+// Where the shank of a tool comes from: with the nose it removes all that lies on that side.
+enum class TurningSide { Outside, Bore };
+
+// The profile of a part on a lathe: outer and inner radii at equal steps of z. Material lies between the inner radius
+// of a sample, 0 where it is not bored, and the outer one, which is never smaller; where both are equal there is none.
+// A copy shares its pages with the original, so a version costs only what was cut since. The lower end is at z = 0.
 //
-// Between two samples the radius is linear. What a round nose of radius R leaves between its passes is therefore off
+// Between two samples the radii are linear. What a round nose of radius R leaves between its passes is therefore off
 // by at most spacing²/(8R) where the nose is tangent to the axis; steep flanks are off by a spacing in z.
 class TurnedProfile {
  public:
@@ -31,29 +35,42 @@ class TurnedProfile {
   TurnedProfile(const StockCylinder& stock, double spacing);
   // From saved radii, at least two, all finite and not negative. length: mm, of the part.
   static TurnedProfile fromRadii(const std::vector<double>& radii, double length);
+  // With a bore: as many inner radii, none negative or larger than the outer one.
+  static TurnedProfile fromRadii(const std::vector<double>& radii, const std::vector<double>& inner, double length);
 
   std::size_t size() const { return m_radii.size(); }
   double spacing() const { return m_spacing; }  // mm
   double length() const { return m_spacing * static_cast<double>(size() - 1); }
   double z(std::size_t i) const { return m_spacing * static_cast<double>(i); }
-  double radius(std::size_t i) const { return m_radii[i]; }  // mm
+  double radius(std::size_t i) const { return m_radii[i]; }                   // mm, outer
+  double inner(std::size_t i) const { return isBored() ? m_inner[i] : 0.0; }  // mm
+  bool isBored() const { return !m_inner.empty(); }                           // an inner radius was ever raised
+  bool hasMaterial(std::size_t i) const { return m_radii[i] > inner(i); }
+
+  // Lowers the outer radius of a sample to this one (mm) where it is larger, but never below the inner one. Returns
+  // whether it changed. A radius that is not finite changes nothing.
+  bool limitOuter(std::size_t i, double radius);
+  // Raises the inner radius of a sample to this one (mm) where it is smaller, but never above the outer one.
+  bool limitInner(std::size_t i, double radius);
 
   // Removes the material that a disc of this radius (mm, > 0) sweeps with its centre moving straight from a to b, given
-  // as (r, z), and all that lies outside of it: the shank of a tool comes from there. Returns the samples that changed.
-  // Points that are not finite cut nothing. O(samplesUnder()).
+  // as (r, z), and all that lies outside of it: the shank of a tool comes from there. A disc that stays within the bore
+  // leaves the wall around it. Returns the samples that changed. Points that are not finite cut nothing.
+  // O(samplesUnder()).
   Range cut(const ProfilePoint& a, const ProfilePoint& b, double noseRadius);
 
-  // The samples below such a sweep, which cut() visits. O(1).
+  // The same from the inside out: removes what the disc sweeps and all between it and the axis, where the shank of a
+  // boring bar comes from. A disc that stays outside of the part leaves it.
+  Range cutBore(const ProfilePoint& a, const ProfilePoint& b, double noseRadius);
+
+  // The samples below such a sweep, which cut() and cutBore() visit. O(1).
   Range samplesUnder(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
 
   double volume() const;  // mm³, of the frustums between the samples; O(samples)
-  double area() const;    // mm², of their lateral surfaces and the two flat ends; O(samples)
+  double area() const;    // mm², of their lateral surfaces, outer and inner, and the two flat ends; O(samples)
 
-  // In how many pieces the part is: where the radius is 0 it is parted. O(samples).
+  // In how many pieces the part is: where a sample has no material it is parted. O(samples).
   std::size_t pieces() const;
-
-  // The profile from the lower end to the upper, with as few points as stay within `chord` (mm) of it.
-  std::vector<ProfilePoint> polyline(double chord) const;
 
   bool operator==(const TurnedProfile& other) const;  // bit for bit
 
@@ -62,6 +79,7 @@ class TurnedProfile {
 
   double m_spacing = 0.0;
   PagedArray<double> m_radii;
+  PagedArray<double> m_inner;  // empty until an inner radius is raised
 };
 
 }  // namespace handwheel

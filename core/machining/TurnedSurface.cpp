@@ -24,28 +24,40 @@ std::uint32_t segmentsFor(const TurnedProfile& profile, double chord) {
   return static_cast<std::uint32_t>(std::clamp<double>(needed, kLeastSegments, most));
 }
 
-// Adds rings of points around the axis and the bands between them; a ring of radius 0 is one point.
+std::shared_ptr<const std::vector<ProfilePoint>> unitCircle(std::uint32_t segments) {
+  auto circle = std::make_shared<std::vector<ProfilePoint>>();
+  for (std::uint32_t k = 0; k < segments; ++k) {
+    const double angle = 2.0 * M_PI * k / segments;
+    circle->emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return circle;
+}
+
+// Adds rings of points around the axis and the bands between them; a ring of radius 0 is one point. The material is on
+// the left of the way from ring to ring, as (r, z) is drawn.
 class RingBuilder {
  public:
-  RingBuilder(TriangleSoup& soup, std::uint32_t segments) : m_soup(soup), m_segments(segments) {}
+  RingBuilder(TriangleSoup& soup, const std::vector<ProfilePoint>& circle)
+      : m_soup(soup), m_circle(circle), m_segments(static_cast<std::uint32_t>(circle.size())) {}
 
   void add(double radius, double z) {
     const auto first = static_cast<std::uint32_t>(m_soup.points.size());
     const std::uint32_t count = radius > 0.0 ? m_segments : 1;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const double angle = 2.0 * M_PI * k / m_segments;
-      m_soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-    }
+    for (std::uint32_t k = 0; k < count; ++k)
+      m_soup.points.emplace_back(radius * m_circle[k].x(), radius * m_circle[k].y(), z);
     if (m_hasLast) join(m_first, m_count, first, count);
     m_first = first;
     m_count = count;
     m_hasLast = true;
   }
 
+  // No band between the ring before and the one after.
+  void interrupt() { m_hasLast = false; }
+
  private:
   void join(std::uint32_t a, std::uint32_t countA, std::uint32_t b, std::uint32_t countB) {
     for (std::uint32_t k = 0; k < m_segments; ++k) {
-      const std::uint32_t next = (k + 1) % m_segments;
+      const std::uint32_t next = k + 1 == m_segments ? 0 : k + 1;
       const std::uint32_t a0 = a + (countA > 1 ? k : 0), a1 = a + (countA > 1 ? next : 0);
       const std::uint32_t b0 = b + (countB > 1 ? k : 0), b1 = b + (countB > 1 ? next : 0);
       if (countA > 1) m_soup.triangles.push_back({a0, a1, b1});
@@ -54,26 +66,53 @@ class RingBuilder {
   }
 
   TriangleSoup& m_soup;
+  const std::vector<ProfilePoint>& m_circle;
   std::uint32_t m_segments;
   std::uint32_t m_first = 0, m_count = 0;
   bool m_hasLast = false;
 };
 
-// Whether sample i lies on the line of its neighbours within the tolerance, so that its ring can be left out.
-bool isStraight(const TurnedProfile& profile, std::size_t from, std::size_t i, double chord) {
-  const double next = profile.radius(i + 1), first = profile.radius(from);
-  const double span = static_cast<double>(i + 1 - from);
-  for (std::size_t j = from + 1; j <= i; ++j) {
-    const double t = static_cast<double>(j - from) / span;
-    if (std::abs(first + t * (next - first) - profile.radius(j)) > chord) return false;
+// The samples of a block at which rings stand, from the first to the last: those that a chord to the next one would
+// leave by more than the tolerance.
+class RingPlaces {
+ public:
+  RingPlaces(const TurnedProfile& profile, bool isInner, double chord)
+      : m_profile(profile), m_isInner(isInner), m_chord(chord) {}
+
+  double radius(std::size_t i) const { return m_isInner ? m_profile.inner(i) : m_profile.radius(i); }
+
+  std::vector<std::size_t> between(std::size_t first, std::size_t last) const {
+    constexpr std::size_t kLongest = 64;  // samples between two rings, so that the search for straight ones is short
+    std::vector<std::size_t> places{first};
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const bool isAtEnd = !m_profile.hasMaterial(i) && (m_profile.hasMaterial(i - 1) || m_profile.hasMaterial(i + 1));
+      if (isAtEnd || i - places.back() >= kLongest || !isStraight(places.back(), i)) places.push_back(i);
+    }
+    places.push_back(last);
+    return places;
   }
-  return true;
-}
+
+ private:
+  // Whether the samples from `from` to i lie on the chord to i + 1.
+  bool isStraight(std::size_t from, std::size_t i) const {
+    const double next = radius(i + 1), first = radius(from);
+    const double span = static_cast<double>(i + 1 - from);
+    for (std::size_t j = from + 1; j <= i; ++j) {
+      const double t = static_cast<double>(j - from) / span;
+      if (std::abs(first + t * (next - first) - radius(j)) > m_chord) return false;
+    }
+    return true;
+  }
+
+  const TurnedProfile& m_profile;
+  bool m_isInner;
+  double m_chord;
+};
 
 }  // namespace
 
 TurnedSurface::TurnedSurface(const TurnedProfile& profile, double chord)
-    : m_chord(chord), m_segments(segmentsFor(profile, chord)) {
+    : m_chord(chord), m_circle(unitCircle(segmentsFor(profile, chord))) {
   const std::size_t count = (profile.size() - 2) / kBlockSamples + 1;
   for (std::size_t b = 0; b < count; ++b) m_blocks.push_back(build(profile, b));
 }
@@ -86,21 +125,30 @@ void TurnedSurface::update(const TurnedProfile& profile, const TurnedProfile::Ra
   for (std::size_t b = first; b <= last; ++b) m_blocks[b] = build(profile, b);
 }
 
+// Up the outside with the flat ends of the part, and down the bore.
 std::shared_ptr<const TriangleSoup> TurnedSurface::build(const TurnedProfile& profile, std::size_t block) const {
-  constexpr std::size_t kLongest = 64;  // samples between two rings, so that the search for straight ones is short
   auto soup = std::make_shared<TriangleSoup>();
-  RingBuilder rings(*soup, m_segments);
+  RingBuilder rings(*soup, *m_circle);
   const std::size_t first = block * kBlockSamples;
   const std::size_t last = std::min(first + kBlockSamples, profile.size() - 1);
-  if (first == 0 && profile.radius(0) > 0.0) rings.add(0.0, 0.0);
-  std::size_t ring = first;
-  for (std::size_t i = first; i <= last; ++i) {
-    const bool isEnd = i == first || i == last;
-    if (!isEnd && i - ring < kLongest && isStraight(profile, ring, i, 0.5 * m_chord)) continue;
-    rings.add(profile.radius(i), profile.z(i));
-    ring = i;
+  const auto isGap = [&](std::size_t i, std::size_t j) { return !profile.hasMaterial(i) && !profile.hasMaterial(j); };
+  const RingPlaces outside(profile, false, 0.5 * m_chord);
+  std::vector<std::size_t> places = outside.between(first, last);
+  soup->points.reserve((places.size() + 2) * m_circle->size());
+  soup->triangles.reserve(2 * (places.size() + 2) * m_circle->size());
+  if (first == 0 && profile.hasMaterial(0)) rings.add(profile.inner(0), 0.0);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (k > 0 && isGap(places[k - 1], places[k])) rings.interrupt();
+    rings.add(profile.radius(places[k]), profile.z(places[k]));
   }
-  if (last == profile.size() - 1 && profile.radius(last) > 0.0) rings.add(0.0, profile.z(last));
+  if (last == profile.size() - 1 && profile.hasMaterial(last)) rings.add(profile.inner(last), profile.z(last));
+  if (!profile.isBored()) return soup;
+  rings.interrupt();
+  places = RingPlaces(profile, true, 0.5 * m_chord).between(first, last);
+  for (std::size_t k = places.size(); k-- > 0;) {
+    if (k + 1 < places.size() && isGap(places[k], places[k + 1])) rings.interrupt();
+    rings.add(profile.inner(places[k]), profile.z(places[k]));
+  }
   return soup;
 }
 

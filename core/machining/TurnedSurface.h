@@ -10,8 +10,9 @@
 
 namespace handwheel {
 
-// The triangles of a turned part in blocks along the axis, for display while it is cut. A version shares the blocks
-// that did not change with the one before. Neighbouring blocks end in the same ring of points, so that there is no gap.
+// The triangles of a turned part, outside and bore, in blocks along the axis, for display while it is cut. A version
+// shares the blocks that did not change with the one before. Neighbouring blocks end in the same ring of points, so
+// that there is no gap.
 class TurnedSurface {
  public:
   static constexpr std::size_t kBlockSamples = 256;
@@ -29,7 +30,7 @@ class TurnedSurface {
   std::shared_ptr<const TriangleSoup> build(const TurnedProfile& profile, std::size_t block) const;
 
   double m_chord;
-  std::uint32_t m_segments;  // of each ring
+  std::shared_ptr<const std::vector<ProfilePoint>> m_circle;  // the points of each ring at radius 1, as (x, y)
   std::vector<std::shared_ptr<const TriangleSoup>> m_blocks;
 };
 

@@ -22,4 +22,33 @@ FidelitySetting turnSpacingSetting() {
   return s;
 }
 
+FidelitySetting turnMethodSetting() {
+  FidelitySetting s;
+  s.id = "turn.method";
+  s.label = translatable("Fidelity", "Method of cutting a turned profile");
+  setChoices(s, {"trim", "poles"});
+  s.standard = 0.0;
+  s.presets = {0.0, 0.0, 0.0};
+  s.error = {translatable("Fidelity", "largest distance of the profile from the exact shape"), "mm"};
+  s.cost = {translatable("Fidelity", "CPU time of cutting and of the triangles that change"), "ms"};
+  s.budget = FidelityBudget::None;
+  return s;
+}
+
+FidelitySetting turnResolutionSetting() {
+  FidelitySetting s;
+  s.id = "turn.resolution";
+  s.label = translatable("Fidelity", "Distance of the control points of a turned profile");
+  s.unit = "mm";
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 0.05;
+  s.largest = 10.0;
+  s.standard = 0.5;
+  s.presets = {0.5, 0.12, 0.05};
+  s.error = {translatable("Fidelity", "largest distance of the profile from the exact shape"), "mm"};
+  s.cost = {translatable("Fidelity", "CPU time of cutting and of the triangles that change"), "ms"};
+  s.budget = FidelityBudget::None;
+  return s;
+}
+
 }  // namespace handwheel

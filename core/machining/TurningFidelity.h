@@ -10,4 +10,10 @@ namespace handwheel {
 // that it was first cut with.
 FidelitySetting turnSpacingSetting();
 
+// The setting turn.method: how a nose cuts (TurningPass::method). Its choices are in the order of TurningMethod.
+FidelitySetting turnMethodSetting();
+
+// The setting turn.resolution: distance of the control points where these are moved, mm (TurningPass::resolution).
+FidelitySetting turnResolutionSetting();
+
 }  // namespace handwheel

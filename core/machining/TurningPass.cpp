@@ -3,6 +3,7 @@
 #include "machining/TurningPass.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -12,26 +13,63 @@ const ProfilePoint& pointBefore(const TurningPass& pass, std::size_t i) {
   return pass.path[i == 0 ? 0 : i - 1];
 }
 
+// What a point takes that moves straight from a to b: all outside of its way, or all between it and the axis. Straight
+// out or in it takes nothing.
+TurnedProfile::Range cutByPoint(TurnedProfile& profile, TurningSide side, const ProfilePoint& a,
+                                const ProfilePoint& b) {
+  TurnedProfile::Range changed;
+  const double along = b.y() - a.y();
+  if (!a.allFinite() || !b.allFinite() || along == 0.0) return changed;
+  const double last = static_cast<double>(profile.size() - 1), spacing = profile.spacing();
+  constexpr double kShare = 1e-9;  // of a spacing: rounding of the ends
+  const double low = std::ceil(std::min(a.y(), b.y()) / spacing - kShare);
+  const double high = std::floor(std::max(a.y(), b.y()) / spacing + kShare);
+  if (high < 0.0 || low > last || low > high) return changed;
+  const auto end = static_cast<std::size_t>(std::min(high, last));
+  for (auto i = static_cast<std::size_t>(std::max(low, 0.0)); i <= end; ++i) {
+    const double t = std::clamp((profile.z(i) - a.y()) / along, 0.0, 1.0);
+    const double radius = std::max(0.0, a.x() + t * (b.x() - a.x()));
+    const bool isCut = side == TurningSide::Bore ? profile.limitInner(i, radius) : profile.limitOuter(i, radius);
+    if (isCut) changed.extend({i, i + 1});
+  }
+  return changed;
+}
+
 }  // namespace
 
+TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b) {
+  if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
+  if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
+  if (how.method == TurningMethod::Poles)
+    return PoleCut(profile, how.resolution).cut(profile, how.side, a, b, how.noseRadius);
+  return how.side == TurningSide::Bore ? profile.cutBore(a, b, how.noseRadius) : profile.cut(a, b, how.noseRadius);
+}
+
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress) {
-  constexpr std::size_t kLook = 256;  // points between two looks at the cancel flag
+  constexpr std::size_t kLook = 64;  // points between two looks at the cancel flag
   TurnedProfile::Range changed;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     if (i % kLook == 0) {
       if (progress.cancelled()) break;
       progress.set(static_cast<double>(i) / static_cast<double>(pass.path.size()));
     }
-    changed.extend(profile.cut(pointBefore(pass, i), pass.path[i], pass.noseRadius));
+    changed.extend(cut(profile, pass, pointBefore(pass, i), pass.path[i]));
   }
   return changed;
 }
 
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass) {
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < pass.path.size(); ++i)
-    sum += profile.samplesUnder(pointBefore(pass, i), pass.path[i], pass.noseRadius).size();
-  return sum;
+  constexpr double kMost = 1e18;
+  const PoleCut poles(profile, pass.resolution);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+    const ProfilePoint &a = pointBefore(pass, i), &b = pass.path[i];
+    sum += pass.tool ? static_cast<double>(samplesUnderTool(profile, *pass.tool, a, b))
+           : pass.method == TurningMethod::Poles
+               ? poles.work(profile, a, b, pass.noseRadius)
+               : static_cast<double>(profile.samplesUnder(a, b, pass.noseRadius).size());
+  }
+  return static_cast<std::uint64_t>(std::min(sum, kMost));
 }
 
 }  // namespace handwheel

@@ -3,9 +3,13 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "machining/TurnedProfile.h"
+#include "machining/PoleCut.h"
+#include "machining/lathe/LatheTool.h"
 
 namespace handwheel {
+
+// How a nose cuts: exactly what it sweeps, or by moving control points (PoleCut).
+enum class TurningMethod { Trim, Poles };
 
 // One pass of a tool along a turned part, as it was recorded. Repeating the passes of a part on its stock gives the
 // same profile, bit for bit.
@@ -13,15 +17,23 @@ struct TurningPass {
   static constexpr std::size_t kMostPoints = 10'000'000;
   static constexpr double kLeastNose = 0.05, kLargestNose = 50.0;  // mm, of the noses that a user may choose
 
-  double noseRadius = 1.0;         // mm
+  double noseRadius = 1.0;         // mm; 0: an ideal point, which cuts by Trim
   std::vector<ProfilePoint> path;  // of the centre of the nose, (r, z); mm
   std::vector<double> times;       // s, of each point since the first; as many, never falling
+  TurningSide side = TurningSide::Outside;
+  TurningMethod method = TurningMethod::Trim;
+  double resolution = 1.0;  // mm, between control points where these are moved
+  // Of a lathe: its shape cuts, and the path is that of its tip. Null: the round nose alone.
+  std::shared_ptr<const LatheTool> tool = {};
 };
+
+// Cuts as this pass does, with the centre of its nose from a to b. Returns the samples that changed.
+TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b);
 
 // Cuts a pass. The profile is incomplete when it was cancelled.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress = {});
 
-// How many samples cut() visits: what it costs. O(points).
+// How many samples cut() visits at most: what it costs. O(points).
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass);
 
 }  // namespace handwheel

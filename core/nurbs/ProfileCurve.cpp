@@ -106,6 +106,24 @@ Result<ProfileCurve> ProfileCurve::polyline(std::vector<ProfilePoint> points) {
   return make(std::move(net));
 }
 
+double ProfileCurve::volume() const {
+  // Gauss and Legendre's rule on 0…1: Abramowitz and Stegun, table 25.4.
+  constexpr std::array<std::pair<double, double>, 4> kRule = {{{0.1834346424956498, 0.3626837833783620},
+                                                               {0.5255324099163290, 0.3137066458778873},
+                                                               {0.7966664774136267, 0.2223810344533745},
+                                                               {0.9602898564975363, 0.1012285362903763}}};
+  double sum = 0.0;
+  for (const BezierArc& arc : m_arcs) {
+    for (const auto& [place, weight] : kRule) {
+      for (const double side : {-1.0, 1.0}) {
+        const auto at = arc.derivatives(0.5 * (1.0 + side * place));
+        sum += 0.5 * weight * at[0].x() * at[0].x() * at[1].y();
+      }
+    }
+  }
+  return M_PI * sum;
+}
+
 ProfileCurve::Location ProfileCurve::locate(double u) const {
   const auto inner = std::upper_bound(m_breaks.begin() + 1, m_breaks.end() - 1, u);
   const auto i = static_cast<std::size_t>(inner - m_breaks.begin()) - 1;

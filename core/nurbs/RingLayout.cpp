@@ -19,6 +19,7 @@ constexpr double kHalvingStep = 1.3;  // height of a band that halves the count,
 struct Outline {
   std::vector<ProfilePoint> points;
   double largestRadius = 0.0;
+  bool isClosed = false;
 };
 
 Error tooMany(std::uint64_t limit) {
@@ -51,6 +52,8 @@ Result<Outline> flatten(const ProfileCurve& profile, double tolerance, std::uint
       if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     }
   }
+  outline.isClosed = profile.isClosed();
+  if (outline.isClosed) outline.points.back() = outline.points.front();  // but for rounding
   for (const ProfilePoint& p : outline.points) outline.largestRadius = std::max(outline.largestRadius, p.x());
   for (ProfilePoint& p : outline.points) {
     if (p.x() <= tolerance::kOnAxis * outline.largestRadius) p.x() = 0.0;
@@ -141,18 +144,18 @@ Result<std::vector<Ring>> outlineRings(const Outline& outline, const CircleSegme
     return {p.x(), p.y(), p.x() > 0.0 ? circle.count(circle.levelAt(p.x())) : 1};
   };
   const ProfilePoint &first = outline.points.front(), &last = outline.points.back();
-  std::vector<Ring> rings = {{0.0, first.y(), 1}};
+  std::vector<Ring> rings = {outline.isClosed ? ringAt(first) : Ring{0.0, first.y(), 1}};
   const auto goTo = [&](const Ring& ring, bool isFlatEnd) {
     const std::vector<Ring> piece = Piece(circle, isFlatEnd).rings(rings.back(), ring);
     rings.insert(rings.end(), piece.begin() + 1, piece.end());
   };
-  if (first.x() > 0.0) goTo(ringAt(first), true);
+  if (first.x() > 0.0 && !outline.isClosed) goTo(ringAt(first), true);
   for (std::size_t i = 1; i < outline.points.size(); ++i) {
     goTo(ringAt(outline.points[i]), false);
     if (rings.size() > limit) return tooMany(limit);
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   }
-  if (last.x() > 0.0) goTo({0.0, last.y(), 1}, true);
+  if (last.x() > 0.0 && !outline.isClosed) goTo({0.0, last.y(), 1}, true);
   return rings;
 }
 

@@ -22,7 +22,8 @@ struct Ring {
 std::uint64_t bandTriangles(const Ring& a, const Ring& b);
 
 // Computes the rings of a turned part for tessellation. In order: the lower end from the axis outwards, the lateral
-// surface, the upper end back to the axis. O(rings). Errors: FileTooLarge {triangles, "", limit} where the tolerance
+// surface, the upper end back to the axis; of a closed profile the surface alone, with the first ring again as the
+// last. O(rings). Errors: FileTooLarge {triangles, "", limit} where the tolerance
 // needs more than the limit, ElementMalformed {profile}, Cancelled.
 Result<std::vector<Ring>> computeRings(const ProfileCurve& profile, const TessellationOptions& options,
                                        Progress progress);

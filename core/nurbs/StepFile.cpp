@@ -142,6 +142,16 @@ TopoDS_Face discOf(const ProfilePoint& rim) {
   return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, rim.y()), gp_Dir(0, 0, 1)), wire).Face();
 }
 
+// A straight line of higher degree as what it is, so that its surface has two rows of poles.
+ProfileNet withoutExcess(ProfileNet piece) {
+  const bool isLine = piece.degree == 2 && piece.poles.size() == 3 && piece.weights[0] == piece.weights[1] &&
+                      piece.weights[1] == piece.weights[2] &&
+                      piece.poles[1] == ProfilePoint(0.5 * (piece.poles[0] + piece.poles[2]));
+  if (!isLine) return piece;
+  const double from = piece.knots.front(), to = piece.knots.back();
+  return {1, {from, from, to, to}, {piece.poles[0], piece.poles[2]}, {1.0, 1.0}};
+}
+
 // The profile cut where it may have corners: other programs do not expect them within a surface. Pieces without extent
 // or on the axis are left out.
 std::vector<ProfileCurve> smoothPieces(const ProfileCurve& profile) {
@@ -164,7 +174,7 @@ std::vector<ProfileCurve> smoothPieces(const ProfileCurve& profile) {
     const auto isOnAxis = [](const ProfilePoint& p) { return p.x() == 0.0; };
     if (std::all_of(piece.poles.begin(), piece.poles.end(), isPoint)) continue;
     if (std::all_of(piece.poles.begin(), piece.poles.end(), isOnAxis)) continue;
-    pieces.push_back(ProfileCurve::make(std::move(piece)).value());
+    pieces.push_back(ProfileCurve::make(withoutExcess(std::move(piece))).value());
   }
   return pieces;
 }
@@ -180,7 +190,7 @@ Result<TopoDS_Solid> solidOf(const ProfileCurve& profile, const Message_Progress
     sewing.Add(BRepBuilderAPI_MakeFace(mantleOf(piece), Precision::Confusion()).Face());
   }
   for (const ProfilePoint& rim : {pieces.front().net().poles.front(), pieces.back().net().poles.back()}) {
-    if (rim.x() > 0.0) sewing.Add(discOf(rim));
+    if (rim.x() > 0.0 && !profile.isClosed()) sewing.Add(discOf(rim));
   }
   sewing.Perform(range);
   const TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL);

@@ -13,9 +13,10 @@
 namespace handwheel {
 
 // Writes a turned part as one solid in a STEP file (AP214, millimetres). The part lies between the profile, the flat
-// ends through its first and last point, and the axis. Between two corners of the profile the lateral surface is one
-// exact rational B-spline surface of nine columns. Numbers are written with all their digits. Any thread; Open
-// CASCADE's STEP works on one at a time, so others wait. Errors: ElementMalformed {profile}, LibraryFailed, Cancelled.
+// ends through its first and last point, and the axis, or within a closed profile. Between two corners of the profile
+// the lateral surface is one exact rational B-spline surface of nine columns. Numbers are written with all their
+// digits. Any thread; Open CASCADE's STEP works on one at a time, so others wait. Errors: ElementMalformed {profile},
+// LibraryFailed, Cancelled.
 Result<std::string> writeStep(const ProfileCurve& profile, Progress progress = {});
 
 // The properties of the solids in a STEP file.

@@ -95,12 +95,14 @@ Result<TriangleSoup> tessellate(const ProfileCurve& profile, const TessellationO
   soup.points.reserve(points);
   soup.triangles.reserve(triangles);
   for (std::size_t i = 0; i < rings->size(); ++i) {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
     const Ring& ring = (*rings)[i];
-    addRing(soup, ring);
+    const bool isFirstAgain = profile.isClosed() && i + 1 == rings->size();
+    const auto end = static_cast<std::uint32_t>(soup.points.size());
+    const std::uint32_t first = isFirstAgain ? 0 : end;
+    if (!isFirstAgain) addRing(soup, ring);
     if (i > 0) {
       const Ring& before = (*rings)[i - 1];
-      addBand(soup, before, first - before.segments, ring, first);
+      addBand(soup, before, end - before.segments, ring, first);
     }
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     progress.set(static_cast<double>(i + 1) / static_cast<double>(rings->size()));

@@ -4,7 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "robot/UrdfValues.h"
-#include "robot/XmlNumbers.h"
+#include "xml/XmlNumbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "robot/UrdfJoints.h"
 #include "robot/UrdfShapes.h"
-#include "robot/Xml.h"
+#include "xml/Xml.h"
 
 #include <map>
 #include <new>

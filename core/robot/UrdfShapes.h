@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/UrdfReader.h"
-#include "robot/Xml.h"
+#include "xml/Xml.h"
 
 #include <map>
 #include <string>

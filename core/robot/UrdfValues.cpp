@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/UrdfValues.h"
 
-#include "robot/XmlNumbers.h"
+#include "xml/XmlNumbers.h"
 
 #include <string>
 

@@ -4,7 +4,7 @@
 
 #include "base/Geometry.h"
 #include "base/Result.h"
-#include "robot/Xml.h"
+#include "xml/Xml.h"
 
 #include <span>
 

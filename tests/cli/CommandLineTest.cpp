@@ -28,7 +28,7 @@ class CommandLineTest : public QObject {
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
     const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;:()-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 18);
+    QCOMPARE(QString(overview.out).count(line), 20);
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
                                "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
@@ -84,7 +84,7 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o", ""}, "The option -o needs a value: OUT.", " repair");
     row({"repair", "a.stl", "--output="}, "The option --output needs a value: OUT.", " repair");
     row({"set", "a.stl"}, "The option -o OUT is missing.", " set");
-    row({"new", "castle", "-o", "b.handwheel"}, "KIND is workpiece, not 'castle'.", " new");
+    row({"new", "castle", "-o", "b.handwheel"}, "KIND is exercise or workpiece, not 'castle'.", " new");
     row({"convert", "a.stl"}, "The command convert needs IN OUT.", " convert");
   }
   void mistakes() {

@@ -79,7 +79,7 @@ class DocumentsTest : public QObject {
     bench.put("env.sh", "export A=1\n");
     const Ran made = bench.run({"new", "workpiece", "-o", "x.foo"});
     QVERIFY(made.err.contains("'.foo'"));
-    QVERIFY2(made.err.contains("ends in .step, .stp, .stl, .ply, .obj, .off, .3mf or .handwheel."),
+    QVERIFY2(made.err.contains("ends in .step, .stp, .stl, .ply, .obj, .off, .3mf, .dxf, .svg, .pdf or .handwheel."),
              made.err.constData());
     const Ran converted = bench.run({"convert", "a.off", "x.docx"});
     QVERIFY2(converted.err.contains("ends in .stl, .ply, .obj, .off, .3mf or .handwheel."), converted.err.constData());

@@ -97,7 +97,7 @@ const char* const kOpenCubeJson = R"({
 const char* const kOpenCubeText =
     "Triangles                 10\n"
     "Vertices                  8\n"
-    "Parts                     1\n"
+    "Pieces                    1\n"
     "Closed                    no\n"
     "Manifold                  yes\n"
     "Oriented                  yes\n"
@@ -111,8 +111,8 @@ const char* const kOpenCubeText =
     "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
     "\n"
     "Holes\n"
-    "    no    id   edges     length (mm)      area (mm2)   planarity   islands\n"
-    "     1     0       4               2            0.25           0         0\n"
+    "                name    id   edges     length (mm)      area (mm2)   planarity   islands\n"
+    "              Hole 1     0       4               2            0.25           0         0\n"
     "\n"
     "The part measures 0.5 × 0.5 × 0.5 mm, if its numbers are millimetres: the file does not say its unit. 'handwheel "
     "edit' with the step 'place --unit m' converts it from metres; cm and in are possible, too.\n";

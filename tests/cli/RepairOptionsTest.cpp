@@ -71,7 +71,7 @@ class RepairOptionsTest : public QObject {
         box.ran.out,
         QByteArray(
             "2 of 3 holes filled. b.stl: not closed, manifold, oriented, free of self-intersections, one piece.\n"));
-    QCOMPARE(box.ran.err, QByteArray("handwheel: Loop " + QByteArray::number(idOf(6)) +
+    QCOMPARE(box.ran.err, QByteArray("handwheel: Hole " + QByteArray::number(idOf(6) + 1) +
                                      " (6 edges) stays open: it is marked to be kept open.\n"));
   }
 
@@ -144,6 +144,8 @@ class RepairOptionsTest : public QObject {
       QCOMPARE(report.at("sheets_left_open").get<int>(), 0);
       QCOMPARE(report.at("sheet_thickness_mm").at("least").get<double>(), asked);
       QCOMPARE(report.at("sheet_thickness_mm").at("largest").get<double>(), asked);
+      QCOMPARE(report.at("sheet_thickness_mm").at("vertices").get<int>(), 11 * 11);
+      QCOMPARE(report.at("sheet_thickness_mm").at("thin_vertices").get<int>(), 0);
       QCOMPARE(report.at("options").at("thickness_mm").get<double>(), asked);
       const Json box = report.at("after").at("bounding_box_mm");
       QCOMPARE(box.at(1).at(2).get<double>() - box.at(0).at(2).get<double>(), asked);
@@ -151,6 +153,21 @@ class RepairOptionsTest : public QObject {
     }
     QCOMPARE(bench.run({"edit", "a.off", "back 0 --thickness 0.1", "-o", "c.ply"}).code, 0);
     QCOMPARE(bench.run({"repair", "a.off", "-o", "b.ply", "--rims", "back", "--thickness", "0"}).code, 1);
+  }
+
+  // A flake behind the middle of the sheet leaves room for less: at how many vertices is in report and text.
+  void saysWhereTheThicknessIsNotReached() {
+    Shape shape = flatSheet(10);
+    Shape flake;
+    flake.points = {{5.1, 5.1, -0.5}, {5.3, 5.1, -3.0}, {5.1, 5.3, -3.0}};
+    flake.faces = {{0, 1, 2}};
+    shape.add(flake, {0, 0, 0});
+    const Bench bench;
+    bench.put("a.off", shape.off());
+    const Ran ran = bench.run({"edit", "a.off", "back 0 --thickness 2", "-o", "c.ply"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY2(ran.out.contains("thinner than requested at "), qPrintable(ran.out));
+    QVERIFY2(ran.out.contains(" of 121 vertices"), qPrintable(ran.out));
   }
 
   // Of two sheets, one is so far from the origin that single precision cannot show the thickness.

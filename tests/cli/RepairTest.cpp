@@ -93,8 +93,8 @@ class RepairTest : public QObject {
                                             "damage",
                                             "seconds"};
     QVERIFY(keysOf(report) == expected);
-    const std::vector<std::string> loopKeys{"id",        "edges",    "outcome",         "method", "reason",
-                                            "new_faces", "bend_deg", "bend_around_deg", "ms"};
+    const std::vector<std::string> loopKeys{"id",     "rim",       "edges",    "outcome",         "method",
+                                            "reason", "new_faces", "bend_deg", "bend_around_deg", "ms"};
     QVERIFY(keysOf(report["loops"][0]) == loopKeys);
     QCOMPARE(report["input"].get<std::string>(), std::string("a.off"));
     QCOMPARE(report["unit"].get<std::string>(), std::string("cm"));
@@ -278,10 +278,14 @@ class RepairTest : public QObject {
     const Bench bench;
     const QString scan = data + "/scans/meshlab-rangemaps/lato180.ply";
     bench.run({"repair", scan, "-o", "b.ply", "--rims", "back", "--report", "r.json"});
-    const Json after = bench.json("r.json").at("after");
+    const Json report = bench.json("r.json"), after = report.at("after");
     QVERIFY(after.at("closed").get<bool>());
     QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
     QVERIFY(after.at("volume_mm3").get<double>() > 0.0);
+    QVERIFY(after.at("non_manifold_vertices").get<int>() <= report.at("before").at("non_manifold_vertices").get<int>());
+    const Json thickness = report.at("sheet_thickness_mm");
+    QVERIFY(thickness.at("vertices").get<int>() > 40'000);
+    QVERIFY(thickness.at("thin_vertices").get<int>() < thickness.at("vertices").get<int>() / 10);
   }
 };
 

@@ -47,7 +47,9 @@ class TurnTest : public QObject {
     const Ran ran = bench.run({"turn", "bar.handwheel", "--path", "p.csv", "-o", "part.handwheel", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = reported(ran);
-    QCOMPARE(json["passes"].get<int>(), 1);
+    QCOMPARE(json.size(), std::size_t{6});
+    QCOMPARE(json["time_s"].get<double>(), 3.0);
+    QVERIFY(json["max_force_N"].get<double>() > 0.0 && json["profile_error_mm"].is_null());
     // At the ends the nose leaves min(25, 21 - sqrt(1 - x²)), which is 21 at x = 1, then the bar.
     double ends = 0.0;
     for (int i = 0; i < 100000; ++i) {
@@ -56,7 +58,7 @@ class TurnTest : public QObject {
       ends += 2.0 * M_PI * (625.0 - r * r) / 100000;
     }
     const double expected = M_PI * (625.0 - 400.0) * 40.0 + ends;
-    QVERIFY2(std::abs(json["removed"].get<double>() / expected - 1.0) < 2e-3, ran.out);
+    QVERIFY2(std::abs(json["removed_mm3"].get<double>() / expected - 1.0) < 2e-3, ran.out);
 
     const Ran resized = bench.run({"set", "part.handwheel", "diameter=60", "-o", "x.handwheel"});
     QCOMPARE(resized.code, 1);
@@ -106,11 +108,14 @@ class TurnTest : public QObject {
     QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
     const Ran ran = bench.run({"turn", "bar.handwheel", "--path", "session.csv", "-o", "part.handwheel", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
-    QCOMPARE(reported(ran)["passes"].get<int>(), 2);
+    QCOMPARE(reported(bench.run({"turn", "part.handwheel", "--replay", "--json"}))["passes"].get<int>(), 2);
     QCOMPARE(bench.run({"turn", "bar.handwheel", "--path", "first.csv", "-o", "one.handwheel"}).code, 0);
     const Ran paths = bench.run({"turn", "one.handwheel", "--path", "second.csv", "-o", "two.handwheel", "--json"});
     QVERIFY2(paths.code == 0, paths.err);
-    QCOMPARE(reported(ran)["removed"].get<double>(), reported(paths)["removed"].get<double>());
+    // Each run reports what it removed itself.
+    const Ran one = bench.run({"turn", "bar.handwheel", "--path", "first.csv", "-o", "one.handwheel", "--json"});
+    const double apart = reported(one)["removed_mm3"].get<double>() + reported(paths)["removed_mm3"].get<double>();
+    QVERIFY(std::abs(reported(ran)["removed_mm3"].get<double>() - apart) < 1e-6 * apart);
 
     bench.put("less.csv", table.replace("proxy_x", "a").replace("buttons", "b"));
     const Ran less = bench.run({"turn", "bar.handwheel", "--path", "less.csv", "-o", "x.handwheel"});
@@ -146,9 +151,7 @@ class TurnTest : public QObject {
   void theUsageSaysWhatGoesTogether() {
     const Bench bench;
     const Ran ran = bench.run({"turn", "--help"});
-    QVERIFY2(ran.out.startsWith("Usage: handwheel turn IN (--path P.csv -o OUT [--nose-radius MM] [--spacing MM] | "
-                                "--replay) [--json]\n"),
-             ran.out);
+    QVERIFY2(ran.out.startsWith("Usage: handwheel turn STOCK (--program P.ngc | --recording R.csv) -o OUT "), ran.out);
   }
 
   void mistakes() {
@@ -161,11 +164,11 @@ class TurnTest : public QObject {
       const Ran ran = bench.run(words);
       return ran.code == 1 && ran.err.contains(part);
     };
-    QVERIFY(refuses({"turn", "bar.handwheel"}, "--path P.csv or --replay"));
+    QVERIFY(refuses({"turn", "bar.handwheel"}, "--program P.ngc, --recording R and --replay"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv"}, "-o OUT is missing"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--replay", "-o", "x.handwheel"}, "leave out -o"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv", "-o", "x.handwheel", "--nose-radius", "0"},
-                    "--nose-radius"));
+                    "--nose takes"));
     for (const char* radius : {"0.049", "50.1"})  // as in the window
       QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv", "-o", "x.handwheel", "--nose-radius", radius},
                       "from 0.05 to 50."));

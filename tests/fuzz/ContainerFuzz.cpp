@@ -5,10 +5,12 @@
 #include "document/container/Blobs.h"
 #include "document/container/UnknownPart.h"
 #include "document/container/ZipWriter.h"
+#include "document/exercise/ExerciseKind.h"
 #include "document/mesh/MeshKind.h"
 #include "document/mesh/SubdivisionLevelStore.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/exercise/TurningSubject.h"
 #include "mesh/structure/MeshValidator.h"
 #include "robot/UrdfReader.h"
 #include "scene/MeshGeometry.h"
@@ -75,12 +77,19 @@ void readAs(const DocumentKind& kind, const Container& container) {
   require(same(saved, again), "what was saved is read differently");
 }
 
+std::unique_ptr<ExerciseKind> exerciseKind() {
+  std::vector<std::unique_ptr<ExerciseSubject>> subjects;
+  subjects.push_back(std::make_unique<TurningSubject>());
+  return std::make_unique<ExerciseKind>(std::move(subjects));
+}
+
 const std::vector<std::unique_ptr<DocumentKind>>& kinds() {
   static const std::vector<std::unique_ptr<DocumentKind>> kKinds = [] {
     std::vector<std::unique_ptr<DocumentKind>> all;
     all.push_back(std::make_unique<MeshKind>());
     all.push_back(std::make_unique<WorkpieceKind>());
     all.push_back(std::make_unique<RobotCellKind>());
+    all.push_back(exerciseKind());
     return all;
   }();
   return kKinds;
@@ -157,6 +166,14 @@ RobotCellSnapshot smallCell() {
   return content;
 }
 
+// A new exercise with that bar as model solution and as work.
+ExerciseSnapshot smallExercise(const ExerciseKind& kind) {
+  ExerciseSnapshot content = static_cast<const ExerciseSnapshot&>(*kind.blank());
+  content.solution = content.work = std::make_shared<const WorkpieceSnapshot>(smallWorkpiece());
+  content.attempt = Attempt{"Ada", {}, {}, 1.0, {1}, {true}};
+  return content;
+}
+
 // The blobs of all kinds; their names differ.
 const std::map<std::string, std::string>& smallBlobs() {
   static const std::map<std::string, std::string> kBlobs = [] {
@@ -164,6 +181,8 @@ const std::map<std::string, std::string>& smallBlobs() {
     MeshKind().save(smallMesh(), container);
     WorkpieceKind().save(smallWorkpiece(), container);
     RobotCellKind().save(smallCell(), container);
+    const auto exercises = exerciseKind();
+    exercises->save(smallExercise(*exercises), container);
     return container.blobs;
   }();
   return kBlobs;

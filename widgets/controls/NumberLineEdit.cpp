@@ -12,13 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kGap = 4;           // pixels between a mark and the number
-constexpr double kNotch = 120.0;  // eighths of a degree to a notch of the wheel
-
-double stepFactor(Qt::KeyboardModifiers modifiers) {
-  if (modifiers & Qt::ShiftModifier) return 10.0;
-  return modifiers & Qt::ControlModifier ? 0.1 : 1.0;
-}
+constexpr int kGap = 4;  // pixels between a mark and the number
 
 bool isEnter(const QKeyEvent& event) {
   return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
@@ -29,6 +23,18 @@ bool isStep(const QKeyEvent& event) {
 }
 
 }  // namespace
+
+double stepFactor(Qt::KeyboardModifiers modifiers) {
+  if (modifiers & Qt::ShiftModifier) return 10.0;
+  return modifiers & Qt::ControlModifier ? 0.1 : 1.0;
+}
+
+double wheelNotches(const QWheelEvent& event) {
+  constexpr double kNotch = 120.0;  // eighths of a degree
+  // With Shift or Alt held some systems turn the wheel sideways.
+  const QPoint turn = event.angleDelta();
+  return (turn.y() != 0 ? turn.y() : turn.x()) / kNotch;
+}
 
 void NumberLineEdit::setMarks(const QString& prefix, const QString& unit) {
   m_prefix = prefix;
@@ -81,14 +87,12 @@ void NumberLineEdit::keyReleaseEvent(QKeyEvent* event) {
 
 // Without the focus the wheel scrolls the form: nobody changes a value by passing over it.
 void NumberLineEdit::wheelEvent(QWheelEvent* event) {
-  // With Shift or Alt held some systems turn the wheel sideways.
-  const QPoint turn = event->angleDelta();
-  const int delta = turn.y() != 0 ? turn.y() : turn.x();
-  if (!hasFocus() || delta == 0) {
+  const double notches = wheelNotches(*event);
+  if (!hasFocus() || notches == 0.0) {
     event->ignore();
     return;
   }
-  emit stepped(delta / kNotch * stepFactor(event->modifiers()));
+  emit stepped(notches * stepFactor(event->modifiers()));
   event->accept();
 }
 

@@ -6,6 +6,11 @@
 
 namespace handwheel {
 
+// By what the keys that are held change a step: Shift makes it ten, Ctrl a tenth.
+double stepFactor(Qt::KeyboardModifiers modifiers);
+// How far the wheel was turned, upwards or to the right, in notches; smooth wheels turn by parts of one.
+double wheelNotches(const QWheelEvent& event);
+
 // The line edit of a NumberField. Prefix and unit are shown in its margins, so that only the number is edited.
 class NumberLineEdit : public QLineEdit {
   Q_OBJECT

@@ -15,6 +15,8 @@ const auto kLanguage = QStringLiteral("language");
 const auto kAutosave = QStringLiteral("autosaveSeconds");
 const auto kSpaceMouse = QStringLiteral("view/space_mouse");
 const auto kSpaceMouseSpeed = QStringLiteral("view/space_mouse_speed");
+const auto kMachineSound = QStringLiteral("sound/machine");
+const auto kMachineVolume = QStringLiteral("sound/machine_volume");
 
 constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch};
 
@@ -37,6 +39,9 @@ Preferences loadPreferences() {
   preferences.hasSpaceMouse = settings.value(kSpaceMouse, true).toBool();
   const int percent = settings.value(kSpaceMouseSpeed).toInt(&isNumber);
   if (isNumber) preferences.spaceMouseSpeed = std::clamp(percent, kLeastSpaceMouseSpeed, kLargestSpaceMouseSpeed);
+  preferences.hasMachineSound = settings.value(kMachineSound, false).toBool();
+  const int volume = settings.value(kMachineVolume).toInt(&isNumber);
+  if (isNumber) preferences.machineVolume = std::clamp(volume, kLeastMachineVolume, kLargestMachineVolume);
   return preferences;
 }
 
@@ -48,6 +53,8 @@ void storePreferences(const Preferences& preferences) {
   settings.setValue(kAutosave, preferences.autosaveSeconds);
   settings.setValue(kSpaceMouse, preferences.hasSpaceMouse);
   settings.setValue(kSpaceMouseSpeed, preferences.spaceMouseSpeed);
+  settings.setValue(kMachineSound, preferences.hasMachineSound);
+  settings.setValue(kMachineVolume, preferences.machineVolume);
 }
 
 }  // namespace handwheel

@@ -16,6 +16,8 @@ struct Preferences {
   int autosaveSeconds = 20;                        // 0: never
   bool hasSpaceMouse = true;                       // a space mouse moves the view
   int spaceMouseSpeed = 100;                       // of that, percent
+  bool hasMachineSound = false;                    // machines are heard
+  int machineVolume = 70;                          // of that, percent
 
   bool operator==(const Preferences&) const = default;
 };
@@ -24,6 +26,8 @@ inline constexpr int kShortestAutosave = 5;  // seconds
 inline constexpr int kLongestAutosave = 600;
 inline constexpr int kLeastSpaceMouseSpeed = 10;  // percent
 inline constexpr int kLargestSpaceMouseSpeed = 500;
+inline constexpr int kLeastMachineVolume = 5;  // percent
+inline constexpr int kLargestMachineVolume = 100;
 
 // Loads the preferences from the program's settings. Invalid values count as not set.
 Preferences loadPreferences();

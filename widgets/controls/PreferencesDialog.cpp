@@ -66,6 +66,7 @@ PreferencesDialog::PreferencesDialog(ShortcutModel* keys, std::vector<Navigation
   addPage("ruler", tr("Units"), unitsPage());
   addPage("language", tr("Language"), languagePage());
   addPage("save", tr("Autosave"), autosavePage());
+  addPage("sound", tr("Sound"), soundPage());
   m_titles->setFixedWidth(m_titles->sizeHintForColumn(0) + 24);
   m_titles->setCurrentRow(0);
   auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -187,6 +188,35 @@ QWidget* PreferencesDialog::autosavePage() {
   form->insertRow(0, on);
   form->addRow(
       note(tr("The copy is kept beside your files, never in their place; after a crash it is offered to you."), page));
+  return page;
+}
+
+QWidget* PreferencesDialog::soundPage() {
+  auto* page = new QWidget(this);
+  auto* on = new QCheckBox(tr("Play the sound of machines"), page);
+  on->setObjectName(QStringLiteral("machineSoundOn"));
+  on->setChecked(m_preferences.hasMachineSound);
+  auto* volume = new QSpinBox(page);
+  volume->setObjectName(QStringLiteral("machineVolume"));
+  volume->setAccessibleName(tr("Volume of machines"));
+  volume->setRange(kLeastMachineVolume, kLargestMachineVolume);
+  volume->setSingleStep(5);
+  volume->setSuffix(tr(" %"));
+  volume->setValue(m_preferences.machineVolume);
+  volume->setEnabled(on->isChecked());
+  const auto use = [this, on, volume] {
+    volume->setEnabled(on->isChecked());
+    m_preferences.hasMachineSound = on->isChecked();
+    m_preferences.machineVolume = volume->value();
+    store();
+  };
+  connect(on, &QCheckBox::toggled, this, use);
+  connect(volume, &QSpinBox::valueChanged, this, use);
+  QFormLayout* form = line(page, tr("Volume"), volume);
+  form->insertRow(0, on);
+  form->addRow(note(tr("Spindle and cut, from speed, feed, force and wear. Louder means more force; a deep tone "
+                       "means chatter."),
+                    page));
   return page;
 }
 

@@ -39,6 +39,7 @@ class PreferencesDialog : public QDialog {
   QWidget* unitsPage();
   QWidget* languagePage();
   QWidget* autosavePage();
+  QWidget* soundPage();
   void addPage(const char* iconName, const QString& title, QWidget* page);
   void store();
 

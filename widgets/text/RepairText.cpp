@@ -143,6 +143,10 @@ QString fillFailureReason(FillFailure failure) {
   return {};
 }
 
+QString boundaryLoopName(bool isRim, int number) {
+  return isRim ? RepairWords::tr("Outer boundary %1").arg(number) : RepairWords::tr("Hole %1").arg(number);
+}
+
 QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
   QStringList parts;
   const auto add = [&parts](std::size_t count, const auto& phrase) {
@@ -177,7 +181,11 @@ QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
 QString thicknessText(const SheetThickness& thickness, LengthUnit unit) {
   const QString least = significantText(thickness.least / millimetresPer(unit));
   const QString largest = lengthText(thickness.largest, unit);
-  return lengthText(thickness.least, unit) == largest ? largest : RepairWords::tr("%1 to %2").arg(least, largest);
+  const QString text =
+      lengthText(thickness.least, unit) == largest ? largest : RepairWords::tr("%1 to %2").arg(least, largest);
+  if (thickness.thinVertices == 0) return text;
+  return RepairWords::tr("%1, thinner than requested at %2 of %n vertex(ices)", nullptr, asInt(thickness.vertices))
+      .arg(text, QLocale().toString(asInt(thickness.thinVertices)));
 }
 
 QString sheetsText(const SheetOutcomes& sheets, LengthUnit unit) {

@@ -16,14 +16,16 @@ QString fillMethodName(FillMethod method);
 // One sentence on when to choose a fill method.
 QString fillMethodHint(FillMethod method);
 
-// Why a hole stayed open, as the end of a sentence. Example: "every patch would cross the part".
 // Why a person should look at a patch; empty where it is like its surroundings.
 QString patchWarning(const PatchComparison& shape);
+// The name of a boundary loop, "Hole 3" or "Outer boundary 1". number: by LoopNumbers.
+QString boundaryLoopName(bool isRim, int number);
+// Why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
 QString fillFailureReason(FillFailure failure);
 
 // The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
 QStringList repairSummary(const RepairReport& report, LengthUnit unit = LengthUnit::Millimetre);
-// "0.01 to 0.05 mm", or "0.01 mm" where both are written alike.
+// "0.01 to 0.05 mm", or "0.01 mm" where both are written alike; and at how many vertices it is less than requested.
 QString thicknessText(const SheetThickness& thickness, LengthUnit unit);
 
 // "3 of 4 thickened by 0.01 mm; 1 sheet left open: " and why; for each reason.

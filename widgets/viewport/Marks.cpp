@@ -6,6 +6,9 @@ namespace handwheel {
 
 namespace {
 
+// So many selected faces get an outline, which is visible however small they are.
+constexpr std::size_t kMostOutlined = 200;
+
 QColor withAlpha(QColor c, float alpha) {
   c.setAlphaF(alpha);
   return c;
@@ -35,7 +38,7 @@ void CasedStrokes::prepare(const LayerFrame& frame) {
 Marks::Marks(LayerProps& props)
     : m_colours(sceneColours(false)),
       m_faces(props, 1.0),
-      m_selected(props, 1.2, 0.75),
+      m_selected(props, 1.2, 0.9),
       m_highlighted(props, 1.4, 0.45),
       m_hovered(props, 1.6),
       m_preview(props, 1.5),
@@ -44,7 +47,8 @@ Marks::Marks(LayerProps& props)
       m_strongLoops(props, 4.0, 5.0, 2.5),
       m_lines(props, 4.0, 3.0, 1.0),
       m_points(props, 6.0, 8.0, 1.5),
-      m_section(props, 2.5, 2.5, 1.0) {
+      m_section(props, 2.5, 2.5, 1.0),
+      m_selectedEdges(props, 3.5, 3.0, 1.5) {
   for (LiftedActor* actor : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(actor->property());
   m_selected.setColour(m_colours.selected);
   m_highlighted.setColour(m_colours.accent);
@@ -100,6 +104,14 @@ void Marks::setHovered(int listLoop, int cursorLoop, Face face) {
   m_hoveredFace = face;
 }
 
+bool Marks::setSelectedFaces(const FaceSelection& faces) {
+  if (!m_selected.set(faces)) return false;
+  m_outlined.clear();
+  if (faces.count() <= kMostOutlined) m_outlined = faces.faces();
+  m_stale.set(SelectedEdges);
+  return true;
+}
+
 void Marks::setColours(const SceneColours& colours) {
   if (colours == m_colours) return;
   m_colours = colours;
@@ -110,7 +122,7 @@ void Marks::setColours(const SceneColours& colours) {
 
 void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
   if (m_origin != origin) m_stale.set();
-  for (const Part part : {Faces, HoveredFace}) m_stale.set(part);
+  for (const Part part : {Faces, HoveredFace, SelectedEdges}) m_stale.set(part);
   for (FaceActors* faces : {&m_selected, &m_highlighted}) faces->setStale();
   m_mesh = mesh;
   m_origin = origin;
@@ -126,7 +138,7 @@ void Marks::prepare(const LayerFrame& frame) {
   for (LiftedActor* actor : {&m_faces, &m_hovered, &m_preview}) actor->prepare(frame);
   for (FaceActors* faces : {&m_selected, &m_highlighted}) faces->prepare(frame);
   m_previewEdges.prepare(frame);
-  for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points, &m_section})
+  for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points, &m_section, &m_selectedEdges})
     strokes->prepare(frame);
 }
 
@@ -138,6 +150,7 @@ void Marks::rebuildStale() {
   if (m_stale[Lines]) rebuildLines();
   if (m_stale[Section]) rebuildSection();
   if (m_stale[Preview]) rebuildPreview();
+  if (m_stale[SelectedEdges]) rebuildSelectedEdges();
   m_stale.reset();
 }
 
@@ -166,6 +179,15 @@ void Marks::rebuildFaces() {
     for (const Face f : mark.faces) addFace(triangles, f, mark.colour);
   }
   show(m_faces, triangles);
+}
+
+void Marks::rebuildSelectedEdges() {
+  std::vector<TrianglePoints> corners;
+  for (const Face f : m_outlined)
+    if (f < m_mesh.faceSlots() && m_mesh.isLive(f)) corners.push_back(m_mesh.points(f));
+  std::vector<Stroke> strokes;
+  for (const TrianglePoints& p : corners) strokes.push_back({p, true, m_colours.selected});
+  m_selectedEdges.set(std::move(strokes), QColor(Qt::white), m_origin);
 }
 
 void Marks::rebuildHoveredFace() {

@@ -38,7 +38,7 @@ class Marks {
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
   // Sets the selected faces, and those that a tool highlights, until the next call. Returns false when they are
   // unchanged.
-  bool setSelectedFaces(const FaceSelection& faces) { return m_selected.set(faces); }
+  bool setSelectedFaces(const FaceSelection& faces);
   bool setHighlightedFaces(const FaceSelection& faces) { return m_highlighted.set(faces); }
   const std::vector<LoopMark>& loops() const { return m_loops; }
 
@@ -55,7 +55,7 @@ class Marks {
   void prepare(const LayerFrame& frame);
 
  private:
-  enum Part { Loops, Faces, HoveredFace, Points, Lines, Section, Preview, kParts };
+  enum Part { Loops, Faces, HoveredFace, Points, Lines, Section, Preview, SelectedEdges, kParts };
 
   void rebuildStale();
   void rebuildLoops();
@@ -65,6 +65,7 @@ class Marks {
   void rebuildLines();
   void rebuildSection();
   void rebuildPreview();
+  void rebuildSelectedEdges();
   void addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const;
 
   HalfEdgeMesh m_mesh;  // shares pages with the copy of the layer
@@ -77,6 +78,7 @@ class Marks {
   std::vector<SectionMark> m_sectionMarks;
   std::vector<Vec3> m_previewPoints;
   std::vector<Triangle> m_previewTriangles;
+  std::vector<Face> m_outlined;  // of the selected faces, when these are few
   int m_listLoop = -1;
   int m_cursorLoop = -1;
   Face m_hoveredFace = kNone;
@@ -93,6 +95,7 @@ class Marks {
   CasedStrokes m_lines;
   CasedStrokes m_points;
   CasedStrokes m_section;
+  CasedStrokes m_selectedEdges;
 };
 
 }  // namespace handwheel

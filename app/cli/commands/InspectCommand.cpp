@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/InspectCommand.h"
 
+#include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
@@ -12,6 +13,8 @@
 #include "document/mesh/MeshSnapshot.h"
 #include "document/mesh/UnitDoubt.h"
 #include "text/NoteText.h"
+
+#include <cmath>
 
 namespace handwheel {
 
@@ -39,6 +42,21 @@ std::string readableText(const OpenedFile& opened) {
     text += "\n";
   }
   return text;
+}
+
+// The dimensions that a kind tells, a line for each, and how far the document is from its target.
+std::string dimensionsText(const nlohmann::json& described) {
+  std::string text;
+  for (const nlohmann::json& dimension : described.value("dimensions", nlohmann::json::array()))
+    text += "  " + dimension.value("text", std::string()) + "\n";
+  const nlohmann::json target = described.value("target", nlohmann::json());
+  if (!target.is_object()) return text;
+  const nlohmann::json& deviation = target["deviation"];
+  const auto distance = [&](const char* which) {
+    return shownText(std::abs(deviation[which]["distance"].get<double>()));
+  };
+  return text + "  target " + target["source"].get<std::string>() + ": " + distance("largest_over") +
+         " mm too large, " + distance("largest_under") + " mm too small at most\n";
 }
 
 // What every container has.
@@ -115,7 +133,8 @@ int runInspect(const Arguments& arguments, const DocumentKinds& kinds) {
   reportLosses(file);
   const bool json = arguments.has("json");
   if (input.mesh) return print(json ? textOf(meshJson(input, report)) : meshText(input, report));
-  return print(json ? textOf(toJson(input.opened)) : readableText(input.opened));
+  if (json) return print(textOf(toJson(input.opened)));
+  return print(readableText(input.opened) + dimensionsText(input.opened.kind->describe(*input.opened.content)));
 }
 
 }  // namespace handwheel

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh/BatchReport.h"
 
+#include "base/JsonText.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
 #include "document/FileBytes.h"
-#include "document/container/JsonText.h"
 
 #include <algorithm>
 #include <cctype>

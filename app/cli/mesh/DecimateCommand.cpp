@@ -38,6 +38,7 @@ std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return problem;
   if (!problemOf(values).empty()) return sentenceOf(problemOf(values));
   request.options = decimationOptionsOf(values);
+  request.options.measureDistance = true;
   return {};
 }
 
@@ -99,13 +100,14 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
   return done;
 }
 
-std::string readableText(const DecimationReport& report) {
+std::string readableText(const DecimationReport& report, bool isBounded) {
   std::string text =
       "Triangles: " + std::to_string(report.facesBefore) + " before, " + std::to_string(report.facesAfter) + " now.\n";
   if (report.largestDistance) {
-    text += "Largest distance found between original and result: " + roundedText(*report.largestDistance) + " mm.\n" +
-            (report.isProven ? "No point is farther away than --error allows.\n"
-                             : "Between the sampled points, --error is not guaranteed.\n");
+    text += "Largest distance found between original and result: " + roundedText(*report.largestDistance) + " mm.\n";
+    if (isBounded)
+      text += report.isProven ? "No point is farther away than --error allows.\n"
+                              : "Between the sampled points, --error is not guaranteed.\n";
   }
   return text;
 }
@@ -138,7 +140,8 @@ int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
   const Decimated& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  if (const int code = print(readableText(done.report)); code != kExitDone) return code;
+  if (const int code = print(readableText(done.report, request.options.error.has_value())); code != kExitDone)
+    return code;
   if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {
     complain("No triangle was removed: none can be removed within --error. Try a larger one.");
     return kExitSomethingLeft;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh/EditSteps.h"
 
+#include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
@@ -37,7 +38,8 @@ struct Edited {
   DocumentFile file;  // what reading lost
   std::size_t facesBefore = 0;
   std::size_t facesAfter = 0;
-  std::vector<std::string> idle;  // sentences on steps that changed nothing, or not all that they were to
+  std::vector<std::string> idle;     // sentences on steps that changed nothing, or not all that they were to
+  std::vector<std::string> reached;  // lines on what steps have reached
   std::vector<Note> notes;
   std::string refusal;  // why nothing was written
 };
@@ -85,6 +87,15 @@ std::string idleSentence(const Step& step, const StepOutcome& outcome) {
   return sentence.ends_with('.') ? sentence : sentence + ".";
 }
 
+// A thickness that is not reached everywhere, or a distance; empty for other steps.
+std::string reachedLine(const Step& step, const StepOutcome& outcome) {
+  if (outcome.distance)
+    return step.subject + ": largest distance found between the surface before and after " +
+           roundedText(*outcome.distance) + " mm.\n";
+  if (outcome.sheets.leftCount() > 0 || outcome.sheets.thickness.thinVertices == 0) return {};
+  return step.subject + ": " + sheetsText(outcome.sheets, LengthUnit::Millimetre).toStdString() + ".\n";
+}
+
 // Error: of the step concerned.
 Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const DocumentKinds& kinds, Edited& done,
                   Progress progress) {
@@ -101,6 +112,7 @@ Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const 
       error.position = steps[i].place;
       return error;
     }
+    if (const std::string line = reachedLine(steps[i], *outcome); !line.empty()) done.reached.push_back(line);
     if (!outcome->changed || outcome->sheets.leftCount() > 0) done.idle.push_back(idleSentence(steps[i], *outcome));
   }
   return Done{};
@@ -186,8 +198,10 @@ int runEdit(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!done.refusal.empty()) return refuse(done.refusal);
   for (const Note& note : done.notes) complain(noteText(note).toStdString());
   for (const std::string& sentence : done.idle) complain(sentence);
-  const int code = print("Triangles: " + std::to_string(done.facesBefore) + " before, " +
-                         std::to_string(done.facesAfter) + " now.\n");
+  std::string text =
+      "Triangles: " + std::to_string(done.facesBefore) + " before, " + std::to_string(done.facesAfter) + " now.\n";
+  for (const std::string& line : done.reached) text += line;
+  const int code = print(text);
   if (code != kExitDone) return code;
   return done.idle.empty() ? kExitDone : kExitSomethingLeft;
 }

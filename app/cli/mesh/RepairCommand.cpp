@@ -27,8 +27,12 @@ constexpr double kToldRounding = 1e-6;
 
 std::string summary(const RepairRun& run, const RepairRequest& request) {
   const HoleCounts counts = countHoles(run.repair);
-  return filledText(counts.filled, counts.holes) + ". " + request.output.string() + ": " +
-         stateText(run.after).toStdString() + ".\n" + changesLine(run.repair);
+  std::string text = filledText(counts.filled, counts.holes);
+  if (counts.closedSheetEdges > 0)
+    text += ", " + std::to_string(counts.closedSheetEdges) + " of " + std::to_string(counts.sheetEdges) +
+            (counts.sheetEdges == 1 ? " sheet edge" : " sheet edges") + " closed";
+  return text + ". " + request.output.string() + ": " + stateText(run.after).toStdString() + ".\n" +
+         changesLine(run.repair);
 }
 
 // What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.

@@ -35,7 +35,10 @@ std::string methodWord(FillMethod method) {
 
 Json toJson(const SheetThickness& thickness) {
   if (thickness.largest == 0.0) return nullptr;
-  return {{"least", thickness.least}, {"largest", thickness.largest}};
+  return {{"least", thickness.least},
+          {"largest", thickness.largest},
+          {"vertices", thickness.vertices},
+          {"thin_vertices", thickness.thinVertices}};
 }
 
 bool isOfSheet(FillFailure reason) {
@@ -47,6 +50,7 @@ Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
   return {
       {"id", loop.id},
+      {"rim", loop.rim},
       {"edges", loop.edges},
       {"outcome", wordFor(loop.outcome)},
       {"method", filled ? Json(methodWord(loop.method)) : Json(nullptr)},
@@ -126,10 +130,11 @@ std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
 HoleCounts countHoles(const RepairReport& repair) {
   HoleCounts counts;
   for (const LoopResult& loop : repair.loops) {
+    if (loop.id < 0) continue;  // opened by the repair itself; what is still open is told apart
     const bool isFilled = loop.outcome == LoopOutcome::Filled;
-    if (isFilled ? loop.method == FillMethod::ThickenedSheet : isOfSheet(loop.reason)) continue;
-    ++counts.holes;
-    counts.filled += isFilled;
+    if (isFilled ? loop.method == FillMethod::ThickenedSheet : !loop.rim && isOfSheet(loop.reason)) continue;
+    ++(loop.rim ? counts.sheetEdges : counts.holes);
+    (loop.rim ? counts.closedSheetEdges : counts.filled) += isFilled;
   }
   return counts;
 }

@@ -17,11 +17,13 @@ nlohmann::ordered_json toJson(const RepairRun& run, const RepairRequest& request
 // "left-open"; "left" counts the defects that keep the file from being closed, and "reason" describes the first.
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request);
 
-// The holes of a repair, and how many of them were filled. The outer edge of a sheet is no hole, nor is it filled by a
-// back.
+// The holes of the input, and how many of them were filled. The outer edges of its sheets are counted apart; those that
+// a thickening closed are not counted.
 struct HoleCounts {
   std::size_t holes = 0;
   std::size_t filled = 0;
+  std::size_t sheetEdges = 0;
+  std::size_t closedSheetEdges = 0;
 };
 HoleCounts countHoles(const RepairReport& repair);
 

@@ -7,11 +7,21 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/TipTrajectory.h"
+#include "cli/workpiece/ForceCommand.h"
+#include "cli/workpiece/ProgramCommand.h"
 #include "cli/workpiece/RecordedPasses.h"
+#include "cli/workpiece/TargetCommand.h"
+#include "cli/workpiece/TrainCommand.h"
+#include "cli/workpiece/TurnRequest.h"
+#include "cli/workpiece/TurnedFigures.h"
 #include "document/FileBytes.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/exercise/ExerciseStock.h"
 #include "haptics/recording/RecordingCsv.h"
 #include "machining/TurningFidelity.h"
+#include "machining/force/WorkMaterials.h"
+#include "machining/program/ProgramInterpreter.h"
+#include "machining/program/ProgramSimulation.h"
 #include "text/NoteText.h"
 
 #include <cmath>
@@ -21,40 +31,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLeastSpacing = 1e-6, kLargestSpacing = 1e3;  // mm
+constexpr double kRecordedNose = 1.0;  // mm, unless another is given
 constexpr const char* kTouchesNothing = "The path does not touch the part.";
 
-struct TurnRequest {
-  std::filesystem::path input, path, output;
-  double noseRadius = 1.0;
-  double spacing = turnSpacingSetting().standard;
-  bool isReplay = false;
-  bool asJson = false;
-};
-
-std::string readLength(const Arguments& arguments, const char* name, double least, double largest, double& value) {
-  if (!arguments.has(name)) return {};
-  if (readNumber(arguments.valueOf(name), value) && value >= least && value <= largest) return {};
-  return std::string("--") + name + " takes a length in mm from " + shortestText(least) + " to " +
-         shortestText(largest) + ".";
-}
-
-// Returns what is wrong with the words, or nothing.
-std::string readRequest(const Arguments& arguments, TurnRequest& request) {
-  request.input = arguments.operands[0];
-  request.path = arguments.valueOf("path");
-  request.output = arguments.valueOf("output");
-  request.isReplay = arguments.has("replay");
-  request.asJson = arguments.has("json");
-  if (request.isReplay == arguments.has("path")) return "Give either --path P.csv or --replay.";
-  if (!request.isReplay && !arguments.has("output")) return "The option -o OUT is missing.";
-  if (request.isReplay && arguments.has("output")) return "--replay writes nothing: leave out -o.";
-  if (std::string problem =
-          readLength(arguments, "nose-radius", TurningPass::kLeastNose, TurningPass::kLargestNose, request.noseRadius);
-      !problem.empty())
-    return problem;
-  return readLength(arguments, "spacing", kLeastSpacing, kLargestSpacing, request.spacing);
-}
+constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
 
 // A path is one pass: its distance from the axis and its height above the lower end of the bar.
 Result<std::vector<TurningPass>> passAlong(const std::vector<HandPose>& poses, double noseRadius, double base) {
@@ -88,22 +68,22 @@ Result<std::vector<TurningPass>> passesIn(std::string_view text, const TurnReque
   if (isRecordingCsv(text)) {
     const Result<Recording> recording = recordingFromCsv(text, progress);
     if (!recording) return recording.error();
-    return passesOf(*recording, request.noseRadius, base);
+    return passesOf(*recording, request.noseRadius.value_or(kRecordedNose), base);
   }
   const TipTrajectory path = readTipTrajectory(text);
-  if (path.problem.empty()) return passAlong(path.poses, request.noseRadius, base);
+  if (path.problem.empty()) return passAlong(path.poses, request.noseRadius.value_or(kRecordedNose), base);
   problem = missingColumns(text, path.problem);
   return std::vector<TurningPass>();
 }
 
 Result<std::vector<TurningPass>> readPasses(const TurnRequest& request, double base, std::string& problem,
                                             Progress progress) {
-  const Result<std::string> text = readFileBytes(request.path);
+  const Result<std::string> text = readFileBytes(request.recording);
   Result<std::vector<TurningPass>> passes =
       text ? passesIn(*text, request, base, problem, progress) : Result<std::vector<TurningPass>>(text.error());
   if (passes) return passes;
   Error error = passes.error();
-  error.subject = request.path.string();
+  error.subject = request.recording.string();
   return error;
 }
 
@@ -123,20 +103,23 @@ std::size_t passCount(const WorkpieceSnapshot& workpiece) {
   return workpiece.part ? workpiece.part->passes.size() : 0;
 }
 
-std::string report(const WorkpieceSnapshot& workpiece, const TurnRequest& request, std::optional<bool> isSame) {
-  const double volume = workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
-  const double removed = workpiece.stock.volume() - volume;
+double volumeOf(const WorkpieceSnapshot& workpiece) {
+  return workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+}
+
+std::string replayReport(const WorkpieceSnapshot& workpiece, bool isSame, bool asJson) {
   const std::size_t passes = passCount(workpiece);
-  if (request.asJson) {
-    nlohmann::json json = {{"passes", passes}, {"volume", volume}, {"removed", removed}};
-    if (isSame) json["same"] = *isSame;
-    return json.dump(2) + "\n";
-  }
-  std::string text = "Passes: " + std::to_string(passes) + ". Volume: " + roundedText(volume) + " mm³, " +
-                     roundedText(removed) + " mm³ removed from the bar.\n";
-  if (isSame)
-    text += *isSame ? "Replayed, the passes give the same part.\n" : "Replayed, the passes give a different part.\n";
-  return text;
+  if (asJson)
+    return nlohmann::ordered_json{{"passes", passes}, {"volume_mm3", volumeOf(workpiece)}, {"same", isSame}}.dump(2) +
+           "\n";
+  return "Passes: " + std::to_string(passes) + ". Volume: " + roundedText(volumeOf(workpiece)) + " mm³.\n" +
+         (isSame ? "Replayed, the passes give the same part.\n" : "Replayed, the passes give a different part.\n");
+}
+
+std::string report(const WorkpieceSnapshot& workpiece, const TurnedFigures& figures, bool asJson) {
+  if (asJson) return figuresAsJson(figures);
+  return "Passes: " + std::to_string(passCount(workpiece)) + ". Volume: " + roundedText(volumeOf(workpiece)) +
+         " mm³. " + figuresAsText(figures);
 }
 
 const WorkpieceSnapshot* workpieceIn(const OpenedFile& opened) {
@@ -153,76 +136,203 @@ bool repeats(const WorkpieceSnapshot& workpiece, Progress progress) {
   return profile == workpiece.part->profile;
 }
 
+// The bar that the first word names, or the file; of an exercise the bar that students begin with. exercise: where its
+// task is put.
+Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& kinds,
+                             std::optional<ExerciseStock>& exercise, Progress progress) {
+  const std::optional<StockCylinder> stock = stockOf(request.input);
+  const DocumentKind& kind = *kinds.withId("workpiece");
+  OpenedFile opened = DocumentKinds::blank(kind);
+  if (!stock) {
+    Result<OpenedFile> file = kinds.open(request.input, {}, progress);
+    if (file) exercise = exerciseStock(*file->content);
+    if (!exercise) return file;
+    opened.content = std::make_shared<const WorkpieceSnapshot>(exercise->bar);
+    return opened;
+  }
+  auto workpiece = std::make_shared<WorkpieceSnapshot>();
+  workpiece->stock = *stock;
+  workpiece->mesh = std::make_shared<const StockMesh>(*stock, workpiece->chord);
+  opened.content = std::move(workpiece);
+  return opened;
+}
+
+Result<ProgramSetup> setupOf(const TurnRequest& request, const StockCylinder& stock) {
+  ProgramSetup setup;
+  setup.dialect = request.dialect;
+  setup.standard = {request.noseRadius.value_or(0.0), outsideOrientation(request.dialect), {0, 0}};
+  setup.reference = {0.5 * stock.diameter + kHomeDistance, kHomeDistance};
+  if (request.tools.empty()) return setup;
+  const Result<std::string> text = readFileBytes(request.tools);
+  if (!text) return text.error();
+  Result<std::map<int, ProgramTool>> tools = readToolTable(*text);
+  if (!tools) {
+    Error error = tools.error();
+    error.subject = request.tools.string();
+    return error;
+  }
+  setup.tools = std::move(tools.value());
+  return setup;
+}
+
+// The workpiece after a program. Notes and collisions go to stderr.
+Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
+                                        std::vector<std::string>& remarks, Progress progress) {
+  const Result<std::string> text = readFileBytes(request.program);
+  if (!text) return text.error();
+  const Result<ProgramSetup> setup = setupOf(request, workpiece.stock);
+  if (!setup) return setup.error();
+  const Result<ToolPath> path = runProgram(*text, *setup, progress.part(0.0, 0.3));
+  if (!path) {
+    Error error = path.error();
+    error.subject = request.program.string();
+    return error;
+  }
+  CuttingEdge edge;
+  if (request.noseRadius) edge.noseRadius = request.noseRadius;
+  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
+  const TurnedPart before = partOf(workpiece, request.spacing);
+  ProgramSimulation simulation(before.profile, *path, *setup, model.get());
+  if (!simulation.run(progress.part(0.3, 1.0))) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const ForcePeaks peaks = simulation.peaks();
+  figures.force = peaks.force;
+  figures.power = peaks.power;
+  figures.collisions = simulation.collisionCount();
+  figures.time = path->time;
+  for (const ToolPath::Note& note : path->notes)
+    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
+  for (const ProgramCollision& collision : simulation.collisions())
+    remarks.push_back("line " + std::to_string(collision.line) +
+                      (collision.kind == ProgramCollision::Kind::Chuck ? ": collision with the chuck."
+                                                                       : ": rapid move through material."));
+  std::vector<TurningPass> passes = simulation.takePasses();
+  if (passes.empty()) return workpiece;
+  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes};
+  for (TurningPass& pass : passes) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  workpiece.part = std::make_shared<const TurnedPart>(std::move(part));
+  return workpiece;
+}
+
+// The workpiece after a recording, whose forces are those at one speed of the spindle.
+Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
+                                          TurnedFigures& figures, std::string& unreadable, Progress progress) {
+  Result<std::vector<TurningPass>> passes =
+      readPasses(request, workpiece.stock.position, unreadable, progress.part(0.0, 0.2));
+  if (!passes) return passes.error();
+  CuttingEdge edge;
+  edge.noseRadius = request.noseRadius.value_or(kRecordedNose);
+  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
+  const std::optional<ForcePeaks> peaks = forcePeaks(partOf(workpiece, request.spacing).profile, *passes,
+                                                     {request.spindle, 0.0}, *model, progress.part(0.2, 0.5));
+  if (!peaks) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  figures.force = peaks->force;
+  figures.power = peaks->power;
+  for (const TurningPass& pass : *passes) figures.time += pass.times.empty() ? 0.0 : pass.times.back();
+  return turn(workpiece, std::move(passes.value()), request.spacing, progress.part(0.5, 1.0));
+}
+
+int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
+  bool isSame = false, isCancelled = false;
+  runInterruptible("Turning", [&](CommandJob& job) {
+    isSame = repeats(workpiece, job.progress());
+    isCancelled = job.progress().cancelled();
+  });
+  if (isCancelled) return fail(Error{ErrorCode::Cancelled, {}, {}, {}});
+  const int code = print(replayReport(workpiece, isSame, asJson));
+  return code == kExitDone && !isSame ? kExitSomethingLeft : code;
+}
+
 }  // namespace
 
 int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   TurnRequest request;
-  if (const std::string problem = readRequest(arguments, request); !problem.empty()) return failUsage(problem, "turn");
+  if (const std::string problem = readTurnRequest(arguments, request); !problem.empty())
+    return failUsage(problem, "turn");
   std::optional<Result<OpenedFile>> opened;
-  runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(request.input, {}, job.progress()); });
+  std::optional<ExerciseStock> exercise;
+  runInterruptible("Reading", [&](CommandJob& job) { opened = openInput(request, kinds, exercise, job.progress()); });
   if (!*opened) return fail(opened->error());
   const OpenedFile& file = opened->value();
   const WorkpieceSnapshot* const given = workpieceIn(file);
-  if (!given) return refuse(request.input.string() + " is not a workpiece: only workpieces can be turned.");
+  if (!given) return refuse(request.input + " is not a workpiece: only workpieces can be turned.");
   reportLosses(file.file);
-
-  std::optional<Error> problem;
-  if (request.isReplay) {
-    bool isSame = false;
-    runInterruptible("Turning", [&](CommandJob& job) {
-      isSame = repeats(*given, job.progress());
-      if (job.progress().cancelled()) problem = Error{ErrorCode::Cancelled, {}, {}, {}};
-    });
-    if (problem) return fail(*problem);
-    const int code = print(report(*given, request, isSame));
-    return code == kExitDone && !isSame ? kExitSomethingLeft : code;
-  }
+  if (request.isReplay) return replay(*given, request.asJson);
 
   if (const std::string refusal = refusalToReplace(request.output, file.file); !refusal.empty()) return refuse(refusal);
   std::string unreadable;
+  std::vector<std::string> remarks;
+  TurnedFigures figures;
+  std::optional<Result<TargetProfile>> target;
   std::optional<Result<WorkpieceSnapshot>> turned;
   std::optional<Result<WrittenFile>> written;
   runInterruptible("Turning", [&](CommandJob& job) {
-    Result<std::vector<TurningPass>> passes =
-        readPasses(request, given->stock.position, unreadable, job.progress().part(0.0, 0.2));
-    turned = passes ? turn(*given, std::move(passes.value()), request.spacing, job.progress().part(0.2, 0.7))
-                    : Result<WorkpieceSnapshot>(passes.error());
+    if (!request.target.empty()) target = readTarget(request.target, kinds, job.progress().part(0.0, 0.1));
+    const Progress cutting = job.progress().part(0.1, 0.7);
+    turned = request.program.empty() ? turnByRecording(*given, request, figures, unreadable, cutting)
+                                     : turnByProgram(*given, request, figures, remarks, cutting);
     if (*turned && passCount(turned->value()) > passCount(*given))
       written = saveDocument(*file.kind, file.file, turned->value(), request.output, job.progress().part(0.7, 1.0));
   });
+  if (target && !*target) return fail(target->error());
   if (!*turned) return fail(turned->error());
-  if (!unreadable.empty()) return refuse(request.path.string() + ": " + unreadable);
+  if (!unreadable.empty()) return refuse(request.recording.string() + ": " + unreadable);
+  const WorkpieceSnapshot& after = turned->value();
+  figures.removed = volumeOf(*given) - volumeOf(after);
+  const TurnedProfile profile = partOf(after, request.spacing).profile;
+  if (target)
+    figures.profileError = profileError(target->value(), profile);
+  else if (exercise && exercise->task->target)
+    figures.profileError = targetError(*exercise, profile);
+  const std::string source = request.program.string();
+  for (const std::string& remark : remarks) complain(source + ", " + remark);
   if (!written) {
     complain(kTouchesNothing);
+    if (!request.program.empty()) print(report(after, figures, request.asJson));
     return kExitSomethingLeft;
   }
   if (!*written) return fail(written->error());
   for (const Note& note : written->value().notes) complain(noteText(note).toStdString());
-  return print(report(turned->value(), request, {}));
+  return print(report(after, figures, request.asJson));
 }
 
 std::vector<Command> workpieceCommands() {
   return {
       {{"turn",
-        "IN",
-        "Cuts a workpiece on a lathe along a recorded path of the tool.\n"
-        "P.csv has the columns t_s,x_mm,y_mm,z_mm: the centre of the tool nose, of one pass. Or it is a recording that "
-        "the\n"
-        "window has exported, in the coordinates of the document: each press of the first button is a pass, including\n"
-        "passes discarded with Esc; it does not contain --nose-radius. The part turns about z: only the distance from\n"
-        "that axis matters. Exit code 0: done; 2: the path does not touch the part and nothing is written, or\n"
+        "STOCK",
+        "Cuts a workpiece on a lathe by a program or a recording. STOCK is a workpiece, an exercise, or a bar such as "
+        "cylinder:40x100:\n"
+        "diameter and length in mm, its right end at Z 0, gripped at the left. docs/programs.md lists the words of\n"
+        "programs. R is a recording that the window has exported, in the coordinates of the document, where each "
+        "press\n"
+        "of the first button is a pass; or a table with the columns t_s,x_mm,y_mm,z_mm: the centre of the nose, of "
+        "one\n"
+        "pass. Forces are Kienzle's. Exit code 0: done; 2: the path does not touch the part and nothing is written, "
+        "or\n"
         "--replay found a difference; 1: error.",
         {
-            {"path", 0, "P.csv", "The path of the tool"},
-            {"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"},
-            {"nose-radius", 0, "MM", "Radius of the round tool, 0.05 to 50 (default 1)"},
+            {"program", 0, "P.ngc", "The program that the lathe runs"},
+            {"recording", 0, "R.csv", "The recorded path of the tool", "path"},
+            {"output", 'o', "OUT",
+             "The document to write, .handwheel or an export such as .step or .stl; may be STOCK"},
+            {"dialect", 0, "NAME", "Of the program: linuxcnc (default) or fanuc, system A"},
+            {"nose", 0, "MM",
+             "Nose radius, 0.05 to 50; without it the tool of a program is a point, that of a recording has 1",
+             "nose-radius"},
+            {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
+            {"material", 0, "NAME", "Of the work, for the forces (default medium-carbon-steel)"},
+            {"spindle", 0, "RPM", "Speed of the spindle of a recording, for the forces (default 500)"},
+            {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
             {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
-            {"replay", 0, "", "Replay the passes of IN on its bar and compare the result, bit for bit"},
+            {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},
             {"json", 0, "", "Report as JSON"},
             {"help", 'h', "", "Show this help"},
         },
-        "IN (--path P.csv -o OUT [--nose-radius MM] [--spacing MM] | --replay) [--json]"},
-       runTurn}};
+        "STOCK (--program P.ngc | --recording R.csv) -o OUT [--dialect NAME] [--nose MM] [--material NAME] [--json]"},
+       runTurn},
+      programCommand(),
+      targetCommand(),
+      trainCommand(),
+      forceCommand()};
 }
 
 }  // namespace handwheel

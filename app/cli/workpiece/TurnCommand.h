@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The commands for workpieces: turn.
+// The commands for workpieces: turn, train and force.
 std::vector<Command> workpieceCommands();
 
 // Cuts a workpiece along a recorded path of the tool, or repeats its passes and compares. Returns the exit code.

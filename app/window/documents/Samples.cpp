@@ -11,8 +11,10 @@ namespace handwheel {
 QString samplePath(const QString& name) {
   for (const QString& folder : {QCoreApplication::applicationDirPath() + QStringLiteral("/../share/handwheel/samples"),
                                 QStringLiteral(HANDWHEEL_SOURCE_SAMPLES)}) {
-    const QFileInfo file(QDir(folder), name);
-    if (file.exists()) return file.canonicalFilePath();
+    for (const QString& below : {QStringLiteral("."), QStringLiteral("exercises")}) {
+      const QFileInfo file(QDir(folder + QLatin1Char('/') + below), name);
+      if (file.exists()) return file.canonicalFilePath();
+    }
   }
   return {};
 }

@@ -25,6 +25,7 @@ class FidelityChoice;
 class HapticSession;
 class JobRunner;
 class LogModel;
+class MachineSound;
 class ServoClock;
 class ToolHost;
 class HapticSceneBuilder;
@@ -44,6 +45,7 @@ struct WindowContext {
   LogModel& log;
   Viewport& viewport;
   WindowServices& services;
+  MachineSound& sound;  // of the machine that runs, if a person wants to hear it
   ToolHost& tools;
   FidelityChoice& fidelity;
   HapticSession& haptics;
@@ -52,6 +54,7 @@ struct WindowContext {
   QAction* saveAs;
   std::function<void(const QString& id)> chooseTool;  // of the current document
   std::function<void(const QString& path)> openFile;
+  std::function<DocumentTab*(OpenedFile opened)> openDocument;  // of any kind; makes it current
   std::function<bool()> isPanelVisible;
   QAction* showPanel;
 };

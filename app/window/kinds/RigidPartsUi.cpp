@@ -106,9 +106,13 @@ void RigidPartsUi::feelParts() {
   m_haptics->setParts(isFelt ? m_model : nullptr);
 }
 
+DisplayModel RigidPartsUi::displayed(const Document& document) const {
+  return document.kind().display(*document.snapshot());
+}
+
 void RigidPartsUi::show() {
   const Document& document = m_document->document;
-  m_model = std::make_shared<const DisplayModel>(document.kind().display(*document.snapshot()));
+  m_model = std::make_shared<const DisplayModel>(displayed(document));
   showParts();
   feelParts();
   refreshPanel();

@@ -39,12 +39,14 @@ class RigidPartsUi : public KindUi {
   void setFelt(bool isFelt);
   // The properties in the panel of the kind. By default those of its groups.
   virtual std::vector<Property> panelProperties(const Document& document) const;
+  // What is displayed of the document. By default what its kind says.
+  virtual DisplayModel displayed(const Document& document) const;
+  void show();  // after it changed
   PartsLayer& layer() { return *m_layer; }
   void refreshPanel();
   std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
 
  private:
-  void show();
   void showParts();
   void feelParts();
 

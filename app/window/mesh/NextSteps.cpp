@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/NextSteps.h"
 
+#include "panels/defects/RepairAccount.h"
 #include "text/RepairText.h"
 #include "theme/DefectColours.h"
 #include "theme/Theme.h"
@@ -21,24 +22,11 @@ struct NextStepsWords {
   Q_DECLARE_TR_FUNCTIONS(NextSteps)
 };
 
-struct Finding {
-  DefectKind kind;
-  QString (*phrase)(int);
-};
-
-// What may be wrong. What was turned over on opening is mended.
-constexpr Finding kFindings[] = {
-    {DefectKind::Hole, [](int n) { return NextStepsWords::tr("%Ln hole(s)", nullptr, n); }},
-    {DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); }},
-    {DefectKind::NonManifoldVertex,
-     [](int n) { return NextStepsWords::tr("%Ln non-manifold vertex(ices)", nullptr, n); }},
-    {DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln one-sided edge(s)", nullptr, n); }},
-    {DefectKind::InsideOut, [](int n) { return NextStepsWords::tr("%Ln body(ies) inside out", nullptr, n); }},
-    {DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); }},
-    {DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln degenerate triangle(s)", nullptr, n); }},
-    {DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); }},
-    {DefectKind::SelfIntersection, [](int n) { return NextStepsWords::tr("%Ln self-intersection(s)", nullptr, n); }},
-    {DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln piece(s) of debris", nullptr, n); }},
+// What may be wrong besides holes. What was reversed on opening is no defect any more.
+constexpr DefectKind kFindings[] = {
+    DefectKind::NonManifoldEdge, DefectKind::NonManifoldVertex, DefectKind::OneSided,
+    DefectKind::InsideOut,       DefectKind::NearVertex,        DefectKind::Degenerate,
+    DefectKind::Duplicate,       DefectKind::SelfIntersection,  DefectKind::Debris,
 };
 
 QString sentence(const QStringList& parts) {
@@ -50,31 +38,17 @@ enum class Compared { No, Yes };
 // "3 non-manifold edges, 1 piece of debris.": what is wrong besides the holes; without what comparison() says.
 QString otherFindings(const Inspection& inspection, Compared compared) {
   QStringList parts;
-  for (const Finding& finding : kFindings) {
-    const auto n = static_cast<int>(inspection.count(finding.kind));
-    const bool isSaid = compared == Compared::Yes && inspection.countBefore(finding.kind);
-    if (n > 0 && finding.kind != DefectKind::Hole && !isSaid) parts << finding.phrase(n);
+  for (const DefectKind kind : kFindings) {
+    const std::size_t n = inspection.count(kind);
+    const bool isSaid = compared == Compared::Yes && inspection.countBefore(kind);
+    if (n > 0 && !isSaid) parts << defectPhrase(kind, n);
   }
   return sentence(parts);
 }
 
 // "168 of 172 self-intersections removed, new: 2 non-manifold edges.": what the repair has changed.
 QString comparison(const Inspection& inspection) {
-  QStringList removed, fresh;
-  for (const Finding& finding : kFindings) {
-    const std::optional<std::size_t> before = inspection.countBefore(finding.kind);
-    if (!before) continue;
-    const auto was = static_cast<int>(*before), is = static_cast<int>(inspection.count(finding.kind));
-    if (is > was) {
-      fresh << finding.phrase(is - was);
-    } else {
-      const QString done = QLocale().toString(was - is), all = finding.phrase(was);
-      removed << (finding.kind == DefectKind::Hole ? NextStepsWords::tr("%1 of %2 closed").arg(done, all)
-                                                   : NextStepsWords::tr("%1 of %2 removed").arg(done, all));
-    }
-  }
-  if (!fresh.isEmpty()) removed << NextStepsWords::tr("new: %1").arg(fresh.join(QStringLiteral(", ")));
-  return sentence(removed);
+  return sentence(repairAccount(inspection));
 }
 
 // "Hole 3 stays open: every patch would cross the part." for the first few.
@@ -202,11 +176,13 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   // Not once that is undone, or anything else was changed: then it may do something.
   if (document.repairedRevision == document.document.revision()) return leftStep(document, actions);
   const bool holes = !inspection.holes().empty();
+  const QString changes = comparison(inspection);
   NextStep step{
       holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
       holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
       headline(inspection),
-      joined({holes ? openSheets(inspection) : QString(), otherFindings(inspection, Compared::No), savedAs(document)}),
+      joined({changes, holes ? openSheets(inspection) : QString(),
+              otherFindings(inspection, changes.isEmpty() ? Compared::No : Compared::Yes), savedAs(document)}),
       {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);

@@ -6,6 +6,7 @@
 #include "mesh/structure/FaceComponents.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
+#include "panels/defects/RepairAccount.h"
 #include "proximity/SelfIntersection.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
@@ -46,8 +47,16 @@ std::vector<std::pair<Vertex, FillFailure>> failuresOfOthers(const Inspection& i
   return failures;
 }
 
-bool isDeletion(const MeshChange& change) {
-  return change.step.starts_with("delete ");
+// Why a repair leaves defects of these kinds.
+std::map<DefectKind, QString> reasonsOf(const Inspection& inspection) {
+  const auto text = [](const char* reason) { return QCoreApplication::translate("Tool", reason); };
+  std::map<DefectKind, QString> reasons{
+      {DefectKind::NonManifoldEdge, text(kNotSeparable)}, {DefectKind::NonManifoldVertex, text(kNotSeparable)},
+      {DefectKind::NearVertex, text(kClosesNothing)},     {DefectKind::Duplicate, text(kPlateSides)},
+      {DefectKind::OneSided, text(kNoCleanCut)},
+  };
+  std::erase_if(reasons, [&](const auto& entry) { return inspection.count(entry.first) == 0; });
+  return reasons;
 }
 
 // The connected parts of a mesh of which another version has no face any more. 0 if cancelled.
@@ -60,11 +69,6 @@ std::size_t countGone(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Pro
   for (Face f = 0; f < before.faceSlots(); ++f)
     if (before.isLive(f) && after.isLive(f)) isLeft[components.of(f)] = true;
   return static_cast<std::size_t>(std::count(isLeft.begin(), isLeft.end(), false));
-}
-
-std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
-  return static_cast<std::size_t>(std::count_if(report.loops.begin(), report.loops.end(),
-                                                [outcome](const LoopResult& l) { return l.outcome == outcome; }));
 }
 
 }  // namespace
@@ -155,13 +159,15 @@ void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) 
   const QString text = QCoreApplication::translate("Tool", wanted.text);
   Job job;
   job.name = text;
-  job.work = [this, document, revision, round, wanted, text, nearWeld = nearWeld(),
+  const bool isSearched = document->inspection.selfIntersections().has_value();
+  job.work = [this, document, revision, round, wanted, text, isSearched, nearWeld = nearWeld(),
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     wanted.apply(result, progress.part(0.0, 0.5));
     Changed change;
     if (wanted.crossed) change.crossings = intersectionsChange(mesh, result, progress.part(0.4, 0.5));
-    if (isDeletion(wanted)) change.bodiesGone = countGone(mesh, result, progress.part(0.4, 0.5));
+    if (wanted.isDeletion) change.bodiesGone = countGone(mesh, result, progress.part(0.4, 0.5));
+    if (wanted.isFix && isSearched) change.pairs = findSelfIntersections(result, progress.part(0.45, 0.5));
     change.facesGone = mesh.liveFaceCount() - std::min(mesh.liveFaceCount(), result.liveFaceCount());
     if (progress.cancelled()) return {};
     return [this, document, revision, round, wanted, text, change,
@@ -183,9 +189,13 @@ void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) 
 void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
                          const Changed& change) {
   const auto& crossings = change.crossings;
-  const auto known = document->inspection.selfIntersections();
+  Inspection& inspection = document->inspection;
+  const auto known = inspection.selfIntersections();
+  const auto before = inspection.counts();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
+    if (change.pairs) inspection.setSelfIntersections(document->document.revision(), *change.pairs);
+    if (wanted.isFix) inspection.setBefore(before);
     logChange(*document, wanted, text, command);
     if (change.bodiesGone > 0) reportBodiesGone(document, change);
     if (!crossings) return;
@@ -224,10 +234,30 @@ void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, cons
     m_log.add(tr("%1: %2: %3").arg(name, text, how), command, LogEntry::Weight::Warning);
     emit changedPartly(&document, text, how);
   } else if (done.sheets && done.sheets->thickened > 0) {
-    m_log.add(tr("%1: %2 by %3").arg(name, text, thicknessText(done.sheets->thickness, unit)), command);
+    const QString how = thicknessText(done.sheets->thickness, unit);
+    m_log.add(tr("%1: %2 by %3").arg(name, text, how), command);
+    if (done.sheets->thickness.thinVertices > 0) emit message(changeMessage(document, text, how));
+  } else if (done.distance && *done.distance) {
+    const QString how =
+        tr("largest distance found between the surface before and after %1").arg(lengthText(**done.distance, unit));
+    m_log.add(tr("%1: %2: %3").arg(name, text, how), command);
+    emit message(changeMessage(document, text, how));
+  } else if (const QStringList account = repairAccount(document.inspection); done.isFix && !account.isEmpty()) {
+    m_log.add(tr("%1: %2: %3").arg(name, text, account.join(QStringLiteral(", "))), command);
+    emit message(changeMessage(document, text, account.join(QStringLiteral(", "))));
   } else {
     m_log.add(tr("%1: %2").arg(name, text), command);
   }
+}
+
+// What a change did, until the next one.
+Message RepairJobs::changeMessage(const MeshTab& document, const QString& text, const QString& how) {
+  const MeshDocument& mesh = document.document;
+  return {.weight = Message::Weight::Info,
+          .title = text,
+          .detail = how.left(1).toUpper() + how.mid(1) + QLatin1Char('.'),
+          .about = &mesh,
+          .isOver = [&mesh, then = mesh.revision()] { return mesh.revision() != then; }};
 }
 
 void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {
@@ -250,17 +280,20 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
   options.keepOpen = keptLoops(document->document);
   Job job;
   job.name = tr("Repairing %1").arg(document->document.name());
-  job.work = [this, document, revision, round, options,
+  const bool isSearched = document->inspection.selfIntersections().has_value();
+  job.work = [this, document, revision, round, options, isSearched,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     const auto report = std::make_shared<RepairReport>();
     const MeshChange wanted = repairChange(options, report);
-    wanted.apply(result, progress.part(0.0, 0.9));
-    if (report->cancelled) return {};
-    return [this, document, revision, round, options, step = wanted.step, report,
+    wanted.apply(result, progress.part(0.0, 0.85));
+    std::optional<FacePairs> pairs;
+    if (isSearched && !report->cancelled) pairs = findSelfIntersections(result, progress.part(0.85, 0.9));
+    if (report->cancelled || progress.cancelled()) return {};
+    return [this, document, revision, round, options, step = wanted.step, report, pairs = std::move(pairs),
             after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 1.0))] {
       if (!m_tabs.contains(document)) return;
-      if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step});
+      if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step, pairs});
       reportStale(*document, round);
       if (round == Round::First) startRepair(document, Round::Second);
     };
@@ -272,36 +305,40 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   Inspection& inspection = document->inspection;
   const auto failures = failuresOf(inspection, done.report);
   const auto before = inspection.counts();
-  logRepair(*document, done);
+  const QString command = document->isAsInFile() ? repairCommand(document->document.path(), done.options)
+                                                 : stepCommand(*document, done.step);
+  std::map<int, QString> names;
+  for (const LoopResult& loop : done.report.loops)
+    if (loop.id >= 0) names[loop.id] = inspection.loopName(loop.id);
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
+  if (isChanged && done.pairs) inspection.setSelfIntersections(document->document.revision(), *done.pairs);
   document->repairedRevision = document->document.revision();
   document->hasRepairChanged = isChanged;
   inspection.setFailures(failures);
   inspection.setFailures(failuresOfOthers(inspection, done.report));
-  if (isChanged) return inspection.setCountsBefore(before);
-  QString why = tr("The remaining defects could not be repaired without damage. The list of defects shows them.");
-  if (!inspection.holes().empty()) why += QLatin1Char(' ') + tr("The log says why holes stay open.");
-  emit changedNothing(document, tr("Repair all"), why);
+  if (isChanged) inspection.setBefore(before, repairSummary(done.report, document->document.displayUnit()));
+  inspection.setReasons(reasonsOf(inspection));
+  logRepair(*document, done, names, command);
+  if (!isChanged)
+    emit changedNothing(
+        document, tr("Repair all"),
+        tr("The remaining defects could not be repaired without damage. The list of defects gives the reasons."));
 }
 
-void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
-  const RepairReport& report = done.report;
-  const std::size_t kept = countOf(report, LoopOutcome::KeptOpen);
-  QStringList parts{tr("%1 of %n hole(s) filled", nullptr, static_cast<int>(report.loops.size() - kept))
-                        .arg(countOf(report, LoopOutcome::Filled))};
-  if (kept > 0) parts << tr("%1 kept open").arg(kept);
-  parts << repairSummary(report, document.document.displayUnit());
-  m_log.add(
-      tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
-      document.isAsInFile() ? repairCommand(document.document.path(), done.options) : stepCommand(document, done.step));
-  for (const LoopResult& loop : report.loops) {
+// names: of the loops that there were.
+void RepairJobs::logRepair(const MeshTab& document, const Repaired& done, const std::map<int, QString>& names,
+                           const QString& command) {
+  const QStringList account = repairAccount(document.inspection);
+  m_log.add(account.isEmpty() ? tr("Repaired %1: nothing was changed").arg(document.document.name())
+                              : tr("Repaired %1: %2").arg(document.document.name(), account.join(QStringLiteral(", "))),
+            command);
+  for (const LoopResult& loop : done.report.loops) {
+    const QString name = loop.id >= 0 ? names.at(loop.id) : tr("A hole opened by the repair");
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
     if (loop.id >= 0 && !warning.isEmpty())
-      m_log.add(tr("Look at the patch of %1: %2").arg(document.inspection.loopName(loop.id), warning), {},
-                LogEntry::Weight::Warning);
-    if (loop.outcome != LoopOutcome::Failed) continue;
-    const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole opened by the repair");
-    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
+      m_log.add(tr("Look at the patch of %1: %2").arg(name, warning), {}, LogEntry::Weight::Warning);
+    if (loop.outcome == LoopOutcome::Failed)
+      m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
   }
 }
 

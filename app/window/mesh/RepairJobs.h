@@ -5,12 +5,14 @@
 #include "mesh/defects/Defects.h"
 #include "mesh/repair/Repair.h"
 #include "mesh/search/LocalIntersections.h"
+#include "panels/defects/Inspection.h"
 #include "tools/mesh/MeshServices.h"
 #include "window/mesh/HoleFillerCache.h"
 #include "window/mesh/HolePreview.h"
 
 #include <QObject>
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -65,6 +67,7 @@ class RepairJobs : public QObject {
     std::optional<IntersectionsChange> crossings;
     std::size_t bodiesGone = 0;  // connected parts of which nothing is left; of a deletion
     std::size_t facesGone = 0;
+    std::optional<FacePairs> pairs;  // that intersect then; of a fix
   };
   void changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
                const Changed& change);
@@ -81,9 +84,12 @@ class RepairJobs : public QObject {
     RepairReport report;
     RepairOptions options;
     std::string step;
+    std::optional<FacePairs> pairs;  // that intersect then, where that is known of the mesh before
   };
   void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
-  void logRepair(const MeshTab& document, const Repaired& done);
+  void logRepair(const MeshTab& document, const Repaired& done, const std::map<int, QString>& names,
+                 const QString& command);
+  static Message changeMessage(const MeshTab& document, const QString& text, const QString& how);
   void reportCrossings(const MeshTab& document, const IntersectionsChange& crossings);
   void reportStale(const MeshTab& document, Round round);
   void start(const DocumentTab* document, Job job);

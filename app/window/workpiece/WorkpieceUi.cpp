@@ -8,9 +8,11 @@
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
 #include "theme/Theme.h"
+#include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/camera/CameraNavigation.h"
+#include "window/JobRunner.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -18,6 +20,7 @@
 #include "window/tools/ToolHost.h"
 
 #include <QLocale>
+#include <QSplitter>
 #include <cmath>
 #include <utility>
 
@@ -50,11 +53,41 @@ bool isInView(const Viewport& view, const StockCylinder& stock) {
 
 }  // namespace
 
-WorkpieceUi::WorkpieceUi(const WindowContext& window) : RigidPartsUi(window, {"Stock"}) {
+WorkpieceUi::WorkpieceUi(const WindowContext& window)
+    : RigidPartsUi(window, {"Stock"}), m_target(window, this), m_lathe(window, this), m_panel(makePanel()) {
+  connect(&m_target, &TargetView::message, this, &KindUi::message);
+  connect(&m_target, &TargetView::shownChanged, this, [this] {
+    if (this->document()) show();
+  });
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
   // When the tool shows the change, too, and it is in the history.
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::explainLocks, Qt::QueuedConnection);
+}
+
+// The properties of the stock, and below them the target and the measured dimensions.
+QWidget* WorkpieceUi::makePanel() {
+  auto* panel = new QSplitter(Qt::Vertical, parts().window);
+  panel->setObjectName(QStringLiteral("workpiecePanel"));
+  panel->setChildrenCollapsible(false);
+  panel->addWidget(RigidPartsUi::panel());
+  panel->addWidget(m_target.panel());
+  panel->setStretchFactor(1, 2);
+  return panel;
+}
+
+void WorkpieceUi::setDocument(DocumentTab* document) {
+  m_target.setDocument(document);
+  RigidPartsUi::setDocument(document);
+}
+
+void WorkpieceUi::forget(DocumentTab* document) {
+  parts().jobs.cancelOf(document);
+}
+
+DisplayModel WorkpieceUi::displayed(const Document& document) const {
+  auto coloured = m_target.display(static_cast<const WorkpieceDocument&>(document).workpiece());
+  return coloured ? std::move(*coloured) : RigidPartsUi::displayed(document);
 }
 
 std::unique_ptr<DocumentTab> WorkpieceUi::open(std::unique_ptr<Document> document) {
@@ -78,13 +111,25 @@ std::vector<StartAction> WorkpieceUi::startActions() const {
 std::vector<ToolDescriptor> WorkpieceUi::tools() {
   return {{QStringLiteral("turnTool"), tr("&Turn"), tr("Cut the turning part by hand with a round tool"),
            QStringLiteral("turn"), QKeySequence(Qt::Key_V), [this] { return turnTool(); }, "turn", TurnTool::keys()},
+          {QStringLiteral("latheTool"), tr("&Lathe"), tr("Work the part on a manual lathe with handwheels and levers"),
+           QStringLiteral("turn"), QKeySequence(Qt::SHIFT | Qt::Key_V), [this] { return latheTool(); }, "lathe",
+           ManualLatheTool::keys()},
           measureParts()};
 }
 
 std::unique_ptr<Tool> WorkpieceUi::turnTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
   const SimulationServices services{parts().servoClock, parts().services.simulation()};
-  return std::make_unique<TurnTool>(workpiece, services, parts().fidelity.values().of(turnSpacingSetting()));
+  const FidelityValues& values = parts().fidelity.values();
+  const TurnTool::Start start{values.of(turnSpacingSetting()),
+                              static_cast<TurningMethod>(static_cast<int>(values.of(turnMethodSetting()))),
+                              values.of(turnResolutionSetting())};
+  return std::make_unique<TurnTool>(workpiece, services, start);
+}
+
+std::unique_ptr<Tool> WorkpieceUi::latheTool() {
+  auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
+  return m_lathe.make(workpiece, parts().fidelity.values().of(turnSpacingSetting()));
 }
 
 // The part is felt through the simulation of the tool, as long as there is one.
@@ -93,6 +138,7 @@ void WorkpieceUi::followTool() {
   const std::shared_ptr<TurningChannel> channel = tool ? tool->channel() : nullptr;
   const TurningTool settings = tool ? tool->settingsAtDevice() : TurningTool();
   const double base = tool ? tool->base() : 0.0;
+  if (const bool isLathe = m_lathe.isOn(); std::exchange(m_isLathe, isLathe) != isLathe) setFelt(!isLathe && !channel);
   if (channel == m_felt && settings == m_feltSettings && base == m_feltBase) return;
   m_feltSettings = settings;
   setFelt(channel == nullptr);

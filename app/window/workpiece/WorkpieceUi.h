@@ -4,6 +4,8 @@
 
 #include "simulation/turning/TurningForce.h"
 #include "window/kinds/RigidPartsUi.h"
+#include "window/workpiece/LatheView.h"
+#include "window/workpiece/TargetView.h"
 
 namespace handwheel {
 
@@ -16,6 +18,11 @@ class WorkpieceUi : public RigidPartsUi {
 
   // A new document starts with the chord tolerance that the user chose; later changes are made by its own property.
   std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
+  void setDocument(DocumentTab* document) override;
+  void forget(DocumentTab* document) override;
+  QWidget* panel() override { return m_panel; }
+  QList<QAction*> menu() override { return m_target.actions(); }
+  bool isSettled() const override { return RigidPartsUi::isSettled() && m_target.isSettled(); }
   std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
@@ -25,12 +32,21 @@ class WorkpieceUi : public RigidPartsUi {
   QString statistics() const override;
   QString openedText(const DocumentTab& document) const override;
 
+ protected:
+  DisplayModel displayed(const Document& document) const override;
+
  private:
+  QWidget* makePanel();
   std::unique_ptr<Tool> turnTool();
+  std::unique_ptr<Tool> latheTool();
   void followTool();
   void followSize();
   void explainLocks();
 
+  TargetView m_target;
+  LatheView m_lathe;
+  QPointer<QWidget> m_panel;
+  bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;
   double m_feltBase = 0.0;  // mm, TurnTool::base()

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/ColladaGeometry.h"
 
-#include "robot/XmlNumbers.h"
+#include "xml/XmlNumbers.h"
 
 #include <algorithm>
 #include <charconv>

@@ -5,7 +5,7 @@
 #include "base/Progress.h"
 #include "document/formats/PolygonTriangulation.h"
 #include "mesh/structure/TriangleSoup.h"
-#include "robot/Xml.h"
+#include "xml/Xml.h"
 
 #include <map>
 #include <optional>

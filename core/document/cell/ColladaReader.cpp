@@ -4,8 +4,8 @@
 
 #include "document/cell/ColladaGeometry.h"
 #include "mesh/structure/MeshErrors.h"
-#include "robot/Xml.h"
-#include "robot/XmlNumbers.h"
+#include "xml/Xml.h"
+#include "xml/XmlNumbers.h"
 
 #include <map>
 #include <new>

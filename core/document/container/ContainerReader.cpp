@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/JsonText.h"
 #include "document/Container.h"
 #include "document/container/ArchiveErrors.h"
 #include "document/container/ContainerLayout.h"
-#include "document/container/JsonText.h"
 #include "document/container/Migrations.h"
 #include "document/container/ZipReader.h"
 

@@ -3,11 +3,47 @@
 #include "document/container/Migrations.h"
 
 #include "document/Container.h"
+#include "document/container/Blobs.h"
 
 #include <array>
 #include <cassert>
+#include <nlohmann/json.hpp>
 
 namespace handwheel {
+
+namespace {
+
+// The points of all passes of a workpiece become one array, for an archive has fewer entries than there can be passes.
+// A pass of which something is lost is left without points.
+Status joinPasses(Container& container) {
+  constexpr std::size_t kNumbers = 3;
+  constexpr std::uint64_t kMostPoints = 10'000'000;  // of a pass, in version 3
+  nlohmann::json& manifest = *container.manifest;
+  const nlohmann::json::json_pointer place("/document/turned/passes");
+  if (manifest.value("kind", nlohmann::json()) != "workpiece" || !manifest.contains(place)) return Done{};
+  nlohmann::json& passes = manifest[place];
+  if (!passes.is_array()) return Done{};
+  std::vector<double> points;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    if (!passes[i].is_object()) continue;
+    const nlohmann::json listed = passes[i].value("points", nlohmann::json());
+    const std::uint64_t count = listed.is_number_unsigned() ? listed.get<std::uint64_t>() : 0;
+    const std::string number = std::to_string(i);
+    const std::string name = "workpiece/passes/" + std::string(number.size() < 4 ? 4 - number.size() : 0, '0') + number;
+    ReadArray<double> read;
+    if (count <= kMostPoints) read = readArray<double>(container, name, count, kNumbers);
+    const bool isWhole = read.lost.empty() && read.values.size() == kNumbers * count;
+    if (isWhole)
+      points.insert(points.end(), read.values.begin(), read.values.end());
+    else
+      passes[i]["points"] = 0;
+  }
+  std::erase_if(container.blobs, [](const auto& blob) { return blob.first.starts_with("workpiece/passes/"); });
+  if (!points.empty()) writeArray<double>(container, "workpiece/path", points, kNumbers);
+  return Done{};
+}
+
+}  // namespace
 
 std::span<const Migration> migrations() {
   static const std::array<Migration, kContainerVersion - 1> kChain = {
@@ -17,6 +53,10 @@ std::span<const Migration> migrations() {
       // A cell may hold bodies: an older program would show the robot alone, and drop their shapes when it saves. A
       // document of version 2 holds none.
       [](Container&) -> Status { return Done{}; },
+      // A turned part may be bored: an older program would show it solid, and lose the bore when it saves. A document
+      // of
+      // version 3 has no bore, and the path of each pass in blobs of its own.
+      joinPasses,
   };
   return kChain;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/container/RecordingBlobs.h"
 
-#include "document/container/JsonText.h"
+#include "base/JsonText.h"
 
 #include "document/container/Blobs.h"
 #include "haptics/recording/RecordingBytes.h"

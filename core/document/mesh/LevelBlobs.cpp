@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/LevelBlobs.h"
 
+#include "base/JsonText.h"
 #include "document/container/Blobs.h"
-#include "document/container/JsonText.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshBlobs.h"
 
+#include "base/JsonText.h"
 #include "document/container/Blobs.h"
-#include "document/container/JsonText.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/MeshValidator.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/scene/BodyBlobs.h"
 
-#include "document/container/JsonText.h"
+#include "base/JsonText.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyLinks.h"
 #include "scene/RigidPose.h"

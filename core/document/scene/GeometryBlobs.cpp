@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/scene/GeometryBlobs.h"
 
+#include "base/JsonText.h"
 #include "document/container/ArchiveErrors.h"
 #include "document/container/Blobs.h"
-#include "document/container/JsonText.h"
 #include "document/scene/SurfaceBlobs.h"
 #include "scene/MeshGeometry.h"
 #include "scene/PrimitiveGeometry.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/scene/SurfaceBlobs.h"
 
+#include "base/JsonText.h"
 #include "document/container/Blobs.h"
-#include "document/container/JsonText.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

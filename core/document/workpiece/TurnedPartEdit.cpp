@@ -13,11 +13,12 @@ void TurnedPartEdit::exchange(Document& document) {
   owner.set(std::move(workpiece));
 }
 
-// Of what it may hold alone: the last pass, and as many samples.
+// Of what it may hold alone: the last pass, and the page of samples that it changed.
 std::size_t TurnedPartEdit::bytes() const {
   if (!m_part || m_part->passes.empty()) return sizeof *this;
   const std::size_t points = m_part->passes.back()->path.size();
-  return sizeof *this + points * (sizeof(ProfilePoint) + sizeof(double)) + points * sizeof(double);
+  return sizeof *this + points * (sizeof(ProfilePoint) + sizeof(double)) +
+         PagedArray<double>::kPageSize * sizeof(double);
 }
 
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing) {

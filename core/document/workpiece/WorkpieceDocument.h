@@ -24,7 +24,9 @@ class WorkpieceDocument : public Document {
 
  private:
   friend class WorkpieceEdit;
+  friend class TargetEdit;
   friend class TurnedPartEdit;
+  friend class LatheSetupEdit;
   void set(WorkpieceSnapshot workpiece);
 
   std::shared_ptr<const WorkpieceSnapshot> m_workpiece;

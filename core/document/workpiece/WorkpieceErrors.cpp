@@ -14,4 +14,9 @@ const ErrorDescription WorkpieceError::SeveralPieces{
     .sentences = {translatable("ErrorText", "the part is in %1 pieces, and the file can contain only one solid")},
     .advice = {translatable("ErrorText", "Undo the pass that separated it, or export triangles, for example STL.")}};
 
+const ErrorDescription WorkpieceError::ClosedHollow{
+    .id = "ClosedHollow",
+    .sentences = {translatable("ErrorText", "the part has %1 closed hollows, which the file cannot contain")},
+    .advice = {translatable("ErrorText", "Bore the part open from an end, or export triangles, for example STL.")}};
+
 }  // namespace handwheel

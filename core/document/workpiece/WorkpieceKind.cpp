@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceKind.h"
 
-#include "base/Tolerance.h"
 #include "document/AtomicFile.h"
 #include "document/DocumentErrors.h"
 #include "document/formats/MeshExport.h"
+#include "document/workpiece/DrawingExport.h"
+#include "document/workpiece/TargetBlobs.h"
+#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/TargetReport.h"
 #include "document/workpiece/TurnedPartBlobs.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
-#include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceProperties.h"
+#include "document/workpiece/WorkpieceShape.h"
+#include "machining/lathe/LatheJson.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
-#include "nurbs/StepFile.h"
-#include "nurbs/Tessellation.h"
 #include "scene/RevolvedGeometry.h"
 
 #include <QtGlobal>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -36,49 +37,9 @@ bool isStepName(const std::filesystem::path& path) {
   return ending == ".step" || ending == ".stp";
 }
 
-Error notAsMeant(const char* what) {
-  return {DocumentError::CheckFailed, {what}, {}, {}};
-}
-
-// The exact profile of a bar where it stands; of a part a polyline within the chord tolerance.
-Result<ProfileCurve> profileOf(const WorkpieceSnapshot& workpiece) {
-  if (!workpiece.part) return workpiece.stock.profile();
-  std::vector<ProfilePoint> points = workpiece.part->profile.polyline(0.5 * workpiece.chord);
-  for (ProfilePoint& p : points) p.y() += workpiece.stock.position;
-  return ProfileCurve::polyline(points);
-}
-
-// The volume (mm³) of frustums through these points.
-double volumeOf(const ProfileCurve& profile) {
-  double sum = 0.0;
-  const auto arcs = profile.arcs();
-  for (const BezierArc& arc : arcs) {
-    const ProfilePoint a = arc.start(), b = arc.end();
-    sum += (b.y() - a.y()) * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x());
-  }
-  return M_PI / 3.0 * sum;
-}
-
-// The bytes, after another look at what they hold. The profile is made of straight lines.
-Result<std::string> checkedStep(const ProfileCurve& profile, Progress progress) {
-  Result<std::string> bytes = writeStep(profile, progress.part(0.0, 0.5));
-  if (!bytes) return bytes;
-  const Result<StepFileReport> back = inspectStep(*bytes, progress.part(0.5, 1.0));
-  if (!back && back.error().code != ErrorCode::LibraryFailed) return back.error();
-  if (!back) return notAsMeant("it cannot be opened");
-  if (back->solids != 1 || !back->isValid) return notAsMeant("it contains no valid solid");
-  if (!(std::abs(back->volume / volumeOf(profile) - 1.0) < tolerance::kWrittenVolume))
-    return notAsMeant("its volume differs");
-  return bytes;
-}
-
 Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::filesystem::path& path,
                                Progress progress) {
-  const std::size_t pieces = workpiece.part ? workpiece.part->profile.pieces() : 1;
-  if (pieces > 1) return Error{WorkpieceError::SeveralPieces, {std::to_string(pieces)}, {}, path.string()};
-  const Result<ProfileCurve> profile = profileOf(workpiece);
-  const Result<std::string> bytes =
-      profile ? checkedStep(*profile, progress.part(0.0, 0.9)) : Result<std::string>(profile.error());
+  const Result<std::string> bytes = checkedStep(workpiece, progress.part(0.0, 0.9));
   if (!bytes) {
     Error error = bytes.error();
     error.subject = path.string();
@@ -89,17 +50,20 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file contains one valid solid.")}}};
 }
 
-Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progress progress) {
-  if (!workpiece.part) {
-    TriangleSoup soup = *workpiece.mesh->soup();
-    for (Vec3& p : soup.points) p.z() += workpiece.stock.position;
-    return soup;
+// The section of the workpiece with its material in the title block; its name is that of the file.
+Result<WrittenFile> exportSection(const WorkpieceSnapshot& workpiece, const std::filesystem::path& path,
+                                  Progress progress) {
+  const Result<TargetProfile> section = sectionOf(workpiece);
+  if (!section) {
+    Error error = section.error();
+    error.subject = path.string();
+    return error;
   }
-  const Result<ProfileCurve> profile = profileOf(workpiece);
-  if (!profile) return profile.error();
-  TessellationOptions options;
-  options.chord = 0.5 * workpiece.chord;  // the other half went to the polyline
-  return tessellate(*profile, options, progress);
+  DrawingTitle title;
+  title.name = path.stem().string();
+  title.material = workpiece.material;
+  title.tolerance = workpiece.chord;
+  return exportDrawing(*section, title, path, progress);
 }
 
 }  // namespace
@@ -115,6 +79,7 @@ std::vector<FileFormat> WorkpieceKind::formats() const {
     format.reads = false;
     all.push_back(std::move(format));
   }
+  for (FileFormat& format : drawingFormats()) all.push_back(std::move(format));
   return all;
 }
 
@@ -130,6 +95,7 @@ Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::
                                             Progress progress) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
   if (isStepName(path)) return exportStep(workpiece, path, progress);
+  if (isDrawingName(path)) return exportSection(workpiece, path, progress);
   Result<TriangleSoup> soup = placedTriangles(workpiece, progress.part(0.0, 0.15));
   if (!soup) return soup.error();
   const HalfEdgeMesh mesh = buildMesh(*soup, progress.part(0.15, 0.3)).mesh;
@@ -147,6 +113,8 @@ void WorkpieceKind::save(const Snapshot& content, Container& container) const {
     std::visit([&](const auto& value) { document[property.id] = value; }, property.value);
   }
   writeTurnedPart(workpieceOf(content), container);
+  writeTarget(workpieceOf(content), container);
+  if (const auto& lathe = workpieceOf(content).lathe) document["lathe"] = toJson(*lathe);
 }
 
 Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vector<Error>& damage,
@@ -169,9 +137,15 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
       damage.push_back(checked.error());
     }
   }
+  if (const auto lathe = found->find("lathe"); lathe != found->end()) {
+    Result<LatheSetup> setup = latheSetupFrom(*lathe);
+    if (setup) workpiece.lathe = std::make_shared<const LatheSetup>(std::move(*setup));
+    if (!setup) damage.push_back(setup.error());
+  }
   auto part = readTurnedPart(*found, workpiece, container, damage, progress);
   if (!part) return part.error();
   workpiece.part = std::move(part.value());
+  workpiece.target = readTarget(*found, container, damage);
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(workpiece)));
 }
 
@@ -190,12 +164,21 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
                               {"position", workpiece.stock.position},
                               {"material", workpiece.material},
                               {"chord", workpiece.chord}};
+  if (const Result<TargetProfile> section = sectionOf(workpiece))
+    described["dimensions"] = dimensionsJson(*section, workpiece.chord);
+  if (workpiece.target) {
+    described["target"] = {{"source", workpiece.target->source},
+                           {"volume", workpiece.target->profile.volume()},
+                           {"deviation", deviationJson(deviationOf(workpiece))}};
+  }
   if (workpiece.part) {
     const TurnedPart& part = *workpiece.part;
     described["volume"] = part.profile.volume();
     described["area"] = part.profile.area();
     described["passes"] = part.passes.size();
     described["spacing"] = part.profile.spacing();
+    described["bored"] = part.profile.isBored();
+    described["pieces"] = part.profile.pieces();
     return described;
   }
   StockCylinder atOrigin = workpiece.stock;
@@ -221,12 +204,12 @@ DisplayModel WorkpieceKind::display(const Snapshot& content) const {
 
 GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
-  const Result<ProfileCurve> profile = profileOf(workpiece);
-  if (!profile) return DocumentKind::bodyGeometry(content, notes);
-  // Of the tolerance of a part the polyline has had its half.
+  const Result<std::vector<TurnedCurves>> pieces = curvesOf(workpiece);
+  if (!pieces || pieces->size() != 1 || !pieces->front().cavities.empty())
+    return DocumentKind::bodyGeometry(content, notes);
   const double chord =
       workpiece.part ? std::max(0.5 * workpiece.chord, RevolvedGeometry::kLeastChord) : workpiece.chord;
-  auto made = RevolvedGeometry::make(*profile, chord);
+  auto made = RevolvedGeometry::make(pieces->front().outside, chord);
   return made ? GeometryPointer(std::move(made).value()) : DocumentKind::bodyGeometry(content, notes);
 }
 

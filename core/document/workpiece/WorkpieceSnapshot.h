@@ -5,7 +5,9 @@
 #include "document/Snapshot.h"
 #include "document/workpiece/StockMesh.h"
 #include "machining/TurnedSurface.h"
-#include "machining/TurningPass.h"
+#include "machining/TurningPasses.h"
+#include "machining/lathe/LatheSetup.h"
+#include "machining/target/TargetProfile.h"
 
 #include <string>
 
@@ -15,10 +17,16 @@ namespace handwheel {
 struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
-  std::vector<std::shared_ptr<const TurningPass>> passes;
+  TurningPasses passes;
 };
 
-// The value of a workpiece document: a bar, and the part that was cut from it.
+// What a part is to become: a profile in the coordinates of the document, and the name of what it was read from.
+struct WorkpieceTarget {
+  TargetProfile profile;
+  std::string source;  // UTF-8
+};
+
+// The value of a workpiece document: a bar, the part that was cut from it, and what it is to become.
 struct WorkpieceSnapshot : Snapshot {
   // Within these limits (mm) a bar of any size has triangles that the program can show and write.
   static constexpr double kLeastChord = 1e-4, kLargestChord = 1e3;
@@ -26,10 +34,12 @@ struct WorkpieceSnapshot : Snapshot {
   WorkpieceSnapshot() : mesh(std::make_shared<const StockMesh>(stock, chord)) {}
 
   StockCylinder stock;
-  double chord = 0.01;                     // mm, tolerance of its triangles
-  std::string material;                    // name in the user's words, UTF-8
-  std::shared_ptr<const StockMesh> mesh;   // of stock and chord; never null
-  std::shared_ptr<const TurnedPart> part;  // null: nothing was cut yet
+  double chord = 0.01;                            // mm, tolerance of its triangles
+  std::string material;                           // name in the user's words, UTF-8
+  std::shared_ptr<const StockMesh> mesh;          // of stock and chord; never null
+  std::shared_ptr<const TurnedPart> part;         // null: nothing was cut yet
+  std::shared_ptr<const LatheSetup> lathe;        // null: the usual one
+  std::shared_ptr<const WorkpieceTarget> target;  // null: none is given
 };
 
 }  // namespace handwheel

@@ -52,4 +52,11 @@ std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& me
                                                           double nearWeld = tolerance::kNearWeld,
                                                           Progress progress = {});
 
+// Those of such pairs whose second vertex, when each second one moves onto its first, closes an open edge with another,
+// or shrinks one to a point. Others only touch: two parts that meet in a vertex, or that were separated there. O(n log
+// n) for the border. The result is invalid if cancelled.
+std::vector<std::pair<Vertex, Vertex>> closingPairs(const HalfEdgeMesh& mesh,
+                                                    const std::vector<std::pair<Vertex, Vertex>>& pairs,
+                                                    Progress progress = {});
+
 }  // namespace handwheel

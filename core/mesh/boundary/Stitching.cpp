@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -35,11 +36,16 @@ bool isIn(const std::vector<bool>& set, Vertex v) {
   return v < set.size() && set[v];
 }
 
+using Pairs = std::vector<std::pair<Vertex, Vertex>>;
+
+// How often the mesh is linked anew to find the pairs that may be merged, where not all may.
+constexpr int kMostTrials = 64;
+
 // Moves each vertex of a near pair onto the one with the smaller number.
-std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
+std::vector<Vertex> merge(HalfEdgeMesh& mesh, const Pairs& pairs) {
   std::vector<Vertex> moved;
   std::map<Vertex, Vertex> onto;
-  for (const auto& [a, b] : nearBorderVertices(mesh, fixed, nearWeld, progress)) {
+  for (const auto& [a, b] : pairs) {
     const auto target = onto.find(a);
     const Vertex goal = target == onto.end() ? a : target->second;
     if (goal == b || !onto.emplace(b, goal).second) continue;
@@ -127,9 +133,29 @@ std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& f
     mesh = trial;
     return true;
   };
+  std::vector<Vertex> moved;
+  int trials = 0;
+  // All together, then by halves.
+  const std::function<void(const Pairs&)> mergeBetter = [&](const Pairs& pairs) {
+    if (pairs.empty() || progress.cancelled() || ++trials > kMostTrials) return;
+    HalfEdgeMesh trial = mesh;
+    const std::vector<Vertex> these = merge(trial, pairs);
+    if (keepIfBetter(std::move(trial), progress.part(0.5, 0.5))) {  // nobody knows how many trials it takes
+      moved.insert(moved.end(), these.begin(), these.end());
+    } else if (pairs.size() > 1) {
+      const auto middle = pairs.begin() + static_cast<std::ptrdiff_t>(pairs.size() / 2);
+      mergeBetter(Pairs(pairs.begin(), middle));
+      mergeBetter(Pairs(middle, pairs.end()));
+    }
+  };
+  const Pairs near = nearBorderVertices(mesh, fixed, nearWeld, progress.part(0.0, 0.15));
+  const Pairs closing = closingPairs(mesh, near, progress.part(0.15, 0.2));
   HalfEdgeMesh trial = mesh;
-  std::vector<Vertex> moved = mergeNear(trial, fixed, progress.part(0.0, 0.2), nearWeld);
-  if (!moved.empty() && !keepIfBetter(trial, progress.part(0.2, 0.5))) moved.clear();
+  if (!closing.empty()) moved = merge(trial, near);
+  if (!moved.empty() && !keepIfBetter(std::move(trial), progress.part(0.2, 0.5))) {
+    moved.clear();
+    mergeBetter(closing);
+  }
   trial = mesh;
   if (splitTJunctions(trial, fixed, progress.part(0.5, 0.7), nearWeld) > 0)
     keepIfBetter(trial, progress.part(0.7, 1.0));

@@ -96,7 +96,10 @@ Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress
       [&](Progress p) { findCrowded(*byPosition, defects, p); },
       [&](Progress p) { findDegenerate(mesh, defects, p); },
       [&](Progress p) { defects.insideOut = findInsideOutShells(mesh, p); },
-      [&](Progress p) { defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld, p); },
+      [&](Progress p) {
+        const auto near = nearBorderVertices(mesh, {}, nearWeld, p.part(0.0, 0.9));
+        defects.nearVertices = closingPairs(mesh, near, p.part(0.9, 1.0));
+      },
       [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
       [&](Progress p) {
         if (defects.components.size() > 1) countIslands(mesh, defects.loops, p);

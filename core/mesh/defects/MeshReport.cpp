@@ -11,6 +11,7 @@
 #include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/FaceComponents.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/Weld.h"
 #include "proximity/SelfIntersection.h"
@@ -43,18 +44,6 @@ void countEdges(const TriangleSoup& soup, MeshReport& report, DisjointSets& shel
   }
 }
 
-std::size_t countComponents(const TriangleSoup& soup) {
-  DisjointSets sets(soup.points.size());
-  for (const Triangle& t : soup.triangles) {
-    if (hasRepeatedVertex(t)) continue;
-    sets.join(t[0], t[1]);
-    sets.join(t[1], t[2]);
-  }
-  std::size_t roots = 0;
-  for (std::uint32_t v = 0; v < soup.points.size(); ++v) roots += sets.root(v) == v;
-  return roots;
-}
-
 // Of the tetrahedra between the triangles and the origin, by shell.
 std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells, const Vec3& origin) {
   std::vector<double> volumes(soup.triangles.size(), 0.0);
@@ -71,7 +60,8 @@ std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells
 // What is no defect of the file by itself, or takes longer to find.
 void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport& report, Progress progress) {
   report.reversedFaces = built.report.reversedFaces.size();
-  report.nearVertices = nearBorderVertices(built.mesh, {}, tolerance::kNearWeld, progress).size();
+  report.nearVertices =
+      closingPairs(built.mesh, nearBorderVertices(built.mesh, {}, tolerance::kNearWeld, progress), progress).size();
   const std::vector<Component> components = findComponents(built.mesh, progress);
   report.debris = static_cast<std::size_t>(
       std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; }));
@@ -101,7 +91,7 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   DisjointSets shells(welded.triangles.size());
   countEdges(welded, report, shells, progress.part(0.03, 0.06));
   if (progress.cancelled()) return report;
-  report.components = countComponents(welded);
+  report.components = FaceComponents(welded.triangles, welded.points.size()).count();
   report.nonManifoldVertices =
       findNonManifoldVertices(welded.triangles, welded.points.size(), progress.part(0.06, 0.1)).size();
   if (progress.cancelled()) return report;

@@ -5,6 +5,7 @@
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/PositionTriangles.h"
 
 #include <algorithm>
 
@@ -58,6 +59,16 @@ std::vector<std::uint32_t> findNonManifoldVertices(std::span<const Triangle> tri
     for (std::uint32_t i = 0; i < count; ++i) groups += sets.root(i) == i;
     if (groups > 1) found.push_back(v);
   }
+  return found;
+}
+
+std::vector<Vertex> findNonManifoldVertices(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return {};
+  const std::vector<Vertex>& first = byPosition.classes.representative;
+  std::vector<Vertex> found = findNonManifoldVertices(byPosition.triangles, first.size(), progress.part(0.5, 1.0));
+  if (progress.cancelled()) return {};
+  for (Vertex& v : found) v = first[v];
   return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/Geometry.h"
 #include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
 
 #include <span>
 #include <vector>
@@ -14,5 +15,8 @@ namespace handwheel {
 // vertex are ignored. O(n). The result is invalid if cancelled.
 std::vector<std::uint32_t> findNonManifoldVertices(std::span<const Triangle> triangles, std::size_t vertexCount,
                                                    Progress progress = {});
+
+// The same for a mesh, as a file stores it: one of the vertices at each such position. Empty if cancelled.
+std::vector<Vertex> findNonManifoldVertices(const HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

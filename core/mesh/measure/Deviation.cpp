@@ -254,4 +254,11 @@ Result<Deviation> deviation(const SurfaceDistance& mesh, const SurfaceDistance& 
   return result;
 }
 
+std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, Progress progress) {
+  constexpr std::size_t kFewest = 20'000, kMost = 400'000;
+  const DeviationOptions options{.samples = std::clamp(2 * original.liveFaceCount(), kFewest, kMost), .bins = 1};
+  const Result<Deviation> measured = deviation(mesh, original, options, progress);
+  return measured ? std::optional(measured->hausdorff()) : std::nullopt;
+}
+
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 #include "mesh/search/SurfaceDistance.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace handwheel {
@@ -61,6 +62,11 @@ struct Deviation {
 // O((v + s) log n) on ordinary surfaces. Errors: NoTriangles, ValueOutOfRange (a coordinate beyond 1e60), Cancelled.
 Result<Deviation> deviation(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, const DeviationOptions& options = {},
                             Progress progress = {});
+// The largest distance found between two surfaces, either way, mm: at all vertices, and at about twice as many samples
+// as the second has faces, up to a number at which more hardly change it. None where one has no triangles, or if
+// cancelled.
+std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, Progress progress = {});
+
 // Compares two surfaces, for callers that measure more distances from them. Errors: as above, and Cancelled where the
 // construction of a surface was.
 Result<Deviation> deviation(const SurfaceDistance& mesh, const SurfaceDistance& scan,

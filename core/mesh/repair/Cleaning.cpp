@@ -141,4 +141,21 @@ std::size_t removeDebris(HalfEdgeMesh& mesh, Progress progress) {
   return removed;
 }
 
+std::size_t removeNewDebris(HalfEdgeMesh& mesh, const HalfEdgeMesh& before, Progress progress) {
+  const auto isNew = [&](Vertex v) { return v >= before.vertexSlots(); };
+  const auto isOwn = [&](Face f) {
+    const Triangle t = mesh.triangle(f);
+    return f >= before.faceSlots() && std::all_of(t.begin(), t.end(), isNew) && mesh.hasOpposite(3 * f) &&
+           mesh.hasOpposite(3 * f + 1) && mesh.hasOpposite(3 * f + 2);
+  };
+  if (mesh.faceSlots() == before.faceSlots()) return 0;
+  std::size_t removed = 0;
+  for (const Component& part : findComponents(mesh, progress)) {
+    if (!part.debris || !std::all_of(part.faces.begin(), part.faces.end(), isOwn)) continue;
+    for (const Face f : part.faces) mesh.removeFace(f);
+    removed += part.faces.size();
+  }
+  return removed;
+}
+
 }  // namespace handwheel

@@ -23,4 +23,8 @@ std::size_t removeFlaps(HalfEdgeMesh& mesh, Progress progress = {});
 // Removes the components that findDefects() classifies as debris. Returns the number of removed faces.
 std::size_t removeDebris(HalfEdgeMesh& mesh, Progress progress = {});
 
+// Removes what cuts left behind: small closed pieces of nothing but faces and vertices that the mesh did not have
+// before. Cutting renumbers a face, but its corners remain those that it had. Returns the number of faces.
+std::size_t removeNewDebris(HalfEdgeMesh& mesh, const HalfEdgeMesh& before, Progress progress = {});
+
 }  // namespace handwheel

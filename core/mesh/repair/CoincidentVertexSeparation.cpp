@@ -3,6 +3,7 @@
 #include "mesh/repair/CoincidentVertexSeparation.h"
 
 #include "mesh/defects/NonManifoldEdges.h"
+#include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeOperations.h"
@@ -326,6 +327,12 @@ std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType nu
   parter.mayCross(spareCrossings());
   partAll(parter, mesh, found, only, moved, progress.part(0.95, 1.0));
   return moved;
+}
+
+std::vector<Vertex> separateTouchingVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  const std::vector<Vertex> touching = findNonManifoldVertices(mesh, progress.part(0.0, 0.2));
+  if (touching.empty()) return {};
+  return separateCoincidentVertices(mesh, numbers, progress.part(0.2, 1.0), {}, touching);
 }
 
 }  // namespace handwheel

@@ -22,4 +22,7 @@ std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType nu
                                                const std::function<std::size_t()>& spareCrossings = {},
                                                const std::vector<Vertex>& at = {});
 
+// Does the same wherever parts of the surface touch in a vertex without a common edge. The mesh is to be relinked.
+std::vector<Vertex> separateTouchingVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
+
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include "base/Tolerance.h"
 #include "mesh/boundary/BoundaryOwners.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/SheetClosing.h"
 #include "mesh/repair/Submesh.h"
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -86,7 +87,7 @@ class Closer {
       std::erase_if(left, [&](std::size_t i) { return m_result.holes[i].closed; });
     }
     for (const std::size_t i : left) m_result.holes[i].isCutShort = m_result.holes[i].isCutShort || m_effort.isSpent();
-    countSheets();
+    countSheets(m_before, m_holes, m_options.keptCorners, m_result);
     return std::move(m_result);
   }
 
@@ -98,21 +99,23 @@ class Closer {
     std::optional<Patch> patch;
   };
 
+  // How a trial ended. Done: there is nothing more to try with these holes.
+  enum class Trial { Done, Rejected, CutShort };
+
   void close(std::span<const std::size_t> some) {
     if (some.empty() || m_progress.cancelled()) return;
-    m_isTrialCutShort = false;
-    if (tryTogether(some)) return;
+    const Trial trial = tryTogether(some);
+    if (trial == Trial::Done) return;
     if (some.size() == 1) {
       ObstructedClosing& hole = m_result.holes[some.front()];
-      hole.isCutShort = hole.isCutShort || m_isTrialCutShort;
+      hole.isCutShort = hole.isCutShort || trial == Trial::CutShort;
       return;
     }
     close(some.first(some.size() / 2));
     close(some.subspan(some.size() / 2));
   }
 
-  // True when there is nothing more to try with these.
-  bool tryTogether(std::span<const std::size_t> some) {
+  Trial tryTogether(std::span<const std::size_t> some) {
     if (m_proposals.empty()) propose();
     if (const auto done = tryNearby(some)) return *done;
     HalfEdgeMesh changed = m_mesh;
@@ -130,16 +133,16 @@ class Closer {
       insertPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
-    m_isTrialCutShort = false;
-    const SheetThickness thickness = thicken(changed, backs, newFaces, closings);
-    if (m_isTrialCutShort) return false;
-    const bool isDone = newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
-    if (isDone) m_result.sheets.thickness.extend(thickness);
-    return isDone;
+    const std::optional<SheetThickness> thickness = thicken(changed, backs, newFaces, closings);
+    if (!thickness) return Trial::CutShort;
+    if (newFaces.empty()) return Trial::Done;
+    const Trial trial = keepIfSound(std::move(changed), newFaces, closings, !backs.empty());
+    if (trial == Trial::Done) m_result.sheets.thickness.extend(*thickness);
+    return trial;
   }
 
   // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
-  std::optional<bool> tryNearby(std::span<const std::size_t> some) {
+  std::optional<Trial> tryNearby(std::span<const std::size_t> some) {
     std::vector<const Proposal*> chosen;
     Box box;
     for (const Proposal& p : m_proposals) {
@@ -148,16 +151,18 @@ class Closer {
       chosen.push_back(&p);
       for (const Vec3& point : p.patch->points) box.extend(point);
     }
-    if (chosen.empty()) return true;
+    if (chosen.empty()) return Trial::Done;
     for (int round = 0; round < kNearbyRounds && !m_progress.cancelled(); ++round) {
       const Submesh part(m_mesh, box);
       m_progress.spend(m_mesh.faceSlots() / kScanWork);
       if (part.faceCount() > m_mesh.faceSlots() / 2) return std::nullopt;
-      const NearbyTrial trial = tryIn(part, chosen);
+      NearbyTrial trial;
+      WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
+      tryIn(part, chosen, trial, m_progress.within(effort));
       if (trial.isOutside) return std::nullopt;
       if (box.contains(trial.reach)) {
         if (trial.isSound) keep(part, trial, chosen);
-        return trial.isSound;
+        return trial.isSound ? Trial::Done : effort.isSpent() ? Trial::CutShort : Trial::Rejected;
       }
       box.extend(trial.reach);
     }
@@ -174,10 +179,8 @@ class Closer {
     std::size_t fewerBadEdges = 0;
   };
 
-  NearbyTrial tryIn(const Submesh& part, const std::vector<const Proposal*>& chosen) {
-    NearbyTrial trial;
-    WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
-    const Progress now = m_progress.within(effort);
+  void tryIn(const Submesh& part, const std::vector<const Proposal*>& chosen, NearbyTrial& trial,
+             const Progress& now) const {
     trial.changed = part.mesh();
     std::vector<Face> newFaces;
     for (const Proposal* p : chosen) {
@@ -186,29 +189,26 @@ class Closer {
         h = part.halfEdgeOf(m_mesh, h);
         if (h == kNone || part.mesh().hasOpposite(h)) trial.isOutside = true;
       }
-      if (trial.isOutside) return trial;
+      if (trial.isOutside) return;
       for (std::size_t i = 0; i < p->patch->triangles.size(); ++i)
         newFaces.push_back(static_cast<Face>(trial.changed.faceSlots() + i));
       insertPatch(trial.changed, loop, *p->patch);
     }
-    if (!areFinite(trial.changed, newFaces)) return trial;
+    if (!areFinite(trial.changed, newFaces)) return;
     for (const Face f : intersectionCluster(trial.changed, newFaces, m_options.numbers, now))
       trial.reach.extend(boxOf(trial.changed.points(f)));
     const std::size_t crossings = countSelfIntersections(part.mesh(), m_options.numbers, now);
     const IntersectionRemoval report =
         removeSelfIntersections(trial.changed, newFaces, m_options.numbers, crossings, now);
     now.spend(part.faceCount());
-    m_isTrialCutShort = effort.isSpent();
-    if (report.intersectionsAfter > crossings) return trial;
+    if (report.intersectionsAfter > crossings) return;
     const std::size_t before = countBadEdges(part.mesh(), now), after = countBadEdges(trial.changed, now);
-    m_isTrialCutShort = effort.isSpent();
-    if (now.cancelled() || after >= before) return trial;
+    if (now.cancelled() || after >= before) return;
     trial.reach.extend(part.changesIn(trial.changed));
     trial.cutFaces = report.changed ? report.cutFaces : 0;
     trial.fewerCrossings = crossings - report.intersectionsAfter;
     trial.fewerBadEdges = before - after;
     trial.isSound = true;
-    return trial;
   }
 
   void keep(const Submesh& part, const NearbyTrial& trial, const std::vector<const Proposal*>& chosen) {
@@ -279,84 +279,40 @@ class Closer {
     if (isSheet && m_options.method != kWays[0].method) return false;
     const std::vector<Face> faces = sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front()));
     if (!isSheet && faces.size() > kThickenedFacesPerEdge * loop.halfEdges.size()) return false;
-    return !hasKeptCorner(m_mesh, faces);
+    return !hasCornerAmong(m_mesh, faces, m_options.keptCorners);
   }
 
-  // Returns the thickness that was reached.
-  SheetThickness thicken(HalfEdgeMesh& mesh, const std::vector<const Proposal*>& backs, std::vector<Face>& newFaces,
-                         std::vector<ObstructedClosing>& closings) {
-    if (backs.empty()) return {};
+  // Returns the thickness that was reached; none where it took too much effort.
+  std::optional<SheetThickness> thicken(HalfEdgeMesh& mesh, const std::vector<const Proposal*>& backs,
+                                        std::vector<Face>& newFaces, std::vector<ObstructedClosing>& closings) {
     WorkBudget effort = m_progress.share(m_effort.left() / kThickeningShare);
-    const Progress now = m_progress.within(effort);
-    std::vector<OpenSheet> sheets;
-    std::vector<std::size_t> sheetWith(m_mesh.faceSlots(), kNobody);
-    for (const Proposal* p : backs) {
-      const Face seed = HalfEdgeMesh::face(p->loop.halfEdges.front());
-      if (sheetWith[seed] != kNobody) continue;  // another loop of the same sheet
-      OpenSheet& sheet = sheets.emplace_back(OpenSheet{sheetOf(mesh, seed), m_thickness});
-      if (!m_holes[p->hole].back) sheet.thickness = std::min(m_thickness, thicknessUnasked(mesh, sheet.faces));
-      for (const Face f : sheet.faces) {
-        if (f < sheetWith.size()) sheetWith[f] = sheets.size() - 1;
-      }
-    }
-    const ThickenedSheets made = thickenSheets(mesh, sheets, m_options.numbers, now);
-    m_isTrialCutShort = effort.isSpent();
-    for (const Proposal* p : backs) {
-      if (made.isThickened[sheetWith[HalfEdgeMesh::face(p->loop.halfEdges.front())]])
-        closings[p->hole] = {true, FillMethod::ThickenedSheet, 0};
+    std::vector<LoopOfSheet> loops;
+    for (const Proposal* p : backs) loops.push_back({p->loop.halfEdges.front(), m_holes[p->hole].back});
+    const SheetTrial made = thickenAt(mesh, loops, m_thickness, m_options.numbers, m_progress.within(effort));
+    for (std::size_t i = 0; i < backs.size(); ++i) {
+      if (made.isThickened[i])
+        closings[backs[i]->hole] = {true, FillMethod::ThickenedSheet, 0};
       else
-        m_result.holes[p->hole].failure = FillFailure::SheetTooThin;
+        m_result.holes[backs[i]->hole].failure = FillFailure::SheetTooThin;
     }
     newFaces.insert(newFaces.end(), made.faces.begin(), made.faces.end());
-    relink(mesh, m_progress);
+    if (!backs.empty() && effort.isSpent()) return std::nullopt;
     return made.thickness;
   }
 
-  // For what nobody called a sheet: a flake is not to become a needle.
-  static double thicknessUnasked(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Face f : faces) {
-      const TrianglePoints p = mesh.points(f);
-      for (std::size_t k = 0; k < 3; ++k) shortest = std::min(shortest, (p[(k + 1) % 3] - p[k]).norm());
-    }
-    return tolerance::kSheetOffsetEdge * shortest;
-  }
-
-  // A sheet with several outer edges has the outcome of the first.
-  void countSheets() {
-    std::vector<bool> isCounted(m_before.faceSlots(), false);
-    for (std::size_t i = 0; i < m_holes.size(); ++i) {
-      const Face seed = HalfEdgeMesh::face(m_holes[i].loop.halfEdges.front());
-      if (!m_holes[i].back) continue;
-      ObstructedClosing& hole = m_result.holes[i];
-      if (hole.isCutShort) hole.failure = FillFailure::TooMuchEffort;
-      const std::vector<Face> sheet = isCounted[seed] ? std::vector<Face>() : sheetOf(m_before, seed);
-      if (!hole.closed && hasKeptCorner(m_before, sheet)) hole.failure = FillFailure::SheetKeptOpen;
-      if (sheet.empty()) continue;
-      for (const Face f : sheet) isCounted[f] = true;
-      if (hole.closed)
-        ++m_result.sheets.thickened;
-      else
-        ++m_result.sheets.left[hole.failure];
-    }
-  }
-
-  bool hasKeptCorner(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet) const {
-    return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, m_options.keptCorners); });
-  }
-
-  bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
-                   const std::vector<ObstructedClosing>& closings) {
-    if (!areFinite(changed, newFaces)) return false;
+  // hasBacks: then the surface is to touch itself at no more vertices than before, too.
+  Trial keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
+                    const std::vector<ObstructedClosing>& closings, bool hasBacks) {
+    if (!areFinite(changed, newFaces)) return Trial::Rejected;
     WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
     const Progress now = m_progress.within(effort);
+    const auto rejected = [&] { return effort.isSpent() ? Trial::CutShort : Trial::Rejected; };
     const IntersectionRemoval report = removeSelfIntersections(changed, newFaces, m_options.numbers, m_crossings, now);
     now.spend(m_mesh.faceSlots());
-    m_isTrialCutShort = effort.isSpent();
-    if (report.intersectionsAfter > m_crossings) return false;
+    if (report.intersectionsAfter > m_crossings) return rejected();
+    if (hasBacks && !separateNewTouchings(changed, m_mesh, m_options.numbers, now)) return rejected();
     const std::size_t bad = countBadEdges(changed, now);
-    m_isTrialCutShort = effort.isSpent();
-    if (now.cancelled() || bad >= m_badEdges) return false;
+    if (now.cancelled() || bad >= m_badEdges) return rejected();
     m_badEdges = bad;
     m_crossings = report.intersectionsAfter;
     m_mesh = std::move(changed);
@@ -365,7 +321,7 @@ class Closer {
     for (std::size_t i = 0; i < closings.size(); ++i) {
       if (closings[i].closed) m_result.holes[i] = closings[i];
     }
-    return true;
+    return Trial::Done;
   }
 
   HalfEdgeMesh& m_mesh;
@@ -381,7 +337,6 @@ class Closer {
   std::size_t m_badEdges;
   Way m_way = kWays[0];
   std::vector<Proposal> m_proposals;
-  bool m_isTrialCutShort = false;  // the last one did not come to its end
 };
 
 }  // namespace

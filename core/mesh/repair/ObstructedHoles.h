@@ -34,7 +34,8 @@ struct ObstructedClosings {
 // Closes obstructed holes by patches that may intersect the part, or by thickening. Where a patch intersects the part,
 // both are cut and the self-intersections removed (removeSelfIntersections()). Thickening a sheet (thickenSheets())
 // closes every loop of the sheet, so it is not done where one has FillOptions::keptCorners. A closing is kept only if
-// it leaves no more self-intersections than there were, and fewer edges without two faces. All are tried together, then
+// it leaves no more self-intersections than there were, and fewer edges without two faces; a thickening, if it also
+// leaves no more vertices at which faces touch without a common edge. All are tried together, then
 // by halves, so that a bad one costs its own closing only. thickness: of thickened sheets, mm. Takes no more than the
 // effort of the progress, each thickening half of what is left of it and each trial a quarter: what is still open then
 // stays so, and the mesh is as the last closing left it. A trial takes the faces near its holes (Submesh), and O(n) to

@@ -3,32 +3,74 @@
 #include "mesh/repair/OffsetDirection.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
+#include <optional>
 
 namespace handwheel {
 namespace {
 
-constexpr int kMostTurns = 100;        // of a direction towards a face that it lies behind
 constexpr double kLongestMitre = 2.0;  // at a corner of three planes at right angles it is √3
 // Of the squared cosines between normals and a direction, the mean from which on the planes determine the offset there:
 // two that meet at 37°. Less is the noise of a smooth surface.
 constexpr double kLeastSpread = 0.1;
 
-// Bădoiu and Clarkson, "Smaller core-sets for balls", 2003.
-Vec3 directionBehind(const std::vector<FaceAtVertex>& faces) {
-  Vec3 middle = Vec3::Zero();
-  for (const FaceAtVertex& f : faces) middle += f.normal / static_cast<double>(faces.size());
-  for (int i = 1; i < kMostTurns; ++i) {
-    const Vec3& worst = std::min_element(faces.begin(), faces.end(), [&](const FaceAtVertex& a, const FaceAtVertex& b) {
-                          return a.normal.dot(middle) < b.normal.dot(middle);
-                        })->normal;
-    if (worst.dot(middle) > 0.0) return -middle.stableNormalized();
-    middle += (worst - middle) / (i + 1.0);
+// Below this the direction is hardly behind the planes; what a file rounds would be on their other side.
+constexpr double kLeastMargin = 1e-3;
+// Each step comes nearer to the origin; so many are never taken but for rounding.
+constexpr int kMostSteps = 200;
+// Of squared lengths of at most 1, the rounding of their computation.
+constexpr double kRounding = 1e-14;
+
+// The point nearest to the origin of the affine hull of some points; none where it is not within their convex hull, or
+// where fewer points have the same affine hull.
+std::optional<Vec3> nearestWithin(const std::vector<Vec3>& points) {
+  const Vec3& p = points.front();
+  if (points.size() == 1) return p;
+  Eigen::MatrixXd edges(3, static_cast<Eigen::Index>(points.size()) - 1);
+  for (std::size_t i = 1; i < points.size(); ++i) edges.col(static_cast<Eigen::Index>(i) - 1) = points[i] - p;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(edges);
+  if (qr.rank() < edges.cols()) return std::nullopt;
+  const Eigen::VectorXd shares = qr.solve(-p);
+  if (!(shares.minCoeff() >= 0.0 && shares.sum() <= 1.0)) return std::nullopt;
+  return Vec3(p + edges * shares);
+}
+
+// The same for the convex hull of up to four points; those that it does not depend on are removed.
+Vec3 nearestOfSimplex(std::vector<Vec3>& simplex) {
+  Vec3 nearest = simplex.front();
+  std::vector<Vec3> best{nearest};
+  for (unsigned set = 1; set < 1u << simplex.size(); ++set) {
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < simplex.size(); ++i)
+      if (set >> i & 1u) points.push_back(simplex[i]);
+    const auto found = nearestWithin(points);
+    if (!found || !(found->squaredNorm() < nearest.squaredNorm())) continue;
+    nearest = *found;
+    best = std::move(points);
   }
-  return Vec3::Zero();
+  simplex = std::move(best);
+  return nearest;
 }
 
 }  // namespace
+
+DirectionBehind widestBehind(std::vector<Vec3> normals) {
+  std::erase_if(normals, [](const Vec3& n) { return n.isZero(); });
+  if (normals.empty()) return {};
+  std::vector<Vec3> simplex{normals.front()};
+  Vec3 nearest = simplex.front();
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Vec3& farthest = *std::min_element(
+        normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(nearest) < b.dot(nearest); });
+    if (farthest.dot(nearest) >= nearest.squaredNorm() - kRounding) break;
+    simplex.push_back(farthest);
+    nearest = nearestOfSimplex(simplex);
+    if (simplex.size() == 4) return {};  // the origin is among them
+  }
+  const double margin = nearest.norm();
+  return margin < kLeastMargin ? DirectionBehind() : DirectionBehind{-nearest / margin, margin};
+}
 
 Vec3 offsetBehind(const std::vector<FaceAtVertex>& around) {
   std::vector<FaceAtVertex> faces = around;
@@ -37,7 +79,9 @@ Vec3 offsetBehind(const std::vector<FaceAtVertex>& around) {
   Eigen::Matrix3d planes = Eigen::Matrix3d::Zero();
   Vec3 sum = Vec3::Zero();
   double angles = 0.0;
+  std::vector<Vec3> normals;
   for (const FaceAtVertex& f : faces) {
+    normals.push_back(f.normal);
     planes += f.angle * f.normal * f.normal.transpose();
     sum += f.angle * f.normal;
     angles += f.angle;
@@ -51,7 +95,7 @@ Vec3 offsetBehind(const std::vector<FaceAtVertex>& around) {
   }
   const bool isBehindAll =
       std::all_of(faces.begin(), faces.end(), [&](const FaceAtVertex& f) { return f.normal.dot(offset) < -0.5; });
-  return isBehindAll && offset.norm() <= kLongestMitre ? offset : directionBehind(faces);
+  return isBehindAll && offset.norm() <= kLongestMitre ? offset : widestBehind(normals).direction;
 }
 
 }  // namespace handwheel

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 namespace handwheel {
 namespace {
@@ -102,7 +103,8 @@ class Repairer {
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
     if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
     if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.97));
-    if (!progress.cancelled()) removeOwnDebris(progress.part(0.97, 0.98));
+    if (!progress.cancelled()) separateTouching(progress.part(0.97, 0.975).within(m_separationBudget));
+    if (!progress.cancelled()) m_report.removedDebris += removeNewDebris(m_mesh, m_input, progress.part(0.975, 0.98));
     if (progress.cancelled()) return;
     const std::vector<std::vector<Face>> insideOut = findInsideOutShells(m_mesh, progress.part(0.98, 1.0));
     for (const std::vector<Face>& body : insideOut) reverseShells(m_mesh, body);
@@ -134,14 +136,22 @@ class Repairer {
       const std::size_t are = countSelfIntersections(m_mesh, m_options.fill.numbers, progress);
       return are < were ? were - are : 0;
     };
-    const std::vector<Vertex> parted =
-        separateCoincidentVertices(m_mesh, m_options.fill.numbers, progress, spareCrossings);
-    for (Vertex v : parted) {
+    return note(separateCoincidentVertices(m_mesh, m_options.fill.numbers, progress, spareCrossings), before, progress);
+  }
+
+  // What is left of it: parts that touch in a vertex without harm to an edge.
+  void separateTouching(Progress progress) {
+    const HalfEdgeMesh before = m_mesh;
+    note(separateTouchingVertices(m_mesh, m_options.fill.numbers, progress), before, progress);
+  }
+
+  bool note(const std::vector<Vertex>& separated, const HalfEdgeMesh& before, const Progress& progress) {
+    for (Vertex v : separated) {
       if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
     }
-    m_report.separatedVertices += parted.size();
-    if (!parted.empty()) relink(m_mesh, progress.unlimited());
-    return !parted.empty();
+    m_report.separatedVertices += separated.size();
+    if (!separated.empty()) relink(m_mesh, progress.unlimited());
+    return !separated.empty();
   }
 
   // The vertices of loops that the user wants open.
@@ -270,23 +280,6 @@ class Repairer {
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
   }
 
-  // What cuts left behind: small closed pieces of nothing but new faces and vertices. Cutting renumbers a face, but its
-  // corners remain those of the input.
-  void removeOwnDebris(Progress progress) {
-    const auto isNew = [&](Vertex v) { return v >= m_input.vertexSlots(); };
-    const auto isOwn = [&](Face f) {
-      const Triangle t = m_mesh.triangle(f);
-      return f >= m_input.faceSlots() && std::all_of(t.begin(), t.end(), isNew) && m_mesh.hasOpposite(3 * f) &&
-             m_mesh.hasOpposite(3 * f + 1) && m_mesh.hasOpposite(3 * f + 2);
-    };
-    if (m_mesh.faceSlots() == m_input.faceSlots()) return;
-    for (const Component& part : findComponents(m_mesh, progress)) {
-      if (!part.debris || !std::all_of(part.faces.begin(), part.faces.end(), isOwn)) continue;
-      for (const Face f : part.faces) m_mesh.removeFace(f);
-      m_report.removedDebris += part.faces.size();
-    }
-  }
-
   // Filled holes change the shape of a sheet, which may be none any more. Its outer edge remains one until they are
   // done; then it is what anyone finds who looks at the result.
   bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
@@ -349,7 +342,28 @@ class Repairer {
     for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
       if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));
     }
+    if (m_report.separatedVertices > 0) noteLostPlaces();
     m_report.touchedVertices = verticesAt(m_touchedHomes, progress.part(0.4, 1.0));
+  }
+
+  // Where a vertex of the input was and none is any more: each of its copies was moved or removed.
+  void noteLostPlaces() {
+    const auto isBefore = [](const Vec3& a, const Vec3& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    };
+    const auto placesOf = [&](const HalfEdgeMesh& mesh) {
+      std::vector<Vec3> places;
+      for (Face f = 0; f < mesh.faceSlots(); ++f) {
+        if (!mesh.isLive(f)) continue;
+        const TrianglePoints points = mesh.points(f);
+        places.insert(places.end(), points.begin(), points.end());
+      }
+      std::sort(places.begin(), places.end(), isBefore);
+      places.erase(std::unique(places.begin(), places.end()), places.end());
+      return places;
+    };
+    const std::vector<Vec3> are = placesOf(m_mesh), were = placesOf(m_input);
+    std::set_difference(were.begin(), were.end(), are.begin(), are.end(), std::back_inserter(m_touchedHomes), isBefore);
   }
 
   // The vertices of the input at these positions, sorted. Once cancelled, none.

@@ -37,6 +37,7 @@ enum class LoopOutcome { Filled, KeptOpen, Failed };
 struct LoopResult {
   int id = -1;  // as in findBoundaryLoops() of the input; -1 for a hole that the repair itself opened
   std::size_t edges = 0;
+  bool rim = false;  // of the input: the outer edge of an open sheet
   LoopOutcome outcome = LoopOutcome::Failed;
   FillMethod method = FillMethod::Fair;    // when filled
   FillFailure reason = FillFailure::None;  // when not filled

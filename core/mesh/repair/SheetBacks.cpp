@@ -22,12 +22,16 @@ bool SheetBacks::add(const OpenSheet& sheet) {
   m_corners.clear();
   m_middles.clear();
   m_thickness = sheet.thickness;
-  for (Face f : sheet.faces) look(f);
-  for (auto& [v, corner] : m_corners) corner.offset = m_kept.contains(v) ? Vec3::Zero() : offsetBehind(corner.faces);
+  for (Face f : sheet.faces) {
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h)
+      if (const Vertex v = m_mesh.from(h); !m_corners.contains(v)) m_corners.emplace(v, cornerOf(h));
+  }
   if (!hasRoom()) return false;
-  for (const auto& [v, corner] : m_corners) m_isSharpSomewhere |= corner.stays();
+  m_vertices += m_corners.size();
+  for (const auto& [v, corner] : m_corners) m_sharpVertices += corner.stays();
   for (Face f : sheet.faces) cover(f);
   for (Face f : sheet.faces) addSides(f);
+  for (Face f : sheet.faces) closeGaps(f);
   return true;
 }
 
@@ -56,29 +60,48 @@ SheetThickness SheetBacks::reached() const {
       reached.extend({depth, depth});
     }
   }
-  if (m_isSharpSomewhere) reached.least = 0.0;
+  if (m_sharpVertices > 0) reached.least = 0.0;
+  std::unordered_set<Vertex> nearer;
+  for (const auto& [v, offset] : m_offsets)
+    if (offset.halvings > 0 && offset.front != kNone) nearer.insert(offset.front);
+  reached.vertices = m_vertices;
+  reached.thinVertices = m_sharpVertices + nearer.size();
   return reached;
 }
 
-void SheetBacks::look(Face f) {
-  const Vec3 n = unitNormal(m_mesh, f);
-  for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-    const Vec3 p = m_mesh.position(m_mesh.from(h));
-    const Vec3 on = m_mesh.position(m_mesh.to(h)) - p,
-               back = m_mesh.position(m_mesh.from(HalfEdgeMesh::previous(h))) - p;
-    Corner& from = m_corners[m_mesh.from(h)];
-    from.faces.push_back({n, std::atan2(on.cross(back).norm(), on.dot(back))});
-    if (!m_mesh.hasOpposite(h)) from.isOpen = m_corners[m_mesh.to(h)].isOpen = true;
+std::size_t SheetBacks::Corner::offsetOf(Face f) const {
+  if (behind.offsets.size() < 2) return 0;
+  const auto at = std::find_if(fan.begin(), fan.end(), [f](HalfEdge h) { return HalfEdgeMesh::face(h) == f; });
+  return behind.offsetOf(static_cast<std::size_t>(at - fan.begin()));
+}
+
+SheetBacks::Corner SheetBacks::cornerOf(HalfEdge h) const {
+  const Vertex v = m_mesh.from(h);
+  const Vec3 p = m_mesh.position(v);
+  Corner corner;
+  corner.fan = m_mesh.fan(h);
+  corner.isOpen = !m_mesh.hasOpposite(corner.fan.front());
+  if (m_kept.contains(v)) return corner;
+  std::vector<FanFace> faces;
+  for (const HalfEdge spoke : corner.fan) {
+    const Vec3 on = m_mesh.position(m_mesh.to(spoke)) - p,
+               back = m_mesh.position(m_mesh.from(HalfEdgeMesh::previous(spoke))) - p;
+    faces.push_back({{unitNormal(m_mesh, HalfEdgeMesh::face(spoke)), std::atan2(on.cross(back).norm(), on.dot(back))},
+                     on.stableNormalized()});
   }
+  corner.behind = fanBack(faces, !corner.isOpen);
+  return corner;
 }
 
 // Else a back would be the sheet itself.
 bool SheetBacks::hasRoom() const {
   return std::all_of(m_corners.begin(), m_corners.end(), [&](const auto& entry) {
-    if (entry.second.stays()) return true;
     const Vec3& p = m_mesh.position(entry.first);
-    const Vec3 offset = m_thickness * entry.second.offset;
-    return (rounded(Vec3(p + offset), m_numbers) - (p + offset)).norm() <= 0.5 * offset.norm();
+    const std::vector<Vec3>& offsets = entry.second.behind.offsets;
+    return std::all_of(offsets.begin(), offsets.end(), [&](const Vec3& direction) {
+      const Vec3 offset = m_thickness * direction;
+      return (rounded(Vec3(p + offset), m_numbers) - (p + offset)).norm() <= 0.5 * offset.norm();
+    });
   });
 }
 
@@ -92,11 +115,13 @@ Vertex SheetBacks::behind(const SheetOffset& offset) {
   return v;
 }
 
-Vertex SheetBacks::back(Vertex v) {
+// The vertex behind that of a face.
+Vertex SheetBacks::back(Vertex v, Face f) {
   Corner& c = m_corners.at(v);
   if (c.stays()) return v;
-  if (c.back == kNone) c.back = behind({m_mesh.position(v), c.offset, m_thickness, c.isOpen ? v : kNone});
-  return c.back;
+  const std::size_t k = c.offsetOf(f);
+  if (c.backs[k] == kNone) c.backs[k] = behind({m_mesh.position(v), c.behind.offsets[k], m_thickness, v, c.isOpen});
+  return c.backs[k];
 }
 
 // The vertex behind the middle of an edge whose ends both stay; kNone for other edges.
@@ -109,7 +134,7 @@ Vertex SheetBacks::middle(HalfEdge h) {
     const Vec3 a = m_mesh.position(m_mesh.from(h)), b = m_mesh.position(m_mesh.to(h));
     const Vec3 offset = offsetBehind(
         {{unitNormal(m_mesh, HalfEdgeMesh::face(h)), 1.0}, {unitNormal(m_mesh, HalfEdgeMesh::face(g)), 1.0}});
-    at->second = behind({0.5 * (a + b), offset, m_thickness, kNone});
+    at->second = behind({0.5 * (a + b), offset, m_thickness, kNone, false});
   }
   return at->second;
 }
@@ -122,7 +147,7 @@ Face SheetBacks::add(Vertex a, Vertex b, Vertex c) {  // turned
 void SheetBacks::cover(Face f) {
   std::array<Vertex, 3> v{}, m{};  // m[k] is on the edge from corner k
   for (HalfEdge k = 0; k < 3; ++k) {
-    v[k] = back(m_mesh.triangle(f)[k]);
+    v[k] = back(m_mesh.triangle(f)[k], f);
     m[k] = middle(3 * f + k);
   }
   const auto split = std::count_if(m.begin(), m.end(), [](Vertex x) { return x != kNone; });
@@ -153,7 +178,7 @@ void SheetBacks::coverWhole(Face f, const std::array<Vertex, 3>& v) {
     return;
   }
   const TrianglePoints p = m_mesh.points(f);
-  const Vertex c = behind({(p[0] + p[1] + p[2]) / 3.0, -unitNormal(m_mesh, f), m_thickness, kNone});
+  const Vertex c = behind({(p[0] + p[1] + p[2]) / 3.0, -unitNormal(m_mesh, f), m_thickness, kNone, false});
   for (int k = 0; k < 3; ++k) add(v[k], v[(k + 1) % 3], c);
 }
 
@@ -161,9 +186,21 @@ void SheetBacks::coverWhole(Face f, const std::array<Vertex, 3>& v) {
 void SheetBacks::addSides(Face f) {
   for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
     if (m_mesh.hasOpposite(h)) continue;
-    const Vertex a = m_mesh.from(h), b = m_mesh.to(h), behindA = back(a), behindB = back(b);
+    const Vertex a = m_mesh.from(h), b = m_mesh.to(h), behindA = back(a, f), behindB = back(b, f);
     if (behindA != a) add(behindA, a, b);
     if (behindB != b) add(behindB, behindA, b);
+  }
+}
+
+// Between the parts of a divided back, behind the edges that divide it.
+void SheetBacks::closeGaps(Face f) {
+  for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+    if (!m_mesh.hasOpposite(h) || m_mesh.opposite(h) < h) continue;
+    const Face g = HalfEdgeMesh::face(m_mesh.opposite(h));
+    const Vertex a = m_mesh.from(h), b = m_mesh.to(h);
+    const Vertex behindA = back(a, f), behindB = back(b, f), otherA = back(a, g), otherB = back(b, g);
+    if (otherB != behindB) add(otherB, behindB, behindA);
+    if (otherA != behindA) add(otherA, otherB, behindA);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/repair/OffsetDirection.h"
+#include "mesh/repair/FanBack.h"
 #include "mesh/repair/SheetThickening.h"
 
 #include <unordered_map>
@@ -15,7 +15,8 @@ struct SheetOffset {
   Vec3 from;
   Vec3 direction;  // as of offsetBehind()
   double depth;    // times the direction
-  Vertex outline;  // of which it is the back; kNone within the sheet
+  Vertex front;    // of which it is the back; kNone behind the middle of an edge or face
+  bool isOnOutline;
   int halvings = 0;
 };
 
@@ -41,32 +42,34 @@ class SheetBacks {
 
  private:
   struct Corner {
-    std::vector<FaceAtVertex> faces;
+    std::vector<HalfEdge> fan;
     bool isOpen = false;
-    Vec3 offset = Vec3::Zero();
-    Vertex back = kNone;
+    FanBack behind;
+    std::array<Vertex, 2> backs{kNone, kNone};
 
-    bool stays() const { return offset.isZero(); }
+    bool stays() const { return behind.offsets.empty(); }
+    std::size_t offsetOf(Face f) const;
   };
 
-  void look(Face f);
+  Corner cornerOf(HalfEdge h) const;
   bool hasRoom() const;
   Vec3 place(const SheetOffset& offset) const;
   Vertex behind(const SheetOffset& offset);
-  Vertex back(Vertex v);
+  Vertex back(Vertex v, Face f);
   Vertex middle(HalfEdge h);
   Face add(Vertex a, Vertex b, Vertex c);
   void cover(Face f);
   void coverWhole(Face f, const std::array<Vertex, 3>& v);
   void addSides(Face f);
+  void closeGaps(Face f);
 
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
   const std::unordered_set<Vertex>& m_kept;
-  double m_thickness = 0.0;  // of the sheet that is added
-  bool m_isSharpSomewhere = false;
-  std::unordered_map<Vertex, Corner> m_corners;    // of that sheet
-  std::unordered_map<HalfEdge, Vertex> m_middles;  // the same; by the smaller half-edge
+  double m_thickness = 0.0;                         // of the sheet that is added
+  std::size_t m_vertices = 0, m_sharpVertices = 0;  // of all sheets; without an offset
+  std::unordered_map<Vertex, Corner> m_corners;     // of that sheet
+  std::unordered_map<HalfEdge, Vertex> m_middles;   // the same; by the smaller half-edge
   std::unordered_map<Vertex, SheetOffset> m_offsets;
   std::vector<std::pair<Face, Face>> m_facePairs;
   std::vector<Face> m_faces;

@@ -58,7 +58,7 @@ class BackWithdrawal {
     }
     std::unordered_set<Vertex> outline;
     for (const Vertex v : crossing) {
-      if (const Vertex at = m_backs.offsetOf(v)->outline; at != kNone) outline.insert(at);
+      if (const SheetOffset& offset = *m_backs.offsetOf(v); offset.isOnOutline) outline.insert(offset.front);
     }
     return outline;
   }
@@ -123,6 +123,8 @@ std::vector<Face> liveFaces(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
 }  // namespace
 
 void SheetThickness::extend(const SheetThickness& other) {
+  vertices += other.vertices;
+  thinVertices += other.thinVertices;
   if (other.largest <= 0.0) return;
   least = largest > 0.0 ? std::min(least, other.least) : other.least;
   largest = std::max(largest, other.largest);

@@ -13,7 +13,9 @@ namespace handwheel {
 // The thickness of thickened sheets, mm. It differs from vertex to vertex; 0 where an outline or fold stays sharp.
 struct SheetThickness {
   double least = 0.0;
-  double largest = 0.0;  // 0: nothing was thickened
+  double largest = 0.0;          // 0: nothing was thickened
+  std::size_t vertices = 0;      // of the sheets
+  std::size_t thinVertices = 0;  // at which the body is thinner than asked for
 
   void extend(const SheetThickness& other);
 };

@@ -3,6 +3,8 @@
 #include "mesh/sculpt/SchemeSubdivision.h"
 
 #include "mesh/openmesh/OpenMeshCopy.h"
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
@@ -68,6 +70,8 @@ void subdivideSurface(OpenMeshSurface& surface, const SchemeSubdivision& subdivi
       Uniform::ModifiedButterflyT<OpenMeshSurface> scheme;
       return subdivideBy(scheme, surface, subdivision.times, progress);
     }
+    case SubdivisionScheme::Midpoint:
+      return;  // see splitAtMiddles()
   }
 }
 
@@ -97,6 +101,48 @@ bool isTooMany(std::size_t faces, const SchemeSubdivision& subdivision, std::siz
   return false;
 }
 
+// Gives every edge a vertex in its middle, and every face the three that are then at its corners. The face itself
+// becomes the one between the middles.
+SubdivisionFailure splitAtMiddles(HalfEdgeMesh& mesh, NumberType numbers, const Progress& progress) {
+  const auto faces = static_cast<Face>(mesh.faceSlots());
+  std::vector<Vertex> middles(mesh.halfEdgeSlots(), kNone);
+  for (Face f = 0; f < faces; ++f) {
+    if (!pollProgress(f, faces, progress.part(0.0, 0.5))) return SubdivisionFailure::Cancelled;
+    if (!mesh.isLive(f) || !mesh.isProper(f)) continue;
+    const Triangle v = mesh.triangle(f);
+    Triangle m{};
+    for (HalfEdge k = 0; k < 3; ++k) {
+      const HalfEdge h = 3 * f + k;
+      if (middles[h] == kNone) {
+        const Vec3 &a = mesh.position(v[k]), &b = mesh.position(v[(k + 1) % 3]);
+        const Vec3 middle = rounded(Vec3(0.5 * a + 0.5 * b), numbers);
+        if (middle == a || middle == b) return SubdivisionFailure::TooFine;
+        middles[h] = mesh.addVertex(middle);
+        if (mesh.hasOpposite(h)) middles[mesh.opposite(h)] = middles[h];
+      }
+      m[k] = middles[h];
+    }
+    for (std::size_t k = 0; k < 3; ++k) mesh.addFace({v[k], m[k], m[(k + 2) % 3]});
+    mesh.setTriangle(f, m);
+  }
+  relink(mesh, progress.part(0.5, 1.0));
+  return progress.cancelled() ? SubdivisionFailure::Cancelled : SubdivisionFailure::None;
+}
+
+SubdivisionFailure splitAllAtMiddles(HalfEdgeMesh& mesh, int times, NumberType numbers, const Progress& progress) {
+  HalfEdgeMesh result = mesh;
+  double from = 0.0;
+  for (int i = 0; i < times; ++i) {
+    const double to = i + 1 == times ? 1.0 : 0.25 + 0.75 * from;
+    if (const auto failure = splitAtMiddles(result, numbers, progress.part(from, to));
+        failure != SubdivisionFailure::None)
+      return failure;
+    from = to;
+  }
+  mesh = std::move(result);
+  return SubdivisionFailure::None;
+}
+
 }  // namespace
 
 std::size_t facesOfOne(SubdivisionScheme scheme) {
@@ -106,6 +152,8 @@ std::size_t facesOfOne(SubdivisionScheme scheme) {
 SchemeOutcome subdivideAll(HalfEdgeMesh& mesh, const SchemeSubdivision& subdivision, const SubdivisionLimits& limits) {
   if (isTooMany(mesh.liveFaceCount(), subdivision, limits.mostFaces)) return {SubdivisionFailure::TooManyFaces, {}};
   const Progress& progress = limits.progress;
+  if (subdivision.scheme == SubdivisionScheme::Midpoint)
+    return {splitAllAtMiddles(mesh, subdivision.times, limits.numbers, progress), {}};
   OpenMeshCopy copy;
   if (const auto refusal = copy.take(mesh, progress.part(0.0, 0.1)); refusal != OpenMeshRefusal::None)
     return {SubdivisionFailure::None, refusal};

@@ -32,8 +32,7 @@ DeviationOptions measuring(const HalfEdgeMesh& original) {
 }
 
 // Empty once cancelled, and where there is nothing to measure.
-std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original,
-                                      const Progress& progress) {
+std::optional<double> distanceWithin(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, const Progress& progress) {
   const auto measured = deviation(mesh, original, measuring(original), progress);
   return measured ? std::optional(measured->hausdorff()) : std::nullopt;
 }
@@ -85,7 +84,7 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
       addVerticesNear(surface, beyond, reach, fixed);
       continue;
     }
-    report.largestDistance = largestDistance(mesh, original, whole.part(0.8, 1.0));
+    report.largestDistance = distanceWithin(mesh, original, whole.part(0.8, 1.0));
     report.isProven = within == Within::Yes;
     report.cancelled = progress.cancelled();
     if (report.cancelled || report.largestDistance.value_or(0.0) <= *options.error) return;
@@ -97,8 +96,10 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
 
 }  // namespace
 
-DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress) {
+DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress whole) {
   const HalfEdgeMesh original = mesh;
+  const bool isMeasured = options.measureDistance && !options.error;
+  const Progress progress = whole.part(0.0, isMeasured ? 0.7 : 1.0);
   DecimationReport report;
   report.facesBefore = mesh.liveFaceCount();
   report.removedDegenerate = removeDegenerate(mesh);
@@ -109,6 +110,10 @@ DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, 
     decimateWithin(mesh, options, report, progress);
   } else {
     report.cancelled = !Decimator(mesh, options, {}, progress.part(0.0, 0.05)).run(progress.part(0.05, 1.0));
+  }
+  if (isMeasured && !report.cancelled && report.refusal == OpenMeshRefusal::None) {
+    report.largestDistance = largestDistance(mesh, original, whole.part(0.7, 1.0));
+    report.cancelled = whole.cancelled();
   }
   if (report.cancelled || report.refusal != OpenMeshRefusal::None) mesh = original;
   report.facesAfter = mesh.liveFaceCount();

@@ -36,6 +36,8 @@ struct DecimationOptions {
   // as they are.
   bool avoidIntersections = false;
   DecimationMethod method = DecimationMethod::Bounded;
+  // Measure the distance that is reached where no error is given, too, which takes about as long as reading the file.
+  bool measureDistance = false;
 };
 
 // The report of a decimation.
@@ -43,8 +45,9 @@ struct DecimationReport {
   std::size_t facesBefore = 0;  // live
   std::size_t facesAfter = 0;
   std::size_t removedDegenerate = 0;  // faces with a repeated vertex
-  // Only where an error was given: in mm, either way, as deviation() found it; and whether it is proven that no point
-  // is farther than the error, or the proof would have taken too long (an error far smaller than the faces).
+  // In mm, either way, as deviation() found it; none unless an error was given or it was to be measured. And whether it
+  // is proven that no point is farther than the error: not where none was given, or the proof would have taken too long
+  // (an error far smaller than the faces).
   std::optional<double> largestDistance;
   bool isProven = false;
   OpenMeshRefusal refusal = OpenMeshRefusal::None;  // of Quadric; then the mesh is unchanged

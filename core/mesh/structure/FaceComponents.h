@@ -6,17 +6,23 @@
 
 namespace handwheel {
 
-// The components of a mesh: faces connected through shared vertex positions.
+// The components of a mesh, or pieces: faces connected through shared vertex positions. A face with a
+// repeated vertex joins nothing. Every count of pieces is
+// theirs.
 class FaceComponents {
  public:
   // The result is invalid if cancelled.
   FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, Progress progress = {});
+  // The same for triangles over welded points.
+  FaceComponents(const std::vector<Triangle>& triangles, std::size_t points, Progress progress = {});
 
   std::size_t count() const { return m_count; }
   // The component of a live face, in order of the first face.
   std::uint32_t of(Face f) const { return m_of[f]; }
 
  private:
+  void number(const std::vector<Triangle>& triangles, std::size_t points, const HalfEdgeMesh* mesh, Progress progress);
+
   std::vector<std::uint32_t> m_of;
   std::size_t m_count = 0;
 };

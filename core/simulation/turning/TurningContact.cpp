@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace handwheel {
@@ -14,6 +15,7 @@ constexpr int kHalvings = 12;  // of the way to the material: a 4000th of it is 
 
 double ProfilePatch::penetration(const ProfilePoint& centre, double radius) const {
   double deepest = -radius;
+  if (isOnFarSide(centre, radius)) return deepest;
   const double first = std::ceil((centre.y() - radius - width - z) / spacing);
   const double last = std::floor((centre.y() + radius - z) / spacing);
   const auto begin = static_cast<std::int64_t>(std::max(first, 0.0));
@@ -27,7 +29,8 @@ double ProfilePatch::penetration(const ProfilePoint& centre, double radius) cons
   return deepest;
 }
 
-ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius) {
+ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius, TurningSide side) {
+  const bool isBore = side == TurningSide::Bore;
   const double last = static_cast<double>(profile.size() - 1);
   const double half = 2.0 * noseRadius / profile.spacing() + 1.0, middle = z / profile.spacing();
   const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(middle - half), 0.0, last));
@@ -37,11 +40,16 @@ ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadi
   patch.spacing = profile.spacing() * static_cast<double>(stride);
   patch.width = profile.spacing() * static_cast<double>(stride - 1);
   patch.z = profile.z(begin);
+  double farSide = std::numeric_limits<double>::infinity();
   for (std::size_t i = begin; i <= end; i += stride) {
-    double largest = 0.0;
-    for (std::size_t j = i; j <= std::min(i + stride - 1, end); ++j) largest = std::max(largest, profile.radius(j));
-    patch.radii[patch.count++] = largest;
+    double highest = -std::numeric_limits<double>::infinity();
+    for (std::size_t j = i; j <= std::min(i + stride - 1, end); ++j) {
+      highest = std::max(highest, isBore ? -profile.inner(j) : profile.radius(j));
+      farSide = std::min(farSide, isBore ? -profile.radius(j) : profile.inner(j));
+    }
+    patch.radii[patch.count++] = highest;
   }
+  patch.farSide = farSide;
   return patch;
 }
 
@@ -54,6 +62,8 @@ bool TurningContact::follow(const ProfilePatch& patch, const TurningTool& tool, 
                             bool isCutting, double dt) {
   const auto depth = [&](const ProfilePoint& p) { return patch.penetration(p, tool.noseRadius); };
   const double there = depth(hand);
+  const bool isOnFarSide = patch.isOnFarSide(hand, tool.noseRadius);
+  if (std::exchange(m_isOnFarSide, isOnFarSide) && !isOnFarSide) m_unfelt = std::max(0.0, there);
   if (std::exchange(m_simulation, patch.simulation) != patch.simulation) m_unfelt = there - m_depth;
   m_unfelt = std::max(0.0, std::min(m_unfelt, there));
   m_depth = std::max(0.0, there - m_unfelt);

@@ -12,6 +12,7 @@ TurningForce::TurningForce(std::shared_ptr<TurningChannel> channel, const Turnin
 void TurningForce::follow(const ForceSource& previous) noexcept {
   const auto* other = dynamic_cast<const TurningForce*>(&previous);
   if (!other || other->m_channel != m_channel) return;
+  if (other->m_tool.side != m_tool.side) return;
   m_contact = other->m_contact;
   m_outward = other->m_outward;
   m_share = other->m_share;
@@ -24,13 +25,13 @@ ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
   const double distance = across.norm();
   if (!std::isfinite(distance) || !std::isfinite(tip.position.z())) return {};
   if (distance > 0.0) m_outward = across / distance;
-  const ProfilePoint hand(distance, tip.position.z() - m_base);
+  const ProfilePoint hand(sideways(m_tool.side, distance), tip.position.z() - m_base);
   if (tip.isRestart || !m_isPlaced) m_contact.place(hand);
   m_isPlaced = true;
   TurningTool carried = m_tool;
   carried.stiffness *= m_share;
   m_isTouching = m_contact.follow(m_channel->patch.read(), carried, hand, gesture != 0, tip.period);
-  m_proxy = m_contact.tool().x() * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base);
+  m_proxy = sideways(m_tool.side, m_contact.tool().x()) * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base);
   m_channel->inputs->push({tip, m_proxy, gesture});
   if (!m_isTouching) return {};
   out.isContact = true;

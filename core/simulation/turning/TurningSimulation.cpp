@@ -15,16 +15,15 @@ ProfilePoint toolAt(const SimulationInput& input, double base) {
 
 }  // namespace
 
-TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surface, double noseRadius, double base,
+TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surface, TurningPass blank, double base,
                                      std::shared_ptr<TurningChannel> channel, std::size_t mostPoints)
     : m_state(std::make_shared<const TurningState>(profile, std::move(surface))),
       m_profile(std::move(profile)),
+      m_pass(std::move(blank)),
       m_base(base),
       m_channel(std::move(channel)),
       m_mostPoints(mostPoints),
-      m_number(++m_channel->simulations) {
-  m_pass.noseRadius = noseRadius;
-}
+      m_number(++m_channel->simulations) {}
 
 void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   TurnedProfile::Range changed;
@@ -37,7 +36,7 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
     m_state = std::move(state);
   }
   if (inputs.empty()) return;
-  ProfilePatch patch = patchAround(m_profile, inputs.back().tip.position.z() - m_base, m_pass.noseRadius);
+  ProfilePatch patch = patchAround(m_profile, inputs.back().tip.position.z() - m_base, m_pass.noseRadius, m_pass.side);
   patch.simulation = m_number;
   m_channel->patch.write(patch);
 }
@@ -49,7 +48,7 @@ TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {
   if (m_pass.path.empty()) m_begin = input.tip.time;
   m_pass.times.push_back(std::max(input.tip.time - m_begin, m_pass.times.empty() ? 0.0 : m_pass.times.back()));
   m_pass.path.push_back(place);
-  return m_profile.cut(from, place, m_pass.noseRadius);
+  return cut(m_profile, m_pass, from, place);
 }
 
 }  // namespace handwheel

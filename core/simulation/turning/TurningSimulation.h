@@ -20,8 +20,9 @@ struct TurningState : SimulationState {
 // The simulation of turning: the profile loses what the tool passes in a gesture, which is one pass.
 class TurningSimulation : public Simulation {
  public:
-  // base: mm, z of the part's lower end in the scene. mostPoints: of the pass.
-  TurningSimulation(TurnedProfile profile, TurnedSurface surface, double noseRadius, double base,
+  // blank: a pass without points, which says what cuts. base: mm, z of the part's lower end in the scene. mostPoints:
+  // of the pass.
+  TurningSimulation(TurnedProfile profile, TurnedSurface surface, TurningPass blank, double base,
                     std::shared_ptr<TurningChannel> channel, std::size_t mostPoints = TurningPass::kMostPoints);
 
   void step(double dt, std::span<const SimulationInput> inputs) override;

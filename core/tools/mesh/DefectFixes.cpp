@@ -6,7 +6,6 @@
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/defects/InsideOutShells.h"
-#include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/FoldedRegionRemoval.h"
@@ -130,21 +129,13 @@ bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, const std::vector<V
   return !effort.isSpent();
 }
 
-// One of the vertices at each position where parts touch without sharing an edge.
-std::vector<Vertex> touchingVertices(const HalfEdgeMesh& mesh, Progress progress) {
-  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
-  if (progress.cancelled()) return {};
-  std::vector<Vertex> found =
-      findNonManifoldVertices(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.5, 1.0));
-  for (Vertex& v : found) v = byPosition.classes.representative[v];
-  return found;
-}
-
 bool partAllNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
   const bool done = partNonManifold(mesh, numbers, {}, progress.part(0.0, 0.5));
   if (progress.cancelled()) return done;
-  const std::vector<Vertex> left = touchingVertices(mesh, progress.part(0.5, 0.6));
-  return (left.empty() || partNonManifold(mesh, numbers, left, progress.part(0.6, 1.0))) && done;
+  WorkBudget effort = progress.share(mostEffort(mesh));
+  if (!separateTouchingVertices(mesh, numbers, progress.part(0.5, 0.9).within(effort)).empty())
+    relink(mesh, progress.part(0.9, 1.0));
+  return !effort.isSpent() && done;
 }
 
 // The faces of the components that have one of these vertices, by position.
@@ -172,23 +163,31 @@ const FaceSelection* onlyOf(const FaceSelection& faces) {
 
 }  // namespace
 
+namespace {
+
+// Says before and after.
+MeshChange fix(MeshChange change, std::string step) {
+  change.isFix = true;
+  return withStep(std::move(change), std::move(step));
+}
+
+}  // namespace
+
 MeshChange degenerateFix(const FaceSelection& faces) {
   StepWriter step("degenerates");
   if (!faces.empty()) step.word(rangesText(faces));
-  return withStep(
-      {meshOperation("degenerates").title,
-       [faces](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress, onlyOf(faces)); }},
-      step.text());
+  return fix({meshOperation("degenerates").title,
+              [faces](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress, onlyOf(faces)); }},
+             step.text());
 }
 
 MeshChange duplicateFix(const FaceSelection& faces) {
   StepWriter step("duplicates");
   if (!faces.empty()) step.word(rangesText(faces));
-  return withStep(
-      {meshOperation("duplicates").title,
-       [faces](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress, onlyOf(faces)); },
-       QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed")},
-      step.text());
+  return fix({meshOperation("duplicates").title,
+              [faces](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress, onlyOf(faces)); },
+              kPlateSides},
+             step.text());
 }
 
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs) {
@@ -197,91 +196,91 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
   OperationValues values(meshOperation("near-vertices"));
   values.setValid("near-weld", nearWeld);
   step.options(values);
-  return withStep({meshOperation("near-vertices").title,
-                   [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-                     std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
-                     for (const auto& [a, b] : pairs)
-                       if (std::max(a, b) < fixed.size()) fixed[a] = fixed[b] = false;
-                     stitchBorders(mesh, fixed, progress, nearWeld);
-                   },
-                   QT_TRANSLATE_NOOP("Tool", "merging them would not close the surface any further")},
-                  step.text());
+  return fix({meshOperation("near-vertices").title,
+              [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+                std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
+                for (const auto& [a, b] : pairs)
+                  if (std::max(a, b) < fixed.size()) fixed[a] = fixed[b] = false;
+                stitchBorders(mesh, fixed, progress, nearWeld);
+              },
+              kClosesNothing},
+             step.text());
 }
 
 MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices) {
   StepWriter step("split-nonmanifold");
   if (!vertices.empty()) step.word(listText(vertices));
   step.options(rounding("split-nonmanifold", numbers));
-  return withStep(counted(
-                      meshOperation("split-nonmanifold").title,
-                      [numbers, vertices = std::move(vertices)](HalfEdgeMesh& mesh, Progress progress) {
-                        if (vertices.empty()) return partAllNonManifold(mesh, numbers, progress);
-                        const std::vector<Vertex> at = known(mesh, vertices);
-                        return at.empty() || partNonManifold(mesh, numbers, at, progress);
-                      },
-                      QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself")),
-                  step.text());
+  return fix(counted(
+                 meshOperation("split-nonmanifold").title,
+                 [numbers, vertices = std::move(vertices)](HalfEdgeMesh& mesh, Progress progress) {
+                   if (vertices.empty()) return partAllNonManifold(mesh, numbers, progress);
+                   const std::vector<Vertex> at = known(mesh, vertices);
+                   return at.empty() || partNonManifold(mesh, numbers, at, progress);
+                 },
+                 kNotSeparable),
+             step.text());
 }
 
 MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vertices) {
   StepWriter step("two-sides");
   if (!vertices.empty()) step.word(listText(vertices));
   step.options(filling("two-sides", options));
-  return withStep(counted(
-                      meshOperation("two-sides").title,
-                      [options, vertices = std::move(vertices)](HalfEdgeMesh& mesh, Progress progress) {
-                        WorkBudget effort = progress.share(mostEffort(mesh));
-                        const Progress now = progress.within(effort);
-                        FaceSelection parts;
-                        if (!vertices.empty()) parts = componentsAt(mesh, vertices, now.part(0.0, 0.05));
-                        closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
-                                           now.part(0.05, 1.0), vertices.empty() ? nullptr : &parts);
-                        return !effort.isSpent();
-                      },
-                      QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part")),
-                  step.text());
+  return fix(counted(
+                 meshOperation("two-sides").title,
+                 [options, vertices = std::move(vertices)](HalfEdgeMesh& mesh, Progress progress) {
+                   WorkBudget effort = progress.share(mostEffort(mesh));
+                   const Progress now = progress.within(effort);
+                   FaceSelection parts;
+                   if (!vertices.empty()) parts = componentsAt(mesh, vertices, now.part(0.0, 0.05));
+                   closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
+                                      now.part(0.05, 1.0), vertices.empty() ? nullptr : &parts);
+                   return !effort.isSpent();
+                 },
+                 kNoCleanCut),
+             step.text());
 }
 
 // A repair replaces what is folded around a hole, which no cut can separate.
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
-  return withStep(explainedChange(
-                      meshOperation("cut-crossings").title,
-                      [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-                        WorkBudget effort = progress.share(mostEffort(mesh));
-                        const ClusterRemoval cut =
-                            removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort));
-                        return cut.isCutShort ? kTooLong : hasHoles(mesh, progress) ? kOnlyWithHoles : nullptr;
-                      },
-                      QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
-                  step.text());
+  return fix(explainedChange(
+                 meshOperation("cut-crossings").title,
+                 [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+                   WorkBudget effort = progress.share(mostEffort(mesh));
+                   const ClusterRemoval cut =
+                       removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort));
+                   return cut.isCutShort ? kTooLong : hasHoles(mesh, progress) ? kOnlyWithHoles : nullptr;
+                 },
+                 QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
+             step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {
   StepWriter step("debris");
   step.word(listText(faces));
-  return withStep({meshOperation("debris").title,
-                   [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
-                     FaceSelection pieces;
-                     for (const Face f : faces) {
-                       if (!mesh.isLive(f) || pieces.contains(f)) continue;
-                       for (const Face other : sheetOf(mesh, f)) pieces.add(other);
-                     }
-                     removeFaces(mesh, pieces, progress);
-                   }},
-                  step.text());
+  return fix({meshOperation("debris").title,
+              [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
+                FaceSelection pieces;
+                for (const Face f : faces) {
+                  if (!mesh.isLive(f) || pieces.contains(f)) continue;
+                  for (const Face other : sheetOf(mesh, f)) pieces.add(other);
+                }
+                removeFaces(mesh, pieces, progress);
+              }},
+             step.text());
 }
 
 MeshChange allDebrisFix() {
-  return withStep(
+  return fix(
       {meshOperation("debris").title, [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); },
        QT_TRANSLATE_NOOP("Tool", "no piece is far smaller than the largest")},
       "debris");
 }
 
 MeshChange insideOutFix() {
-  return withStep(
+  return fix(
       {meshOperation("reverse").title, [](HalfEdgeMesh& mesh, Progress progress) { orientOutward(mesh, progress); },
        QT_TRANSLATE_NOOP("Tool", "no body is inside out")},
       "reverse");
@@ -290,15 +289,15 @@ MeshChange insideOutFix() {
 MeshChange reverseChange(const FaceSelection& faces) {
   StepWriter step("reverse");
   step.word(rangesText(faces));
-  return withStep({meshOperation("reverse").title,
-                   [faces](HalfEdgeMesh& mesh, Progress progress) {
-                     const auto isChosen = [&](Face f) { return faces.contains(f); };
-                     for (const std::vector<Face>& shell : findShells(mesh, progress)) {
-                       if (progress.cancelled()) return;
-                       if (std::any_of(shell.begin(), shell.end(), isChosen)) reverseShells(mesh, shell);
-                     }
-                   }},
-                  step.text());
+  return fix({meshOperation("reverse").title,
+              [faces](HalfEdgeMesh& mesh, Progress progress) {
+                const auto isChosen = [&](Face f) { return faces.contains(f); };
+                for (const std::vector<Face>& shell : findShells(mesh, progress)) {
+                  if (progress.cancelled()) return;
+                  if (std::any_of(shell.begin(), shell.end(), isChosen)) reverseShells(mesh, shell);
+                }
+              }},
+             step.text());
 }
 
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, double thickness) {
@@ -317,25 +316,25 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, dou
   };
   MeshChange change = explainedChange(meshOperation("back").title, work);
   change.sheets = sheets;
-  return withStep(std::move(change), step.text());
+  return fix(std::move(change), step.text());
 }
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   StepWriter step("cut-and-close");
   step.word(loopsText({loop})).options(filling("cut-and-close", options));
-  return withStep(counted(
-                      meshOperation("cut-and-close").title,
-                      [loop, options](HalfEdgeMesh& mesh, Progress progress) {
-                        bool done = isDone(closeHard(mesh, holesWith(mesh, {loop}, false, progress.part(0.0, 0.1)),
-                                                     options, defaultSheetThickness(mesh), progress.part(0.1, 0.6)));
-                        if (!progress.cancelled())
-                          done = replaceFolded(mesh, loop, options, progress.part(0.6, 0.95)) && done;
-                        if (!progress.cancelled())
-                          done = partNonManifold(mesh, options.numbers, {}, progress.part(0.95, 1.0)) && done;
-                        return done;
-                      },
-                      QT_TRANSLATE_NOOP("Tool", "the region to be cut is folded too much")),
-                  step.text());
+  return fix(counted(
+                 meshOperation("cut-and-close").title,
+                 [loop, options](HalfEdgeMesh& mesh, Progress progress) {
+                   bool done = isDone(closeHard(mesh, holesWith(mesh, {loop}, false, progress.part(0.0, 0.1)), options,
+                                                defaultSheetThickness(mesh), progress.part(0.1, 0.6)));
+                   if (!progress.cancelled())
+                     done = replaceFolded(mesh, loop, options, progress.part(0.6, 0.95)) && done;
+                   if (!progress.cancelled())
+                     done = partNonManifold(mesh, options.numbers, {}, progress.part(0.95, 1.0)) && done;
+                   return done;
+                 },
+                 QT_TRANSLATE_NOOP("Tool", "the region to be cut is folded too much")),
+             step.text());
 }
 
 }  // namespace handwheel

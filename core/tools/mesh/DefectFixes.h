@@ -6,10 +6,21 @@
 #include "mesh/selection/FaceSelection.h"
 #include "tools/mesh/MeshServices.h"
 
+#include <QtGlobal>
 #include <utility>
 #include <vector>
 
 namespace handwheel {
+
+// Why defects may remain, as MeshChange::reason.
+inline constexpr const char* kPlateSides =
+    QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed");
+inline constexpr const char* kClosesNothing =
+    QT_TRANSLATE_NOOP("Tool", "merging them would close no open edge, or make edges with more than two triangles");
+inline constexpr const char* kNotSeparable =
+    QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself");
+inline constexpr const char* kNoCleanCut =
+    QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part");
 
 // Each of these functions creates the change that repairs one kind of defect, with its step. It changes only the defect
 // and its surroundings. Where faces, vertices or pairs are named, only defects at these are repaired, otherwise all.

@@ -4,6 +4,7 @@
 
 #include "mesh/boundary/BorderWelding.h"
 #include "mesh/boundary/VertexPull.h"
+#include "mesh/measure/Deviation.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/OpenMeshReasons.h"
 #include "tools/mesh/boundary/BorderPicking.h"
@@ -40,30 +41,43 @@ bool areVertices(const HalfEdgeMesh& mesh, const Triangle& face) {
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason) {
   StepWriter step("delete");
   step.word(rangesText(faces));
-  return withStep(
-      {text, [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); },
-       reason},
-      step.text());
+  MeshChange change{
+      text, [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); },
+      reason};
+  change.isDeletion = true;
+  return withStep(std::move(change), step.text());
 }
 
 MeshChange decimateChange(const DecimationOptions& options) {
-  return withStep(
-      explainedChange(
-          meshOperation("decimate").title,
-          [options](HalfEdgeMesh& mesh, Progress p) { return reasonOf(decimate(mesh, options, p).refusal); },
-          QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits")),
-      StepWriter("decimate").options(valuesOf(options)).text());
+  const auto distance = std::make_shared<std::optional<double>>();
+  DecimationOptions measured = options;
+  measured.measureDistance = true;
+  MeshChange change = explainedChange(
+      meshOperation("decimate").title,
+      [measured, distance](HalfEdgeMesh& mesh, Progress p) {
+        const DecimationReport report = decimate(mesh, measured, p);
+        *distance = report.largestDistance;
+        return reasonOf(report.refusal);
+      },
+      QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits"));
+  change.distance = distance;
+  return withStep(std::move(change), StepWriter("decimate").options(valuesOf(options)).text());
 }
 
 MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType numbers) {
   OperationValues values = valuesOf(subdivision);
   setNumbers(values, numbers);
-  return withStep(
-      explainedChange(subdivideMeshOperation().title,
-                      [=](HalfEdgeMesh& mesh, Progress p) {
-                        return reasonOf(subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p}));
-                      }),
-      StepWriter("subdivide-mesh").options(values).text());
+  const auto distance = std::make_shared<std::optional<double>>();
+  MeshChange change = explainedChange(subdivideMeshOperation().title, [=](HalfEdgeMesh& mesh, Progress p) {
+    const HalfEdgeMesh before = mesh;
+    const SchemeOutcome outcome = subdivideAll(mesh, subdivision, {.numbers = numbers, .progress = p.part(0.0, 0.6)});
+    *distance = std::nullopt;
+    if (outcome.isDone() && subdivision.scheme != SubdivisionScheme::Midpoint)
+      *distance = largestDistance(mesh, before, p.part(0.6, 1.0));
+    return reasonOf(outcome);
+  });
+  change.distance = distance;
+  return withStep(std::move(change), StepWriter("subdivide-mesh").options(values).text());
 }
 
 MeshChange faceChange(const Triangle& face) {

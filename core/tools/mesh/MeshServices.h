@@ -8,6 +8,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace handwheel {
@@ -33,6 +34,13 @@ struct MeshChange {
   std::shared_ptr<std::atomic<const char*>> found = nullptr;
   // Set by apply: what became of the sheets that were to be thickened, which the log says. Null for other changes.
   std::shared_ptr<SheetOutcomes> sheets = nullptr;
+  // Set by apply: the largest distance between the surfaces before and after, mm, where it was measured. Null for other
+  // changes.
+  std::shared_ptr<std::optional<double>> distance = nullptr;
+  // Removes faces that the user has chosen, perhaps more than were meant.
+  bool isDeletion = false;
+  // Repairs listed defects: it is said how many of each kind there were before and are afterwards.
+  bool isFix = false;
 };
 
 // Why a change has changed nothing, once it was applied; as MeshChange::reason.

@@ -255,7 +255,8 @@ Result<StepOutcome> applyChange(MeshDocument& document, const MeshChange& change
   const char* reason = reasonOf(change);
   const char* why = reason == kEdgeChanged ? kImpossible : reason;
   return StepOutcome{changed, changed ? nullptr : why, FillFailure::None,
-                     change.sheets ? *change.sheets : SheetOutcomes()};
+                     change.sheets ? *change.sheets : SheetOutcomes(),
+                     changed && change.distance ? *change.distance : std::nullopt};
 }
 
 Result<StepOutcome> addFile(StepReader& reader, MeshDocument& document, Progress progress,

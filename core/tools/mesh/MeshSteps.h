@@ -21,7 +21,8 @@ struct StepOutcome {
   // Why nothing changed, where it did not; one of them or none.
   const char* reason = nullptr;  // English, contexts "Tool" and "Property"
   FillFailure failure = FillFailure::None;
-  SheetOutcomes sheets = {};  // of a step that thickens some
+  SheetOutcomes sheets = {};            // of a step that thickens some
+  std::optional<double> distance = {};  // as MeshChange::distance
 };
 
 // Reads the mesh of another file, for "add".

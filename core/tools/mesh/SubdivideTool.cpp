@@ -19,6 +19,11 @@ constexpr ToolKey kSubdivideKeys[] = {
 
 }  // namespace
 
+SubdivideTool::SubdivideTool(MeshDocument& document, MeshServices services)
+    : m_document(document), m_services(std::move(services)) {
+  m_values.setValid("method", static_cast<double>(SubdivisionScheme::Midpoint));
+}
+
 double SubdivideTool::facesAfterwards() const {
   const SchemeSubdivision subdivision = schemeSubdivisionOf(m_values);
   return static_cast<double>(m_document.mesh().liveFaceCount()) *

@@ -10,12 +10,11 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that subdivides a whole mesh by a scheme (subdivideAll()).
+// Tool that subdivides a whole mesh by a scheme (subdivideAll()); at first by the one that leaves the surface as it is.
 class SubdivideTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
-  SubdivideTool(MeshDocument& document, MeshServices services)
-      : m_document(document), m_services(std::move(services)) {}
+  SubdivideTool(MeshDocument& document, MeshServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "subdivide"; }

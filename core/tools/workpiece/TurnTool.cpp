@@ -17,6 +17,7 @@ namespace {
 
 constexpr Limits kNoseRadii{TurningPass::kLeastNose, TurningPass::kLargestNose};
 constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
+constexpr Limits kResolutions{0.05, 10.0};  // mm, as turn.resolution
 
 // The circle of the nose in the half plane through the axis.
 std::vector<Vec3> noseOutline(const Vec3& centre, double radius) {
@@ -43,12 +44,14 @@ std::optional<Vec3> placeOfMouse(const Ray& ray) {
 }
 
 // mm. Of an uncut bar the radius is that of the bar.
-double radiusAt(const WorkpieceSnapshot& workpiece, double z) {
-  if (!workpiece.part) return 0.5 * workpiece.stock.diameter;
+double radiusAt(const WorkpieceSnapshot& workpiece, double z, TurningSide side) {
+  const bool isBore = side == TurningSide::Bore;
+  if (!workpiece.part) return isBore ? 0.0 : 0.5 * workpiece.stock.diameter;
   const TurnedProfile& profile = workpiece.part->profile;
   const double at = std::clamp(z / profile.spacing(), 0.0, static_cast<double>(profile.size() - 1));
   const auto i = static_cast<std::size_t>(std::min(std::floor(at), static_cast<double>(profile.size() - 2)));
-  return std::lerp(profile.radius(i), profile.radius(i + 1), at - static_cast<double>(i));
+  const auto radius = [&](std::size_t k) { return isBore ? profile.inner(k) : profile.radius(k); };
+  return std::lerp(radius(i), radius(i + 1), at - static_cast<double>(i));
 }
 
 // What a pass has done, for the history. removed: mm³.
@@ -63,9 +66,9 @@ QString passText(const TurnedPart& part, double removed) {
 
 }  // namespace
 
-TurnTool::TurnTool(WorkpieceDocument& document, const SimulationServices& services, double spacing)
+TurnTool::TurnTool(WorkpieceDocument& document, const SimulationServices& services, const Start& start)
     : m_document(document),
-      m_spacing(spacing),
+      m_start(start),
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {}
 
 std::span<const ToolKey> TurnTool::keys() {
@@ -74,8 +77,13 @@ std::span<const ToolKey> TurnTool::keys() {
 }
 
 std::unique_ptr<Simulation> TurnTool::simulation() const {
-  const TurnedPart part = partOf(m_document.workpiece(), m_spacing);
-  return std::make_unique<TurningSimulation>(part.profile, part.surface, m_tool.noseRadius, base(), m_channel);
+  const TurnedPart part = partOf(m_document.workpiece(), m_start.spacing);
+  TurningPass blank;
+  blank.noseRadius = m_tool.noseRadius;
+  blank.side = m_tool.side;
+  blank.method = m_start.method;
+  blank.resolution = m_start.resolution;
+  return std::make_unique<TurningSimulation>(part.profile, part.surface, std::move(blank), base(), m_channel);
 }
 
 std::shared_ptr<const TurningState> TurnTool::state() const {
@@ -89,13 +97,17 @@ std::optional<Vec3> TurnTool::placeOf(const PointerEvent& event) const {
   return Vec3(*place + (m_gesture.isOn() ? m_lift : wayOut(*place)));
 }
 
-// Straight away from the axis, until the nose touches the part only.
+// Straight away from the axis, or towards it in a bore, until the nose touches the part only. Where it does not fit in
+// the bore, beyond the upper end.
 Vec3 TurnTool::wayOut(const Vec3& place) const {
   const Vec3 across(place.x(), place.y(), 0.0);
-  const double r = across.norm(), z = place.z() - base();
-  const double depth = patchAround(state()->profile, z, m_tool.noseRadius).penetration({r, z}, m_tool.noseRadius);
+  const double r = across.norm(), z = place.z() - base(), nose = m_tool.noseRadius;
+  const TurnedProfile& profile = state()->profile;
+  const ProfilePatch patch = patchAround(profile, z, nose, m_tool.side);
+  const double depth = patch.penetration({sideways(m_tool.side, r), z}, nose);
   if (!(depth > 0.0)) return Vec3::Zero();
-  return depth * (r > 0.0 ? Vec3(across / r) : Vec3::UnitX());
+  if (m_tool.side == TurningSide::Bore && depth > r) return {0.0, 0.0, profile.length() + nose + profile.spacing() - z};
+  return sideways(m_tool.side, depth) * (r > 0.0 ? Vec3(across / r) : Vec3::UnitX());
 }
 
 ToolReply TurnTool::press(const PointerEvent& event) {
@@ -141,7 +153,7 @@ ToolReply TurnTool::release() {
     m_gesture.restart();
     return ToolReply::Used;
   }
-  TurnedPart before = partOf(m_document.workpiece(), m_spacing);
+  TurnedPart before = partOf(m_document.workpiece(), m_start.spacing);
   const double removed = before.profile.volume() - cut->profile.volume();
   auto passes = std::move(before.passes);
   passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
@@ -166,16 +178,19 @@ std::vector<ToolAction> TurnTool::actions() const {
       {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
 }
 
-// Diameter and height at the innermost point of the nose, and how deep that is below the surface before the pass.
+// Diameter and height at the point of the nose that is deepest in the material, and how deep that is below the surface
+// before the pass.
 std::optional<ToolLabel> TurnTool::label() const {
   if (!m_place) return std::nullopt;
   const WorkpieceSnapshot& workpiece = m_document.workpiece();
   const StockCylinder& stock = workpiece.stock;
-  const double r = std::max(0.0, std::hypot(m_place->x(), m_place->y()) - m_tool.noseRadius);
+  const double centre = std::hypot(m_place->x(), m_place->y());
+  const double r = std::max(0.0, centre - sideways(m_tool.side, m_tool.noseRadius));
   const double z = m_place->z() - base(), near = 0.5 * stock.diameter;
   if (r > 0.5 * stock.diameter + near || z < -near || z > stock.length + near) return std::nullopt;
   ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z}}};
-  if (z >= 0.0 && z <= stock.length) label.figures.push_back({"", std::min(0.0, r - radiusAt(workpiece, z))});
+  if (z >= 0.0 && z <= stock.length)
+    label.figures.push_back({"", std::min(0.0, sideways(m_tool.side, r - radiusAt(workpiece, z, m_tool.side)))});
   return label;
 }
 
@@ -192,14 +207,24 @@ ToolPreview TurnTool::preview() const {
 }
 
 std::vector<Property> TurnTool::settings() const {
-  return {numberSetting("nose_radius", QT_TRANSLATE_NOOP("Property", "Nose radius"), m_tool.noseRadius,
-                        Quantity::Length, kNoseRadii),
-          numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Resistance (N·s/mm)"), m_tool.resistance,
-                        Quantity::Number, kResistances)};
+  return {
+      numberSetting("nose_radius", QT_TRANSLATE_NOOP("Property", "Nose radius"), m_tool.noseRadius, Quantity::Length,
+                    kNoseRadii),
+      numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Resistance (N·s/mm)"), m_tool.resistance,
+                    Quantity::Number, kResistances),
+      choiceSetting("side", QT_TRANSLATE_NOOP("Property", "Side"), static_cast<int>(m_tool.side),
+                    {QT_TRANSLATE_NOOP("Property", "Outside"), QT_TRANSLATE_NOOP("Property", "Bore")}),
+      choiceSetting("method", QT_TRANSLATE_NOOP("Property", "Method"), static_cast<int>(m_start.method),
+                    {QT_TRANSLATE_NOOP("Property", "Exact trimming"), QT_TRANSLATE_NOOP("Property", "Control points")}),
+      numberSetting("resolution", QT_TRANSLATE_NOOP("Property", "Control point distance"), m_start.resolution,
+                    Quantity::Length, kResolutions)};
 }
 
 void TurnTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "nose_radius" && assignNumber(m_tool.noseRadius, value, kNoseRadii)) m_gesture.restart();
+  if (id == "side" && assignChoice(m_tool.side, value, 2)) m_gesture.restart();
+  if (id == "method" && assignChoice(m_start.method, value, 2)) m_gesture.restart();
+  if (id == "resolution" && assignNumber(m_start.resolution, value, kResolutions)) m_gesture.restart();
   if (id == "resistance") assignNumber(m_tool.resistance, value, kResistances);
 }
 

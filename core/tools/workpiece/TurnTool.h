@@ -17,8 +17,13 @@ class TurnTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
 
-  // spacing: mm between the samples of a part that was not cut yet (turn.spacing).
-  TurnTool(WorkpieceDocument& document, const SimulationServices& services, double spacing);
+  // What a tool starts with, from the fidelity settings.
+  struct Start {
+    double spacing = 0.013;  // mm, between the samples of a part that was not cut yet (turn.spacing)
+    TurningMethod method = TurningMethod::Trim;  // turn.method
+    double resolution = 0.5;                     // mm (turn.resolution)
+  };
+  TurnTool(WorkpieceDocument& document, const SimulationServices& services, const Start& start);
 
   // What the force source of the tool exchanges with its simulation, for the haptic scene.
   const std::shared_ptr<TurningChannel>& channel() const { return m_channel; }
@@ -47,7 +52,7 @@ class TurnTool : public Tool {
   std::optional<ToolLabel> label() const;
 
   WorkpieceDocument& m_document;
-  double m_spacing;
+  Start m_start;
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
 #include "TestClass.h"
+#include "base/JsonText.h"
 #include "document/container/ArchiveErrors.h"
-#include "document/container/JsonText.h"
 #include "document/container/LocalEntries.h"
 #include "document/container/ZipReader.h"
 

@@ -51,7 +51,6 @@ class TurnedProfileTest : public QObject {
     QVERIFY(std::abs(bar.area() / kBar.area() - 1.0) < 1e-12);
     const TurnedProfile cone = TurnedProfile::fromRadii({3.0, 0.0}, 4.0);
     QVERIFY(std::abs(cone.volume() - M_PI * 12.0) < 1e-12 && std::abs(cone.area() - M_PI * 24.0) < 1e-12);
-    QCOMPARE(bar.polyline(1e-6).size(), std::size_t{2});
     // As coarse or fine as can be.
     QCOMPARE(TurnedProfile(kBar, 1e9).size(), std::size_t{2});
     QCOMPARE(TurnedProfile({1.0, 1e6, 0.0}, 1e-6).size(), TurnedProfile::kMostSamples);
@@ -120,24 +119,6 @@ class TurnedProfileTest : public QObject {
       RC_ASSERT(cut(part, pass).isEmpty());
       RC_ASSERT(part == once);
       for (std::size_t i = 0; i < part.size(); ++i) RC_ASSERT(part.radius(i) >= 0.0 && part.radius(i) <= 20.0);
-    }));
-  }
-
-  void polylineStaysWithinTheChord() {
-    QVERIFY(rc::check("each sample is within the chord of the polyline", [] {
-      TurnedProfile part(kBar, 0.5);
-      for (int i = 0; i < 4; ++i) part.cut(anyPlace(), anyPlace(), between(0.5, 5.0));
-      const double chord = between(1e-6, 1.0);
-      const std::vector<ProfilePoint> line = part.polyline(chord);
-      RC_ASSERT(line.front() == ProfilePoint(part.radius(0), 0.0));
-      RC_ASSERT(line.back() == ProfilePoint(part.radius(part.size() - 1), part.z(part.size() - 1)));
-      std::size_t at = 0;
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        while (line[at + 1].y() < part.z(i)) ++at;
-        const ProfilePoint along = (line[at + 1] - line[at]).normalized();
-        const ProfilePoint to = ProfilePoint(part.radius(i), part.z(i)) - line[at];
-        RC_ASSERT(std::abs(along.x() * to.y() - along.y() * to.x()) <= chord + 1e-9);
-      }
     }));
   }
 

@@ -58,6 +58,38 @@ class TurnedSurfaceTest : public QObject {
     QVERIFY2(std::abs(volume / profile.volume() - 1.0) < 4.0 * chord / 20.0, qPrintable(QString::number(volume)));
   }
 
+  // With a bore through, one from each end, a parted place, and one where the bore meets the outside.
+  void closedWithBores_data() {
+    QTest::addColumn<int>("which");
+    QTest::newRow("through") << 0;
+    QTest::newRow("blind, at the upper end") << 1;
+    QTest::newRow("blind, at both ends") << 2;
+    QTest::newRow("bored through and parted") << 3;
+    QTest::newRow("one sample is parted") << 4;
+    QTest::newRow("a hollow inside") << 5;
+  }
+  void closedWithBores() {
+    QFETCH(int, which);
+    TurnedProfile profile({40.0, 100.0, 0.0}, 0.1);
+    const double chord = 0.02;
+    TurnedSurface surface(profile, chord);
+    TurnedProfile::Range changed;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      const double z = profile.z(i), wave = 12.0 + std::sin(0.3 * z);
+      const bool isHollow = which == 0 || which >= 3 || (z > 60.0) || (which == 2 && z < 30.0);
+      const bool isIn = which == 5 ? z > 20.0 && z < 80.0 : isHollow;
+      if (isIn && profile.limitInner(i, wave)) changed.extend({i, i + 1});
+      if (which == 3 && std::abs(z - 40.0) < 2.0 && profile.limitOuter(i, 5.0)) changed.extend({i, i + 1});
+      if (which == 4 && i == 500 && profile.limitOuter(i, 5.0)) changed.extend({i, i + 1});
+    }
+    surface.update(profile, changed);
+    QCOMPARE(profile.pieces(), std::size_t{which == 3 || which == 4 ? 2u : 1u});
+    const HalfEdgeMesh mesh = buildMesh(joined(surface)).mesh;
+    QVERIFY(findBoundaryLoops(mesh).empty());
+    const double volume = signedVolume(joined(surface));
+    QVERIFY2(std::abs(volume / profile.volume() - 1.0) < 6.0 * chord / 8.0, qPrintable(QString::number(volume)));
+  }
+
   void onlyWhatChangedIsBuilt() {
     TurnedProfile profile({40.0, 100.0, 0.0}, 0.02);
     const TurnedSurface before(profile, 0.05);

@@ -24,6 +24,7 @@ class StepFileTest : public QObject {
   void cone();
   void sphere();
   void shoulders();
+  void tube();
   void anyShaft();
   void saysNothing();
   void refuses();
@@ -122,6 +123,33 @@ void StepFileTest::shoulders() {
   QCOMPARE(report.solids, std::size_t{1});
   QVERIFY(near(report.volume, M_PI * (1000 + 320 + 320)));
   QVERIFY(near(report.area, M_PI * (100 + 200 + 84 + 160 + 48 + 80 + 64)));
+}
+
+// A tube with a fillet of radius 3 in its bore: closed, of degree 2, straight lines as such.
+void StepFileTest::tube() {
+  const double w = std::sqrt(0.5);
+  ProfileNet net;
+  net.degree = 2;
+  net.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 6};
+  net.poles = {{20, 0},  {20, 20}, {20, 40}, {15, 40}, {10, 40},  {10, 31.5}, {10, 23},
+               {10, 20}, {7, 20},  {7, 10},  {7, 0},   {13.5, 0}, {20, 0}};
+  net.weights = {1, 1, 1, 1, 1, 1, 1, w, 1, 1, 1, 1, 1};
+  const ProfileCurve profile = ProfileCurve::make(net).value();
+  QVERIFY(profile.isClosed());
+  // The bore: two cylinders and the solid of a quarter circle around (7, 23).
+  const double quarter = 49.0 * 3.0 + 14.0 * M_PI * 9.0 / 4.0 + 2.0 * 27.0 / 3.0;
+  const double volume = M_PI * (400.0 * 40.0 - 100.0 * 17.0 - quarter - 49.0 * 20.0);
+  QVERIFY(near(profile.volume(), volume));
+  const auto bytes = writeStep(profile);
+  QVERIFY(bytes.hasValue());
+  QString text = QString::fromStdString(*bytes);
+  text.remove(QRegularExpression("\\s"));
+  QCOMPARE(text.count("B_SPLINE_SURFACE(2,1,"), 5);
+  QCOMPARE(text.count("B_SPLINE_SURFACE(2,2,"), 1);
+  const StepFileReport report = reportOn(profile);
+  QVERIFY(report.isValid);
+  QCOMPARE(report.solids, std::size_t{1});
+  QVERIFY2(near(report.volume, volume), qPrintable(QString::number(report.volume, 'g', 12)));
 }
 
 void StepFileTest::anyShaft() {

@@ -18,6 +18,13 @@ namespace {
 constexpr StockCylinder kBar{40.0, 100.0, 0.0};
 constexpr double kNose = 2.0, kBase = 7.0, kTick = 0.001;
 
+TurningPass blank(TurningSide side = TurningSide::Outside) {
+  TurningPass pass;
+  pass.noseRadius = kNose;
+  pass.side = side;
+  return pass;
+}
+
 // Servo loop and simulation of a bar whose lower end is at z = 7, in turns on one thread.
 struct Lathe {
   TurningTool tool{kNose, 0.5, 0.1};
@@ -26,7 +33,7 @@ struct Lathe {
   Service service{"simulation"};
   TurnedProfile bar{kBar, 0.1};
   SimulationLoop loop{std::make_unique<LoggedSimulation>(
-                          std::make_unique<TurningSimulation>(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel)),
+                          std::make_unique<TurningSimulation>(bar, TurnedSurface(bar, 0.05), blank(), kBase, channel)),
                       250.0, channel->inputs, clock, service};
   SceneForces forces{sources()};
   TipState tip;
@@ -38,7 +45,7 @@ struct Lathe {
     channel->inputs->setDeviceGesture(gesture);
   }
   ForceSources sources() {
-    channel->patch.write(patchAround(bar, 50.0, kNose));
+    channel->patch.write(patchAround(bar, 50.0, kNose, TurningSide::Outside));
     ForceSources all;
     all.push_back(std::make_unique<TurningForce>(channel, tool, kBase));
     return all;
@@ -118,6 +125,53 @@ class TurningSimulationTest : public QObject {
     QVERIFY(std::abs(lathe.state().profile.radius(middle) - (tool - kNose)) < 0.02);
   }
 
+  // In a bore of radius 12 that ends at z = 60 above the lower end: free in it, k times the depth towards the axis on
+  // its wall, and nothing around the bar.
+  void aBoreIsFeltFromTheInside() {
+    TurnedProfile part(kBar, 0.1);
+    for (std::size_t i = 0; i < part.size(); ++i) part.limitInner(i, part.z(i) > 60.0 ? 12.0 : 0.0);
+    const ProfilePatch patch = patchAround(part, 80.0, kNose, TurningSide::Bore);
+    const TurningTool boring{kNose, 0.5, 0.1, TurningSide::Bore};
+    TurningContact contact;
+    contact.place({-5.0, 80.0});
+    QVERIFY(!contact.follow(patch, boring, {-5.0, 80.0}, false, kTick));
+    QVERIFY(!contact.follow(patch, boring, {-9.9, 80.0}, false, kTick));
+    QVERIFY(contact.follow(patch, boring, {-11.0, 80.0}, false, kTick));
+    QVERIFY((contact.tool() - ProfilePoint(-10.0, 80.0)).norm() < 1e-9);
+    for (double r = -11.0; r > -30.0; r -= 0.5) contact.follow(patch, boring, {r, 80.0}, false, kTick);
+    QVERIFY(!contact.follow(patch, boring, {-30.0, 80.0}, false, kTick));  // around the bar
+    // Back in from there: nothing pulls the hand through the wall.
+    for (double r = -30.0; r < -21.0; r += 0.1) {
+      contact.follow(patch, boring, {r, 80.0}, false, kTick);
+      QVERIFY((contact.tool() - ProfilePoint(r, 80.0)).norm() < 0.11);
+    }
+    // A tool for the outside is free within the bore.
+    const ProfilePatch outer = patchAround(part, 80.0, kNose, TurningSide::Outside);
+    QVERIFY(!(outer.penetration({5.0, 80.0}, kNose) > 0.0));
+    QVERIFY(std::abs(outer.penetration({21.0, 80.0}, kNose) - 1.0) < 1e-9);
+  }
+
+  // Boring by the simulation: the wall moves out, the outside stays, and the pass repeats it.
+  void boresBitForBit() {
+    TurnedProfile part(kBar, 0.1);
+    for (std::size_t i = 0; i < part.size(); ++i) part.limitInner(i, 6.0);
+    const auto channel = std::make_shared<TurningChannel>();
+    TurningSimulation simulation(part, TurnedSurface(part, 0.05), blank(TurningSide::Bore), kBase, channel);
+    for (int i = 0; i < 200; ++i) {
+      SimulationInput input;
+      input.gesture = 1;
+      input.proxy = input.tip.position = Vec3(0.0, 8.0, kBase + 110.0 - 0.3 * i);
+      simulation.step(kTick, {&input, 1});
+    }
+    const TurnedProfile& bored = static_cast<const TurningState&>(*simulation.state()).profile;
+    QVERIFY(std::abs(bored.inner(900) - 10.0) < 1e-9);
+    QCOMPARE(bored.inner(300), 6.0);
+    QCOMPARE(bored.radius(900), 20.0);
+    TurnedProfile again = part;
+    cut(again, simulation.pass());
+    QVERIFY(again == bored);
+  }
+
   // However the ticks are spread over the steps, the part is the same; and so it is by the log, and by the pass.
   void repeatedBitForBit() {
     std::optional<TurnedProfile> first;
@@ -139,7 +193,7 @@ class TurningSimulationTest : public QObject {
       const auto& logged = static_cast<const LoggedSimulation&>(*taken);
       const TurningState& state = lathe.state();
       QVERIFY(state.isCut && state.profile.volume() < kBar.volume());
-      TurningSimulation again(lathe.bar, TurnedSurface(lathe.bar, 0.05), kNose, kBase, lathe.channel);
+      TurningSimulation again(lathe.bar, TurnedSurface(lathe.bar, 0.05), blank(), kBase, lathe.channel);
       replay(again, logged.log());
       QVERIFY(static_cast<const TurningState&>(*again.state()).profile == state.profile);
       TurnedProfile byPass = lathe.bar;
@@ -172,7 +226,7 @@ class TurningSimulationTest : public QObject {
   void aBarThatComesBackDoesNotPush() {
     Lathe lathe;
     const auto simulation = [&lathe] {
-      return std::make_unique<TurningSimulation>(lathe.bar, TurnedSurface(lathe.bar, 0.05), kNose, kBase,
+      return std::make_unique<TurningSimulation>(lathe.bar, TurnedSurface(lathe.bar, 0.05), blank(), kBase,
                                                  lathe.channel);
     };
     for (double r = 23.0; r > 16.0; r -= 0.005) lathe.at({r, 0, 57.0}, true);
@@ -230,7 +284,7 @@ class TurningSimulationTest : public QObject {
       }
       return deepest;
     };
-    const ProfilePatch patch = patchAround(part, 100.0 - nose, nose);
+    const ProfilePatch patch = patchAround(part, 100.0 - nose, nose, TurningSide::Outside);
     const double stride = 4.0 * nose / (ProfilePatch::kMost - 2) + part.spacing();
     for (const double shift : {-0.9 * nose, -0.3 * nose, 0.0, 0.1 * nose, 0.7 * nose}) {
       const ProfilePoint on(148.0 + nose, 100.0 - nose + shift);
@@ -246,7 +300,7 @@ class TurningSimulationTest : public QObject {
   void aFullPassSaysSo() {
     const auto channel = std::make_shared<TurningChannel>();
     const TurnedProfile bar(kBar, 0.1);
-    TurningSimulation simulation(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel, 3);
+    TurningSimulation simulation(bar, TurnedSurface(bar, 0.05), blank(), kBase, channel, 3);
     SimulationInput input;
     input.gesture = 1;
     for (const double z : {10.0, 30.0, 50.0, 90.0}) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Accessibility.h"
+#include "ControlPictures.h"
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
 
@@ -11,13 +11,9 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Every control in both themes: nothing is cut, everything has a name and is reached by Tab. The scale is that of the
-// environment (QT_SCALE_FACTOR). With HANDWHEEL_PICTURES, a folder, the pictures are kept there to be looked at.
+// Every control in both themes, at the scale of the environment (QT_SCALE_FACTOR).
 class ControlPicturesTest : public QObject {
   Q_OBJECT
-
- private:
-  void look(QWidget& widget, const QString& name, const QStringList& mayBeUnreached = {});
 
  private slots:
   void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
@@ -32,24 +28,6 @@ class ControlPicturesTest : public QObject {
   void docks();
 };
 
-void ControlPicturesTest::look(QWidget& widget, const QString& name, const QStringList& mayBeUnreached) {
-  widget.show();
-  QVERIFY(QTest::qWaitForWindowExposed(&widget));
-  for (ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {
-    applyTheme(*qApp, theme);
-    QTest::qWait(20);
-    const QString folder = qEnvironmentVariable("HANDWHEEL_PICTURES");
-    const QString file = QStringLiteral("%1-%2-%3.png")
-                             .arg(name, theme == ThemeKind::Dark ? "dark" : "light")
-                             .arg(widget.devicePixelRatioF());
-    if (!folder.isEmpty()) QVERIFY(widget.grab().save(QDir(folder).filePath(file)));
-    QCOMPARE(cutTexts(widget).join("\n"), QString());
-  }
-  QCOMPARE(withoutAccessibleName(widget).join("\n"), QString());
-  const auto otherwise = [&](const QWidget* w) { return mayBeUnreached.contains(w->objectName()); };
-  QCOMPARE(notReachedByTab(widget, otherwise).join("\n"), QString());
-}
-
 void ControlPicturesTest::startPage_data() {
   QTest::addColumn<QSize>("size");
   QTest::newRow("wide") << QSize(1280, 660);
@@ -61,7 +39,7 @@ void ControlPicturesTest::startPage() {
   QFETCH(QSize, size);
   const auto page = sampleStartPage();
   page->resize(size);
-  look(*page, QStringLiteral("start-") + QTest::currentDataTag());
+  lookAt(*page, QStringLiteral("start-") + QTest::currentDataTag());
   auto* scroll = page->findChild<QScrollArea*>("startScroll");
   QCOMPARE(scroll->widget()->width(), std::min(scroll->viewport()->width(), scroll->widget()->maximumWidth()));
   for (const QWidget* child : visibleWidgets(*scroll->widget())) {
@@ -74,12 +52,12 @@ void ControlPicturesTest::propertyList() {
   PropertyList list;
   list.setProperties(sampleProperties());
   list.resize(264, 640);
-  look(list, "properties");
+  lookAt(list, "properties");
   PropertyList empty;
   empty.setEmptyText("The tool has no settings.");
   empty.setProperties({});
   empty.resize(264, 80);
-  look(empty, "properties-empty");
+  lookAt(empty, "properties-empty");
 }
 
 void ControlPicturesTest::numberFields() {
@@ -95,7 +73,7 @@ void ControlPicturesTest::numberFields() {
     column->addWidget(field);
   }
   form.resize(200, 200);
-  look(form, "numbers");
+  lookAt(form, "numbers");
 }
 
 void ControlPicturesTest::palette() {
@@ -104,11 +82,11 @@ void ControlPicturesTest::palette() {
   window->resize(640, 400);
   window->show();
   palette.popUp();
-  look(*window, "palette-all", {"commandList"});  // the keys of the line move in it
+  lookAt(*window, "palette-all", {"commandList"});  // the keys of the line move in it
   palette.popUp();
   auto* query = palette.findChild<QLineEdit*>("commandQuery");
   QTest::keyClicks(query, "sa");
-  look(*window, "palette-sa", {"commandList"});
+  lookAt(*window, "palette-sa", {"commandList"});
 }
 
 void ControlPicturesTest::preferences() {
@@ -124,7 +102,7 @@ void ControlPicturesTest::preferences() {
   auto* pages = dialog.findChild<QListWidget*>("preferencePages");
   for (int page = 0; page < pages->count(); ++page) {
     pages->setCurrentRow(page);
-    look(dialog, QStringLiteral("preferences-%1").arg(page));
+    lookAt(dialog, QStringLiteral("preferences-%1").arg(page));
   }
 }
 
@@ -132,7 +110,7 @@ void ControlPicturesTest::statusPanel() {
   StatusPanel panel;
   panel.setSource(sampleServices);
   panel.resize(480, 160);
-  look(panel, "status");
+  lookAt(panel, "status");
 }
 
 void ControlPicturesTest::bars() {
@@ -147,7 +125,7 @@ void ControlPicturesTest::bars() {
   window.statusBar()->addPermanentWidget(jobs);
   jobs->setJobs({{1, "Looking for self-intersections", 0.4}, {2, "Saving bunny.stl"}, {3, "Repairing bunny", 0.9}});
   window.resize(900, 140);
-  look(window, "bars");
+  lookAt(window, "bars");
   QTest::mouseClick(jobs->findChild<QAbstractButton*>("jobMore"), Qt::LeftButton);
   auto* list = jobs->findChild<QWidget*>("jobList");
   QVERIFY(list->isVisible());
@@ -167,9 +145,9 @@ void ControlPicturesTest::docks() {
   dock->setTitleBarWidget(new DockTitle(dock));
   window.addDockWidget(Qt::RightDockWidgetArea, dock);
   window.resize(640, 400);
-  look(window, "dock");
+  lookAt(window, "dock");
   dock->setFloating(true);
-  look(*dock, "dock-floating");
+  lookAt(*dock, "dock-floating");
 }
 
 HANDWHEEL_CONTROLS_TEST(ControlPicturesTest)

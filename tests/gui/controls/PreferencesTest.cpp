@@ -28,7 +28,8 @@ void PreferencesTest::storedAndLoaded() {
   QVERIFY(loadPreferences() == Preferences());
   for (LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
     for (int seconds : {0, 5, 77, 600}) {
-      const Preferences preferences{"blender", unit, "de", seconds, seconds > 0, 100 + seconds / 2};
+      const Preferences preferences{
+          "blender", unit, "de", seconds, seconds > 0, 100 + seconds / 2, seconds % 2 != 0, 5 + seconds / 10};
       storePreferences(preferences);
       QVERIFY(loadPreferences() == preferences);
     }
@@ -48,6 +49,8 @@ void PreferencesTest::nonsenseCountsAsNotSet() {
   QCOMPARE(loadPreferences().autosaveSeconds, kLongestAutosave);
   settings.setValue("view/space_mouse_speed", 0);
   QCOMPARE(loadPreferences().spaceMouseSpeed, kLeastSpaceMouseSpeed);
+  settings.setValue("sound/machine_volume", 0);
+  QCOMPARE(loadPreferences().machineVolume, kLeastMachineVolume);
   settings.setValue("view/space_mouse_speed", "fast");
   QCOMPARE(loadPreferences().spaceMouseSpeed, 100);
 }
@@ -84,6 +87,13 @@ void PreferencesTest::dialogAppliesAtOnce() {
   QCOMPARE(said.spaceMouseSpeed, 250);
   dialog.findChild<QCheckBox*>("spaceMouseOn")->click();
   QVERIFY(!said.hasSpaceMouse && !speed->isEnabled());
+  pages->setCurrentRow(5);
+  auto* volume = dialog.findChild<QSpinBox*>("machineVolume");
+  QVERIFY(!said.hasMachineSound && !volume->isEnabled());
+  dialog.findChild<QCheckBox*>("machineSoundOn")->click();
+  volume->setValue(40);
+  QVERIFY(said.hasMachineSound && volume->isEnabled());
+  QCOMPARE(loadPreferences().machineVolume, 40);
   // A second dialog shows what the first has stored.
   PreferencesDialog again(&keys, sampleNavigation());
   QCOMPARE(again.findChild<QComboBox*>("lengthUnitChoice")->currentIndex(), 3);

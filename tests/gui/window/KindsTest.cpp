@@ -64,6 +64,7 @@ class KindsTest : public QObject {
   void everyTileOpensASample() {
     for (const auto& [tile, name] : {std::pair{"sampleTile", "scan-with-holes.stl"},
                                      {"latheTile", "shaft-stock.handwheel"},
+                                     {"lessonTile", "first-lesson.exercise.json"},
                                      {"cellTile", "robot-arm.urdf"}}) {
       WindowDriver driver;
       driver.click(tile);

@@ -5,8 +5,11 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "WindowTestMain.h"
+#include "mesh/defects/Defects.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
+#include "panels/defects/RepairAccount.h"
+#include "tools/mesh/DefectFixes.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/kinds/KindUi.h"
@@ -78,6 +81,74 @@ class RepairJobsTest : public QObject {
     runner.cancelAll();
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(told.size(), 2);
+  }
+
+  // Message, log and list have the same figures of a fix, and log and list those of a repair.
+  void oneAccountOfAFix() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QList<Message> told;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
+    TriangleSoup soup = test::cube();
+    test::append(soup, test::cube(1.0, {0.41, 0.27, 0.33}));
+    soup.triangles.pop_back();
+    tabs.add(ui.open(test::meshDocument(soup)));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    Inspection& inspection = document->inspection;
+    const auto pairs = findSelfIntersections(document->document.mesh());
+    QVERIFY(pairs && !pairs->empty());
+    inspection.setSelfIntersections(document->document.revision(), *pairs);
+    const auto isLogged = [&](const QString& text) {
+      for (int row = 0; row < log.rowCount({}); ++row)
+        if (log.index(row, 1).data().toString().contains(text)) return true;
+      return false;
+    };
+
+    jobs.change(document, intersectionFix(NumberType::Float64, *pairs));
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(inspection.count(DefectKind::SelfIntersection), std::size_t{0});
+    QCOMPARE(*inspection.countBefore(DefectKind::SelfIntersection), pairs->size());
+    const QString account = repairAccount(inspection).join(", ");
+    QVERIFY2(account.contains(QString("%1 of %1").arg(pairs->size())), qPrintable(account));
+    QCOMPARE(told.size(), 1);
+    QVERIFY2(told[0].detail.contains(account), qPrintable(told[0].detail));
+    QVERIFY(isLogged(account));
+
+    jobs.repairAll(document);
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{0});
+    const QString repaired = repairAccount(inspection).join(", ");
+    QVERIFY2(repaired.startsWith("1 of 1"), qPrintable(repaired));
+    QVERIFY(isLogged(repaired));
+  }
+
+  // What stays has its reason in its row.
+  void reasonsForWhatStays() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QStringList why;
+    connect(&jobs, &RepairJobs::changedNothing, this,
+            [&](const MeshTab*, const QString&, const QString& text) { why << text; });
+    TriangleSoup soup = test::cube();
+    test::append(soup, test::moved(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, {3, 0, 0}));
+    tabs.add(ui.open(test::meshDocument(soup)));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    jobs.repairAll(document);
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(why.size(), 1);
+    QVERIFY2(document->inspection.reason(DefectKind::Duplicate).contains("two sides of a plate"),
+             qPrintable(document->inspection.reason(DefectKind::Duplicate)));
+    QVERIFY(document->inspection.reason(DefectKind::NonManifoldEdge).isEmpty());
   }
 };
 

@@ -152,9 +152,12 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
     case LoopRole:
       return loop;
     case NoteRole:
-      return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : QString();
+      return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : m_inspection->reason(kind);
     case Qt::ToolTipRole: {
-      if (loop < 0) return {};
+      if (loop < 0) {
+        const QString reason = m_inspection->reason(kind);
+        return reason.isEmpty() ? QVariant() : tr("Remains: %1.").arg(reason);
+      }
       const QString reason = data(createIndex(row, 0, static_cast<quintptr>(kind) + 1), NoteRole).toString();
       const QString measures = m_inspection->loopMeasures(loop);
       return reason.isEmpty() ? measures : tr("Stayed open: %1.").arg(reason) + QLatin1Char('\n') + measures;

@@ -61,6 +61,8 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   setObjectName(QStringLiteral("holeSettings"));
   m_name->setProperty("strong", true);
   m_detail->setProperty("muted", true);
+  m_detail->setWordWrap(true);
+  m_detail->setAlignment(Qt::AlignRight | Qt::AlignTop);
   m_status->setProperty("muted", true);
   m_status->setObjectName(QStringLiteral("previewStatus"));
   m_otherStatus->setProperty("muted", true);
@@ -77,9 +79,8 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   methodLabel->setBuddy(m_method);
 
   auto* title = new QHBoxLayout;
-  title->addWidget(m_name);
-  title->addStretch();
-  title->addWidget(m_detail);
+  title->addWidget(m_name, 0, Qt::AlignTop);
+  title->addWidget(m_detail, 1);
   auto* method = new QHBoxLayout;
   method->setSpacing(8);
   method->addWidget(methodLabel);

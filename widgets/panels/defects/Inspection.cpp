@@ -26,6 +26,8 @@ Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent
 void Inspection::documentChanged() {
   m_selfIntersections.reset();
   m_before.clear();
+  m_doneBesides.clear();
+  m_reasons.clear();
   nameLoops();
   sortLoops();
   emit changed();
@@ -104,8 +106,19 @@ std::map<DefectKind, std::size_t> Inspection::counts() const {
   return counts;
 }
 
-void Inspection::setCountsBefore(std::map<DefectKind, std::size_t> counts) {
+void Inspection::setBefore(std::map<DefectKind, std::size_t> counts, QStringList doneBesides) {
   m_before = std::move(counts);
+  m_doneBesides = std::move(doneBesides);
+  emit changed();
+}
+
+QString Inspection::reason(DefectKind kind) const {
+  const auto found = m_reasons.find(kind);
+  return found == m_reasons.end() ? QString() : found->second;
+}
+
+void Inspection::setReasons(std::map<DefectKind, QString> reasons) {
+  m_reasons = std::move(reasons);
   emit changed();
 }
 
@@ -131,8 +144,7 @@ int Inspection::loopNumber(int id) const {
 }
 
 QString Inspection::loopName(int id) const {
-  const int n = loopNumber(id);
-  return loop(id).rim ? tr("Outer boundary %1").arg(n) : tr("Hole %1").arg(n);
+  return boundaryLoopName(loop(id).rim, loopNumber(id));
 }
 
 QString Inspection::loopLength(int id) const {

@@ -8,6 +8,7 @@
 #include "theme/DefectColours.h"
 
 #include <QObject>
+#include <QStringList>
 #include <map>
 #include <optional>
 
@@ -43,8 +44,10 @@ class Inspection : public QObject {
   std::size_t count(DefectKind kind) const;
   // The numbers of all kinds of defects; without self-intersections while these are unknown.
   std::map<DefectKind, std::size_t> counts() const;
-  // Sets what there was before the repair that made the present mesh. Kept until the mesh changes.
-  void setCountsBefore(std::map<DefectKind, std::size_t> counts);
+  // Sets what there was before the repair that made the present mesh, and what else it did, a phrase each. Kept until
+  // the mesh changes.
+  void setBefore(std::map<DefectKind, std::size_t> counts, QStringList doneBesides = {});
+  const QStringList& doneBesides() const { return m_doneBesides; }
   // None where nothing is known to compare with, or the number is the same.
   std::optional<std::size_t> countBefore(DefectKind kind) const;
   // The state of the present mesh, with its self-intersections once they are computed.
@@ -66,6 +69,10 @@ class Inspection : public QObject {
 
   FillFailure failure(int id) const;
   void setFailure(int id, FillFailure failure);
+  // Why defects of a kind other than holes remain after a repair, as the end of a sentence. Kept until the mesh
+  // changes.
+  QString reason(DefectKind kind) const;
+  void setReasons(std::map<DefectKind, QString> reasons);
   // Sets the failures by loop key; keys of removed loops are allowed.
   void setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures);
 
@@ -92,6 +99,8 @@ class Inspection : public QObject {
   LoopNumbers m_named;
   std::map<Vertex, FillFailure> m_failures;
   std::map<DefectKind, std::size_t> m_before;
+  QStringList m_doneBesides;
+  std::map<DefectKind, QString> m_reasons;
 };
 
 }  // namespace handwheel

@@ -18,11 +18,14 @@ Parameter schemeParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Scheme"),
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Loop"), QT_TRANSLATE_NOOP("Property", "√3"),
-                                   QT_TRANSLATE_NOOP("Property", "Butterfly")}},  // as SubdivisionScheme
+                                   QT_TRANSLATE_NOOP("Property", "Butterfly"),
+                                   QT_TRANSLATE_NOOP("Property", "Midpoint")}},  // as SubdivisionScheme
           .meaning =
-              "loop and sqrt3 smooth the surface, butterfly moves no vertex; sqrt3 splits in three, the others in four",
+              "loop and sqrt3 smooth the surface, butterfly bends it and moves no vertex, midpoint leaves it as it is; "
+              "sqrt3 "
+              "splits in three, the others in four",
           .word = "SCHEME",
-          .words = {"loop", "sqrt3", "butterfly"}};
+          .words = {"loop", "sqrt3", "butterfly", "midpoint"}};
 }
 
 Parameter timesParameter() {

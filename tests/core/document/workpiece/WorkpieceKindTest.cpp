@@ -180,8 +180,10 @@ void WorkpieceKindTest::meshesAreClosed_data() {
   for (const FileFormat& format : WorkpieceKind().formats()) {
     QVERIFY(format.writes && !format.reads);
     if (format.name == "STEP") continue;
-    for (const std::string& ending : format.endings)
+    for (const std::string& ending : format.endings) {
+      if (ending == ".dxf" || ending == ".svg" || ending == ".pdf") continue;  // drawings
       QTest::newRow(ending.c_str()) << QString::fromStdString(ending) << (ending == ".stl" || ending == ".3mf");
+    }
   }
 }
 

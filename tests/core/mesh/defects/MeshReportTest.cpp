@@ -7,6 +7,8 @@
 #include "MeshShapes.h"
 #include "OneSidedShapes.h"
 #include "TestClass.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <rapidcheck.h>
 
@@ -57,6 +59,7 @@ class MeshReportTest : public QObject {
   void duplicates();
   void reversedFace();
   void selfIntersections();
+  void samePiecesAsTheListOfDefects();
   void cancelled();
   void empty();
   void soups();
@@ -213,6 +216,16 @@ void MeshReportTest::selfIntersections() {
   QVERIFY(test::meetingPairs(s) > 0);
   QCOMPARE(reportOn(s).selfIntersectingPairs.value(), test::meetingPairs(s));
   QVERIFY(!handwheel::reportOn(s, SelfIntersections::Skip).selfIntersectingPairs);
+}
+
+// With a vertex that two bodies share, a degenerate triangle apart, and a point that no triangle uses.
+void MeshReportTest::samePiecesAsTheListOfDefects() {
+  TriangleSoup soup = test::twoCubesSharingAVertex();
+  test::append(soup, test::cube(1.0, Vec3(9, 0, 0)));
+  test::append(soup, TriangleSoup{{{20, 0, 0}, {21, 0, 0}, {30, 0, 0}}, {{0, 0, 1}}});
+  const std::size_t pieces = reportOn(soup).components;
+  QCOMPARE(pieces, std::size_t{3});
+  QCOMPARE(findDefects(buildMesh(soup).mesh).components.size(), pieces);
 }
 
 void MeshReportTest::cancelled() {

@@ -6,6 +6,7 @@
 #include "OneSidedShapes.h"
 #include "RepairChecks.h"
 #include "TestClass.h"
+#include "mesh/defects/Defects.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/MeshValidator.h"
@@ -53,6 +54,8 @@ class RepairTest : public QObject {
   void rimIsJudgedOnceHolesAreFilled();
   void rimOnRequest();
   void flatSheetIsNotCovered();
+  void separatesWhatTouches();
+  void separatedCornersAreNoNearPair();
   void keepOpen();
   void keptHoleOfASheet();
   void maxEdges();
@@ -162,6 +165,35 @@ void RepairTest::flatSheetIsNotCovered() {
   const RepairReport report = repair(mesh, options);
   QCOMPARE(test::intersections(mesh), std::size_t{0});
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// Two bodies that share a corner, as "Separate" does it: by last digits, without a new defect.
+void RepairTest::separatesWhatTouches() {
+  const HalfEdgeMesh before = buildMesh(test::twoCubesSharingAVertex()).mesh;
+  QCOMPARE(findDefects(before).nonManifoldVertices.size(), std::size_t{1});
+  HalfEdgeMesh mesh = before;
+  const RepairReport report = repair(mesh, {});
+  QCOMPARE(report.separatedVertices, std::size_t{1});
+  const Defects after = findDefects(mesh);
+  QVERIFY(after.nonManifoldVertices.empty() && after.nearVertices.empty() && after.loops.empty());
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  for (Vertex v = 0; v < before.vertexSlots(); ++v) QVERIFY((mesh.position(v) - before.position(v)).norm() < 1e-9);
+  QVERIFY(repair(mesh, {}).separatedVertices == 0);
+}
+
+// Two squares that share a corner are two sheets afterwards, whose corners are no two halves of one vertex.
+void RepairTest::separatedCornersAreNoNearPair() {
+  TriangleSoup soup = test::grid(4, 4, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
+  const TriangleSoup other = test::moved(soup, {3, 3, 0});
+  test::append(soup, other);
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(findDefects(mesh).nonManifoldVertices.size(), std::size_t{1});
+  repair(mesh, {});
+  const Defects after = findDefects(mesh);
+  QVERIFY(after.nonManifoldVertices.empty());
+  QVERIFY(after.nearVertices.empty());
+  QCOMPARE(after.loops.size(), std::size_t{2});
+  QCOMPARE(mesh.liveFaceCount(), soup.triangles.size());
 }
 
 void RepairTest::keepOpen() {
@@ -433,7 +465,7 @@ void RepairTest::saysWhatWasCutShort() {
   QVERIFY(repair(mesh, {}).isSeparationIncomplete);
 
   std::mt19937 random(0);
-  mesh = buildMesh(test::randomSoup(random, 100, 5)).mesh;
+  mesh = buildMesh(test::randomSoup(random, 100, 1000)).mesh;  // no vertex is shared, so nothing can be separated
   RepairOptions options;
   options.cutCrossings = true;
   QVERIFY(repair(mesh, options).isIntersectionRemovalIncomplete);

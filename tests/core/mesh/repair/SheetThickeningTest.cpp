@@ -319,6 +319,11 @@ void SheetThickeningTest::saysWhatWasReached() {
     }
     QVERIFY(isNear(reached.least, least) && isNear(reached.largest, largest));
     QVERIFY(isNear(largest, thickness));
+    std::size_t thin = 0;  // those behind it follow the others
+    for (Vertex v = front; v < mesh.vertexSlots(); ++v) thin += !isNear(std::abs(mesh.position(v).z()), thickness);
+    QCOMPARE(reached.vertices, std::size_t{9 * 9});
+    QCOMPARE(reached.thinVertices, thin);
+    QCOMPARE(thin > 0, thickness > 0.5);
     QVERIFY(thickness < 0.5 ? isNear(least, thickness) : least < 0.5);
   }
 }

@@ -29,6 +29,8 @@ class SchemeSubdivisionTest : public QObject {
   void limitsOfSqrt3();
   void butterflyInterpolates();
   void butterflyHasCubicPrecision();
+  void midpointsLeaveTheSurface();
+  void midpointsOfSeamsAndNeedles();
   void hubs();
   void tooMuch();
   void refused();
@@ -163,6 +165,39 @@ void SchemeSubdivisionTest::butterflyHasCubicPrecision() {
 }
 
 // OpenMesh has tables up to 50 neighbours, without a check.
+// Area, volume, openness and the places of all vertices stay.
+void SchemeSubdivisionTest::midpointsLeaveTheSurface() {
+  for (const TriangleSoup& soup :
+       {test::icosphere(2), test::bumpySphere(2), test::disc(12, 3), test::torus(12, 8), test::annulus(16, 3, 1, 2)}) {
+    const HalfEdgeMesh before = surfaceOf(soup);
+    HalfEdgeMesh mesh = before;
+    QVERIFY(subdivideAll(mesh, {SubdivisionScheme::Midpoint, 2}).isDone());
+    QCOMPARE(validate(mesh), std::string());
+    QCOMPARE(mesh.liveFaceCount(), 16 * before.liveFaceCount());
+    const TriangleSoup after = mesh.compact().soup;
+    QVERIFY(std::abs(test::area(after) - test::area(soup)) < 1e-9 * test::area(soup));
+    QVERIFY(std::abs(test::volume(after) - test::volume(soup)) < 1e-9 * test::area(soup));
+    QCOMPARE(test::countBorder(mesh), 4 * test::countBorder(before));
+    QCOMPARE(test::eulerCharacteristic(after), test::eulerCharacteristic(soup));
+    for (Vertex v = 0; v < before.vertexSlots(); ++v) QVERIFY(mesh.position(v) == before.position(v));
+  }
+}
+
+// OpenMesh refuses seams; here both sides get the same points. Edges that the numbers cannot halve are refused.
+void SchemeSubdivisionTest::midpointsOfSeamsAndNeedles() {
+  HalfEdgeMesh cubes = surfaceOf(test::twoCubesSharingAnEdge());
+  QVERIFY(subdivideAll(cubes, {SubdivisionScheme::Midpoint, 1}).isDone());
+  QCOMPARE(test::countEdges(cubes).border, std::size_t{0});
+  QCOMPARE(test::countEdges(cubes).nonManifold, std::size_t{2});
+  const double next = std::nextafter(1.0f, 2.0f);
+  const HalfEdgeMesh before = surfaceOf({{{1, 0, 0}, {next, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}});
+  HalfEdgeMesh mesh = before;
+  QVERIFY(subdivideAll(mesh, {SubdivisionScheme::Midpoint, 1}, {.numbers = NumberType::Float32}).failure ==
+          SubdivisionFailure::TooFine);
+  QVERIFY(test::sameMesh(mesh, before));
+  QVERIFY(subdivideAll(mesh, {SubdivisionScheme::Midpoint, 1}).isDone());
+}
+
 void SchemeSubdivisionTest::hubs() {
   const HalfEdgeMesh before = surfaceOf(test::cylinder(5000, 1, 1.0, 1.0, true));
   const Box box = boundsOf(before);

@@ -23,6 +23,7 @@ class QuadricDecimationTest : public QObject {
 
  private slots:
   void toACount();
+  void saysTheDistance();
   void flatFacesGoFirst();
   void anyPlaceAndUnit();
   void bordersStay();
@@ -88,6 +89,26 @@ void QuadricDecimationTest::toACount() {
 }
 
 // Rounding must not hide that they cost nothing.
+// As a measurement with other samples finds it; nothing where only flat faces are joined.
+void QuadricDecimationTest::saysTheDistance() {
+  const HalfEdgeMesh before = meshOfSoup(test::bumpySphere(4));
+  for (const DecimationMethod method : {kQuadric, DecimationMethod::Bounded}) {
+    HalfEdgeMesh mesh = before;
+    const DecimationReport silent = decimate(mesh, {.faces = 400, .method = method});
+    QVERIFY(!silent.largestDistance);
+    mesh = before;
+    const DecimationReport report = decimate(mesh, {.faces = 400, .method = method, .measureDistance = true});
+    QVERIFY(report.largestDistance);
+    QVERIFY(!report.isProven);
+    const double measured = distanceBetween(mesh, before);
+    QVERIFY(measured > 0.0);
+    QVERIFY(std::abs(*report.largestDistance - measured) < 0.05 * measured);
+  }
+  HalfEdgeMesh same = meshOfSoup(cellCube(4));
+  const DecimationReport flat = decimate(same, {.faces = 12, .method = kQuadric, .measureDistance = true});
+  QVERIFY(flat.largestDistance && *flat.largestDistance < 1e-12);
+}
+
 void QuadricDecimationTest::flatFacesGoFirst() {
   HalfEdgeMesh mesh = meshOfSoup(cellCube(12));
   decimate(mesh, {.faces = 60, .method = kQuadric});

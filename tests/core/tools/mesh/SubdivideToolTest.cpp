@@ -19,13 +19,16 @@ class SubdivideToolTest : public QObject {
 
  private slots:
   void everyScheme();
+  void leavesTheSurfaceUnlessAsked();
+  void saysHowFarTheSurfaceMoves();
   void tooMany();
   void aRefusalHasItsReason();
 };
 
 // In the document as one step, which does the same once more.
 void SubdivideToolTest::everyScheme() {
-  for (const auto& [method, faces] : {std::pair(0.0, 1280), std::pair(1.0, 720), std::pair(2.0, 1280)}) {
+  for (const auto& [method, faces] :
+       {std::pair(0.0, 1280), std::pair(1.0, 720), std::pair(2.0, 1280), std::pair(3.0, 1280)}) {
     test::Work work(test::icosphere(1));
     SubdivideTool tool(*work.document, work.services());
     tool.setSetting("method", method);
@@ -35,6 +38,31 @@ void SubdivideToolTest::everyScheme() {
     QCOMPARE(validate(work.document->mesh()), std::string());
     QVERIFY2(work.step().starts_with("subdivide-mesh "), work.step().c_str());
     QCOMPARE(work.check(1), std::string());
+  }
+}
+
+void SubdivideToolTest::leavesTheSurfaceUnlessAsked() {
+  test::Work work(test::icosphere(1));
+  const double area = test::area(test::icosphere(1));
+  SubdivideTool tool(*work.document, work.services());
+  QCOMPARE(tool.perform("commit"), ToolReply::Used);
+  QCOMPARE(work.document->mesh().liveFaceCount(), std::size_t{320});
+  QVERIFY(std::abs(test::area(work.document->mesh().compact().soup) - area) < 1e-6 * area);
+  QCOMPARE(work.check(1), std::string());
+}
+
+// Both schemes cut the corners of a cube of 2, by less than the way to its middle.
+void SubdivideToolTest::saysHowFarTheSurfaceMoves() {
+  const auto distanceOf = [](SubdivisionScheme scheme) {
+    const auto document = test::meshDocument(test::cube(2.0));
+    const MeshChange change = subdivideMeshChange({scheme, 1}, NumberType::Float64);
+    commitChange(*document, change);
+    return *change.distance;
+  };
+  QVERIFY(!distanceOf(SubdivisionScheme::Midpoint));
+  for (const auto scheme : {SubdivisionScheme::Loop, SubdivisionScheme::Sqrt3}) {
+    QVERIFY(distanceOf(scheme));
+    QVERIFY(*distanceOf(scheme) > 0.1 && *distanceOf(scheme) < 1.0);
   }
 }
 

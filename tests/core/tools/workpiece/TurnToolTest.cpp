@@ -38,7 +38,8 @@ struct TurningBench {
   TurnTool* tool = nullptr;
 
   explicit TurningBench(ServoClock* other = nullptr) {
-    auto started = std::make_unique<TurnTool>(document, SimulationServices{other ? *other : clock, simulation}, 0.1);
+    auto started = std::make_unique<TurnTool>(document, SimulationServices{other ? *other : clock, simulation},
+                                              TurnTool::Start{.spacing = 0.1});
     tool = started.get();
     runner.start(std::move(started), document);
   }
@@ -184,6 +185,45 @@ class TurnToolTest : public QObject {
     bench.event(PointerEvent::Kind::Release, 8.0, 60.0);
     for (const double z : {50.0, 55.0, 60.0}) QVERIFY(std::abs(bench.radiusAt(z) - 23.0) < 1e-3);
     QCOMPARE(bench.radiusAt(40.0), 25.0);
+  }
+
+  // With the tool for a bore a click on the solid bar cuts nothing either; a drag bores from the upper end.
+  void theMouseBores() {
+    TurningBench bench;
+    QVERIFY(bench.tool->settings().size() >= 5);
+    bench.runner.setSetting("side", 1.0);
+    for (const double x : {24.0, 8.0, 0.0, -10.0}) {
+      bench.event(PointerEvent::Kind::Press, x, 50.0);
+      bench.event(PointerEvent::Kind::Release, x, 50.0);
+    }
+    QCOMPARE(bench.document.history()->count(), 0);
+    bench.event(PointerEvent::Kind::Press, 8.0, 50.0);
+    bench.event(PointerEvent::Kind::Drag, 8.0, 20.0);
+    bench.event(PointerEvent::Kind::Release, 8.0, 20.0);
+    QVERIFY(bench.document.workpiece().part);
+    const TurnedProfile& part = bench.document.workpiece().part->profile;
+    QVERIFY(std::abs(part.inner(900) - 9.0) < 1e-9);  // the nose has the radius 1
+    QCOMPARE(part.inner(500), 0.0);
+    QCOMPARE(part.radius(900), 25.0);
+    // Within the bore it begins at the wall.
+    bench.event(PointerEvent::Kind::Press, 20.0, 90.0);
+    bench.event(PointerEvent::Kind::Drag, 21.0, 90.0);
+    bench.event(PointerEvent::Kind::Release, 21.0, 90.0);
+    QVERIFY(std::abs(bench.document.workpiece().part->profile.inner(900) - 10.0) < 1e-9);
+  }
+
+  // The way to cut is that of the settings, and the pass remembers it.
+  void thePassKeepsItsMethod() {
+    TurningBench bench;
+    bench.runner.setSetting("method", 1.0);
+    bench.runner.setSetting("resolution", 2.0);
+    bench.pass(23.0, 30.0, 60.0);
+    const TurningPass& pass = *bench.document.workpiece().part->passes[0];
+    QVERIFY(pass.method == TurningMethod::Poles);
+    QCOMPARE(pass.resolution, 2.0);
+    TurnedProfile again(bench.document.workpiece().stock, 0.1);
+    cut(again, pass);
+    QVERIFY(again == bench.document.workpiece().part->profile);
   }
 
   // The history says what a pass has done, and that it has parted the bar.

@@ -27,6 +27,12 @@ struct TurningWindow {
     view->setStandardView(StandardView::Front);
     if (!driver.settle() || !QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs)) return false;
     driver.find<QAction>("turnTool")->trigger();
+    if (!driver.settle()) return false;
+    QSize before;  // the settings of the tool take room from the view
+    do {
+      before = view->size();
+      QTest::qWait(200);
+    } while (view->size() != before);
     return driver.find<QAction>("turnTool")->isChecked();
   }
   WorkpieceDocument& document() {

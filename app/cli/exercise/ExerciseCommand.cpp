@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/exercise/ExerciseCommand.h"
+
+#include "base/JsonText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/exercise/MarkCommand.h"
+#include "document/FileBytes.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ExerciseSnapshot.h"
+#include "document/exercise/Submission.h"
+#include "text/NoteText.h"
+
+#include <QtGlobal>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSecondsOfMinute = 60.0;
+
+Parameter flag(const char* id, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = false}, .meaning = std::move(meaning)};
+}
+
+Parameter word(const char* id, const char* value, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = value,
+          .hasDefault = false};
+}
+
+bool isDescriptionName(const std::filesystem::path& path) {
+  return path.extension() == ".json";
+}
+
+// A document to write: of the exercise kind, or of the kind that students work in.
+struct Product {
+  const DocumentKind* kind = nullptr;
+  DocumentFile file;
+  SnapshotPointer content;
+};
+
+std::shared_ptr<const ExerciseSnapshot> exerciseIn(const OpenedFile& opened) {
+  return std::dynamic_pointer_cast<const ExerciseSnapshot>(opened.content);
+}
+
+// What the parameters ask for.
+Result<Product> productOf(OpenedFile opened, const OperationValues& values, const DocumentKinds& kinds,
+                          Progress progress) {
+  const auto exercise = exerciseIn(opened);
+  const auto fresh = [](const DocumentKind& kind, SnapshotPointer content) {
+    OpenedFile made = DocumentKinds::blank(kind);
+    return Product{&kind, std::move(made.file), std::move(content)};
+  };
+  const DocumentKind& ofWork = *kinds.withId(exercise->subject->kind().id());
+  if (values.flag("student"))
+    return fresh(*opened.kind, std::make_shared<const ExerciseSnapshot>(forStudents(*exercise)));
+  if (values.flag("stock")) return fresh(ofWork, exercise->subject->start(*exercise->task));
+  if (values.flag("solution")) {
+    if (!exercise->solution) return Error{ErrorCode::ReferenceMissing, {"model solution", {}, {}}, {}, {}};
+    return fresh(ofWork, exercise->solution);
+  }
+  if (!values.isSet("hand-in")) return Product{opened.kind, std::move(opened.file), std::move(opened.content)};
+
+  Result<OpenedFile> work = [&]() -> Result<OpenedFile> {
+    const std::filesystem::path path = values.text("hand-in");
+    if (!isDescriptionName(path)) return kinds.open(path, {}, progress);
+    Result<std::string> text = readFileBytes(path);
+    Result<nlohmann::json> json = text ? parseJson(*text, "work") : Result<nlohmann::json>(text.error());
+    if (!json) return json.error();
+    Result<SnapshotPointer> made = exercise->subject->makeWork(*exercise->task, *json, progress);
+    if (!made) return made.error();
+    OpenedFile described = DocumentKinds::blank(ofWork);
+    described.content = std::move(made.value());
+    return described;
+  }();
+  if (!work) return work.error();
+  if (work->kind->id() != ofWork.id())
+    return Error{ExerciseError::OtherWork, {"it is not a document of that kind"}, {}, values.text("hand-in")};
+  Attempt attempt = exercise->attempt.value_or(Attempt());
+  attempt.student = values.text("name");
+  attempt.handedIn.clear();
+  if (const auto minutes = values.given("minutes")) attempt.seconds = kSecondsOfMinute * *minutes;
+  Result<ExerciseSnapshot> submission = handedIn(*exercise, work->content, std::move(attempt));
+  if (!submission) return submission.error();
+  Product product = fresh(*opened.kind, std::make_shared<const ExerciseSnapshot>(std::move(submission.value())));
+  product.file.recordings = std::move(work->file.recordings);
+  return product;
+}
+
+// Returns what is wrong with the words, or nothing.
+std::string problemOf(const Arguments& arguments, const OperationValues& values) {
+  if (!arguments.has("output")) return "The option -o OUT is missing.";
+  int purposes = 0;
+  for (const char* purpose : {"student", "stock", "solution", "hand-in"}) purposes += values.isSet(purpose) ? 1 : 0;
+  if (purposes > 1) return "Give one of --student, --stock, --solution and --hand-in.";
+  if (values.isSet("hand-in") && !values.isSet("name")) return "--hand-in needs the student's name: --name NAME.";
+  return {};
+}
+
+int runExercise(const Arguments& arguments, const DocumentKinds& kinds) {
+  OperationValues values(exerciseOperation());
+  if (const std::string problem = readOptions(arguments, values); !problem.empty())
+    return failUsage(problem, exerciseOperation().id);
+  if (const std::string problem = problemOf(arguments, values); !problem.empty())
+    return failUsage(problem, exerciseOperation().id);
+  const std::filesystem::path input = arguments.operands[0], output = arguments.valueOf("output");
+  std::optional<Result<OpenedFile>> opened;
+  runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(input, {}, job.progress()); });
+  if (!*opened) return fail(opened->error());
+  const auto exercise = exerciseIn(opened->value());
+  if (!exercise) return refuse(input.string() + " is not an exercise.");
+  reportLosses(opened->value().file);
+  if (const std::string refusal = refusalToReplace(output, opened->value().file); !refusal.empty())
+    return refuse(refusal);
+
+  std::optional<Result<Product>> product;
+  std::optional<Result<WrittenFile>> written;
+  runInterruptible("Writing", [&](CommandJob& job) {
+    product = productOf(std::move(opened->value()), values, kinds, job.progress().part(0.0, 0.5));
+    if (!*product) return;
+    const Product& made = product->value();
+    written = saveDocument(*made.kind, made.file, *made.content, output, job.progress().part(0.5, 1.0));
+  });
+  if (!*product) return fail(product->error());
+  if (!*written) return fail(written->error());
+  for (const Note& note : written->value().notes) complain(noteText(note).toStdString());
+  return kExitDone;
+}
+
+}  // namespace
+
+const Operation& exerciseOperation() {
+  static const Operation kOperation = {
+      .id = "exercise",
+      .title = QT_TRANSLATE_NOOP("Tool", "Exercise"),
+      .meaning = "Makes an exercise, copies of it for students, and files to hand in",
+      .parameters = {
+          flag("student", "Write a copy for students, without marking scheme and model solution"),
+          flag("stock", "Write what a student begins with, as a document of its own"),
+          flag("solution", "Write the model solution, as a document of its own"),
+          word("hand-in", "WORK", "Write a file to hand in, with this work on the exercise"),
+          word("name", "NAME", "The student who hands it in"),
+          {.property = {.id = "minutes",
+                        .group = {},
+                        .label = {},
+                        .value = 0.0,
+                        .least = 0.0,
+                        .largest = Exercise::kLongestTime / kSecondsOfMinute},
+           .meaning = "How long the student has worked",
+           .word = "MIN",
+           .hasDefault = false},
+      }};
+  return kOperation;
+}
+
+std::vector<Command> exerciseCommands() {
+  CommandSpec spec = {
+      exerciseOperation().id,
+      "IN",
+      "Makes an exercise from a description in JSON, or one of these from an exercise.\n"
+      "IN is an exercise (.handwheel) or a description (.exercise.json); docs/exercises.md tells what that has.\n"
+      "Without an option the exercise itself is written; to .exercise.json, its description.",
+      {}};
+  spec.options = optionsOf(exerciseOperation());
+  spec.options.push_back({"output", 'o', "OUT", "The file to write"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return {{std::move(spec), runExercise}, markCommand()};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Command.h"
+#include "document/Operation.h"
+
+namespace handwheel {
+
+// The commands for exercises: exercise, mark.
+std::vector<Command> exerciseCommands();
+
+// What 'exercise' makes of an exercise: its parameters, one of which says what.
+const Operation& exerciseOperation();
+
+}  // namespace handwheel

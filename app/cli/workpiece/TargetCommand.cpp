@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/workpiece/TargetCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "document/workpiece/DrawingExport.h"
+#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/TargetReport.h"
+#include "text/NoteText.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+struct TargetRequest {
+  std::filesystem::path input, part, output;
+  UnturnedFaces others = UnturnedFaces::Refuse;
+  bool asJson = false;
+};
+
+// What the command has read, measured and written.
+struct TargetOutcome {
+  std::shared_ptr<const WorkpieceTarget> target;
+  std::vector<Note> notes;
+  std::optional<TargetDeviation> deviation;
+  DocumentFile file;    // of the workpiece
+  std::string refusal;  // a sentence; nothing was written
+};
+
+// A bar that has room for the part: a millimetre more around it and at its upper end.
+WorkpieceSnapshot barFor(const ImportedTarget& imported) {
+  const TargetProfile& target = imported.profile;
+  WorkpieceSnapshot workpiece;
+  workpiece.stock.diameter = std::ceil(2.0 * target.largestRadius() + 1.0);
+  workpiece.stock.position = target.lowerEnd();
+  workpiece.stock.length = std::ceil(target.length() + 1.0);
+  workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
+  return workpiece;
+}
+
+Result<WrittenFile> writeOutcome(const TargetRequest& request, const OpenedFile& file,
+                                 const WorkpieceSnapshot& workpiece, Progress progress) {
+  if (!isDrawingName(request.output)) return saveDocument(*file.kind, file.file, workpiece, request.output, progress);
+  DrawingTitle title;
+  title.name = request.input.stem().string();
+  title.material = workpiece.material;
+  return exportDrawing(workpiece.target->profile, title, request.output, progress);
+}
+
+Result<TargetOutcome> carryOut(const TargetRequest& request, const DocumentKinds& kinds, Progress progress) {
+  const Result<ImportedTarget> imported = importTarget(request.input, request.others, progress.part(0.0, 0.4));
+  if (!imported) return imported.error();
+  OpenedFile file = DocumentKinds::blank(*kinds.withId("workpiece"));
+  WorkpieceSnapshot workpiece = barFor(*imported);
+  const bool hasPart = !request.part.empty();
+  if (hasPart) {
+    Result<OpenedFile> opened = kinds.open(request.part, {}, progress.part(0.4, 0.5));
+    if (!opened) return opened.error();
+    const auto* const given = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
+    if (!given) return TargetOutcome{{}, {}, {}, {}, request.part.string() + " is not a workpiece."};
+    workpiece = *given;
+    file = std::move(opened.value());
+  }
+  workpiece.target = placedTarget(*imported, workpiece.stock);
+  TargetOutcome outcome{workpiece.target, imported->notes, {}, file.file, {}};
+  if (hasPart) outcome.deviation = deviationOf(workpiece, progress.part(0.5, 0.7));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (request.output.empty()) return outcome;
+  outcome.refusal = refusalToReplace(request.output, file.file);
+  if (!outcome.refusal.empty()) return outcome;
+  const Result<WrittenFile> written = writeOutcome(request, file, workpiece, progress.part(0.7, 1.0));
+  if (!written) return written.error();
+  outcome.notes.insert(outcome.notes.end(), written->notes.begin(), written->notes.end());
+  return outcome;
+}
+
+std::string placeText(const char* what, const TargetDeviation::Place& place) {
+  if (place.distance == 0.0) return std::string("Nothing is ") + what + ".\n";
+  return roundedText(std::abs(place.distance), 4) + " mm " + what + " at Ø" + roundedText(2.0 * place.at.x()) + ", Z " +
+         roundedText(place.at.y()) + ".\n";
+}
+
+std::string targetText(const TargetOutcome& outcome, bool asJson) {
+  constexpr double kTolerance = 1e-3;  // mm, of features
+  const TargetProfile& profile = outcome.target->profile;
+  if (asJson) {
+    nlohmann::json json = {{"volume", profile.volume()},          {"length", profile.length()},
+                           {"lower_end", profile.lowerEnd()},     {"largest_diameter", 2.0 * profile.largestRadius()},
+                           {"bored_through", profile.isClosed()}, {"dimensions", dimensionsJson(profile, kTolerance)}};
+    if (outcome.deviation) json["deviation"] = deviationJson(*outcome.deviation);
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  }
+  std::string text = "Turned part Ø" + roundedText(2.0 * profile.largestRadius()) + " × " +
+                     roundedText(profile.length()) + " mm, volume " + roundedText(profile.volume()) + " mm³\n";
+  for (const ProfileFeature& feature : featuresOf(profile, kTolerance)) text += "  " + textOf(feature) + "\n";
+  if (!outcome.deviation) return text;
+  return text + placeText("too large", outcome.deviation->largestOver) +
+         placeText("too small", outcome.deviation->largestUnder);
+}
+
+}  // namespace
+
+Command targetCommand() {
+  return {{"target",
+           "IN",
+           "Reads what a part is to become: a turned part in STEP, a half section in DXF or SVG, or a workpiece.\n"
+           "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
+           "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
+           "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
+           "y = 0 in DXF and the lowest line in SVG.",
+           {
+               {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
+               {"output", 'o', "OUT", "The drawing or document to write"},
+               {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
+               {"json", 0, "", "Report as JSON"},
+               {"help", 'h', "", "Show this help"},
+           }},
+          runTarget};
+}
+
+int runTarget(const Arguments& arguments, const DocumentKinds& kinds) {
+  TargetRequest request;
+  request.input = arguments.operands[0];
+  request.part = arguments.valueOf("of");
+  request.output = arguments.valueOf("output");
+  request.others = arguments.has("ignore-unturned") ? UnturnedFaces::Ignore : UnturnedFaces::Refuse;
+  request.asJson = arguments.has("json");
+  std::optional<Result<TargetOutcome>> outcome;
+  runInterruptible("Reading", [&](CommandJob& job) { outcome = carryOut(request, kinds, job.progress()); });
+  if (!*outcome) return fail(outcome->error());
+  const TargetOutcome& done = outcome->value();
+  reportLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  for (const Note& note : done.notes) complain(noteText(note).toStdString());
+  return print(targetText(done, request.asJson));
+}
+
+}  // namespace handwheel

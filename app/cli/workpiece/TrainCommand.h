@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Command.h"
+
+namespace handwheel {
+
+// The command train: a model of cutting forces from a table of cuts.
+Command trainCommand();
+
+}  // namespace handwheel

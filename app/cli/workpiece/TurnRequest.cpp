@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/workpiece/TurnRequest.h"
+
+#include "base/NumberText.h"
+#include "machining/TurningPass.h"
+#include "machining/program/ToolPath.h"
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kLeastSpacing = 1e-6, kLargestSpacing = 1e3;  // mm
+constexpr const char* kUsualMaterial = "medium-carbon-steel";
+
+std::string readLength(const Arguments& arguments, const char* name, double least, double largest, double& value) {
+  if (!arguments.has(name)) return {};
+  if (readNumber(arguments.valueOf(name), value) && value >= least && value <= largest) return {};
+  return std::string("--") + name + " takes a length in mm from " + shortestText(least) + " to " +
+         shortestText(largest) + ".";
+}
+
+std::string readMaterial(const Arguments& arguments, TurnRequest& request) {
+  const WorkMaterials materials = WorkMaterials::standard();
+  const std::string id = arguments.has("material") ? arguments.valueOf("material") : kUsualMaterial;
+  if (const WorkMaterial* const found = materials.find(id)) {
+    request.material = *found;
+    return {};
+  }
+  std::string ids;
+  for (const WorkMaterial& each : materials.all()) ids += (ids.empty() ? "" : ", ") + each.id;
+  return "--material is one of " + ids + ".";
+}
+
+std::string readDialect(const Arguments& arguments, TurnRequest& request) {
+  const std::string dialect = arguments.has("dialect") ? arguments.valueOf("dialect") : "linuxcnc";
+  if (dialect != "linuxcnc" && dialect != "fanuc") return "--dialect is linuxcnc or fanuc.";
+  if (dialect == "fanuc") request.dialect = ProgramDialect::Fanuc;
+  return {};
+}
+
+std::string readNose(const Arguments& arguments, TurnRequest& request) {
+  if (!arguments.has("nose")) return {};
+  double nose = 0.0;
+  const bool mayBePoint = arguments.has("program");
+  if (mayBePoint && readNumber(arguments.valueOf("nose"), nose) && nose == 0.0) return {};
+  const std::string problem = readLength(arguments, "nose", TurningPass::kLeastNose, TurningPass::kLargestNose, nose);
+  request.noseRadius = nose;
+  return problem;
+}
+
+}  // namespace
+
+std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
+  request.input = arguments.operands[0];
+  request.recording = arguments.valueOf("recording");
+  request.program = arguments.valueOf("program");
+  request.tools = arguments.valueOf("tools");
+  request.target = arguments.valueOf("target");
+  request.output = arguments.valueOf("output");
+  request.isReplay = arguments.has("replay");
+  request.asJson = arguments.has("json");
+  const int ways = int(request.isReplay) + int(arguments.has("recording")) + int(arguments.has("program"));
+  if (ways != 1) return "Give one of --program P.ngc, --recording R and --replay.";
+  if (!request.isReplay && !arguments.has("output")) return "The option -o OUT is missing.";
+  if (request.isReplay && arguments.has("output")) return "--replay writes nothing: leave out -o.";
+  for (const auto read : {readNose, readDialect, readMaterial})
+    if (std::string problem = read(arguments, request); !problem.empty()) return problem;
+  if (arguments.has("spindle") && !(readNumber(arguments.valueOf("spindle"), request.spindle) &&
+                                    request.spindle > 0.0 && request.spindle <= kMostSpindle))
+    return "--spindle takes a speed in r/min from 0 to " + shortestText(kMostSpindle) + ".";
+  return readLength(arguments, "spacing", kLeastSpacing, kLargestSpacing, request.spacing);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "machining/TurningFidelity.h"
+#include "machining/force/WorkMaterials.h"
+#include "machining/program/ProgramSetup.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace handwheel {
+
+// The words of 'handwheel turn'. Lengths in mm.
+struct TurnRequest {
+  std::string input;
+  std::filesystem::path recording, program, tools, target, output;
+  std::optional<double> noseRadius;  // mm
+  double spacing = turnSpacingSetting().standard;
+  double spindle = 500.0;  // r/min, of a recording
+  ProgramDialect dialect = ProgramDialect::LinuxCnc;
+  WorkMaterial material;
+  bool isReplay = false;
+  bool asJson = false;
+};
+
+// Reads them. Returns what is wrong with them, or nothing.
+std::string readTurnRequest(const Arguments& arguments, TurnRequest& request);
+
+}  // namespace handwheel

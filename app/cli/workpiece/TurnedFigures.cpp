@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/workpiece/TurnedFigures.h"
+
+#include "base/NumberText.h"
+#include "document/FileBytes.h"
+#include "machining/target/Drawing.h"
+#include "machining/target/DxfReader.h"
+#include "machining/target/SampledProfile.h"
+#include "machining/target/SvgReader.h"
+#include "machining/target/TargetDeviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::string_view kCylinder = "cylinder:";
+constexpr double kSection = 1e-3;  // mm, of the section of a workpiece that is a target
+
+}  // namespace
+
+std::string figuresAsJson(const TurnedFigures& figures) {
+  nlohmann::ordered_json json = {{"removed_mm3", figures.removed}, {"max_force_N", figures.force},
+                                 {"max_power_kW", figures.power},  {"collisions", figures.collisions},
+                                 {"time_s", figures.time},         {"profile_error_mm", nullptr}};
+  if (figures.profileError) json["profile_error_mm"] = *figures.profileError;
+  return json.dump(2) + "\n";
+}
+
+std::string figuresAsText(const TurnedFigures& figures) {
+  std::string text = "Removed: " + roundedText(figures.removed) +
+                     " mm³. Largest force: " + roundedText(figures.force, 4) +
+                     " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) +
+                     " s. Collisions: " + std::to_string(figures.collisions) + ".\n";
+  if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
+  return text;
+}
+
+std::optional<StockCylinder> stockOf(const std::string& word) {
+  if (!word.starts_with(kCylinder)) return {};
+  const std::string_view size = std::string_view(word).substr(kCylinder.size());
+  const std::size_t times = size.find('x');
+  StockCylinder stock;
+  ErrorCode why;
+  if (times == std::string_view::npos || !parseDecimal(size.substr(0, times), stock.diameter, why) ||
+      !parseDecimal(size.substr(times + 1), stock.length, why))
+    return {};
+  stock.position = -stock.length;
+  return stock.isSound() ? std::optional(stock) : std::nullopt;
+}
+
+Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress) {
+  const std::string ending = path.extension().string();
+  if (ending == ".dxf" || ending == ".svg") {
+    const Result<std::string> text = readFileBytes(path, progress);
+    if (!text) return text.error();
+    const Result<Drawing> drawing = ending == ".dxf" ? readDxf(*text) : readSvg(*text);
+    if (!drawing) return drawing.error();
+    return targetIn(*drawing);
+  }
+  const Result<OpenedFile> opened = kinds.open(path, {}, progress);
+  if (!opened) return opened.error();
+  const auto* const workpiece = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
+  if (!workpiece)
+    return Error{ErrorCode::Unsupported, {"a target that is not a workpiece or a drawing"}, {}, path.string()};
+  if (workpiece->part) return sectionOf(workpiece->part->profile, kSection);
+  return sectionOf(workpiece->stock.profile(), kSection);
+}
+
+double profileError(const TargetProfile& target, const TurnedProfile& part) {
+  const double base = target.upperEnd() - part.length();
+  const TargetDeviation deviation = deviationFrom(target, part, base);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double z = part.z(i) + base;
+    if (z < target.lowerEnd() + part.spacing() || z > target.upperEnd() - part.spacing()) continue;
+    for (const double off : {deviation.outer[i], deviation.inner[i]})
+      if (std::isfinite(off)) largest = std::max(largest, std::abs(off));
+  }
+  return largest;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/force/ForcePeaks.h"
+#include "machining/target/TargetProfile.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+// What 'handwheel turn' reports.
+struct TurnedFigures {
+  double removed = 0.0;             // mm³
+  double force = 0.0, power = 0.0;  // N, kW: the largest
+  std::size_t collisions = 0;
+  double time = 0.0;                   // s
+  std::optional<double> profileError;  // mm, from a target
+};
+
+// As JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s, profile_error_mm.
+std::string figuresAsJson(const TurnedFigures& figures);
+std::string figuresAsText(const TurnedFigures& figures);
+
+// "cylinder:40x100": a bar of 40 mm diameter and 100 mm length, whose upper end is at z = 0. None for other words.
+std::optional<StockCylinder> stockOf(const std::string& word);
+
+// The target in a file: a drawing as DXF or SVG, or a workpiece. Errors: those of the readers, FormatUnknown.
+Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress);
+
+// How far a part is from its target, at most, between the ends of the target, mm. The upper ends of both are put
+// together.
+double profileError(const TargetProfile& target, const TurnedProfile& part);
+
+}  // namespace handwheel

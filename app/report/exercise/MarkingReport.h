@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/exercise/ExerciseSnapshot.h"
+#include "exercise/ClassTable.h"
+
+#include <QImage>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+namespace handwheel {
+
+// One student's work for a report.
+struct ReportedWork {
+  ClassRow row;
+  ReportDetails details;
+  QImage picture = {};  // of the part; null for none
+};
+
+// The marks of a class for a report.
+struct ClassReport {
+  Exercise exercise;
+  std::vector<FigureType> figures;
+  std::vector<ReportedWork> works;
+};
+
+// Marks a file that was handed in; the row has its problem, as `describe` tells the error, where it cannot be marked.
+ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::path& path, const DocumentKinds& kinds,
+                      std::string (*describe)(const Error&), Progress progress);
+
+// All figures, marks and reasons as JSON, without curves.
+nlohmann::ordered_json toJson(const ClassReport& report);
+
+// The marks for people: for each student a table of sizes, limits, points and reasons.
+std::string readableText(const ClassReport& report);
+
+// The report as a self-contained HTML page with the class as a table, then each student with marks, events, pictures
+// and plots. Needs fonts, so a QGuiApplication.
+std::string htmlOf(const ClassReport& report);
+// The same as PDF (A4).
+std::string pdfOf(const ClassReport& report);
+
+// Writes the report as .html or .pdf, by the extension of the path. Writes the whole file or nothing. Errors:
+// ExtensionUnknown, WriteFailed.
+Status writeReport(const ClassReport& report, const std::filesystem::path& path);
+
+}  // namespace handwheel

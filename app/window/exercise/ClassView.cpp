@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/exercise/ClassView.h"
+
+#include "panels/ResultModel.h"
+#include "panels/ResultTable.h"
+#include "panels/time/TimeLinePanel.h"
+#include "text/NoteText.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace handwheel {
+
+namespace {
+
+QString textOf(const ExerciseText& text) {
+  return noteText({text.text, text.arguments});
+}
+
+QString figureWord(const std::string& text) {
+  return QCoreApplication::translate("Figure", text.c_str());
+}
+
+ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) {
+  ResultCell cell{QString::fromStdString(table.cell(row, column))};
+  bool isNumber = false;
+  const double number = cell.text.toDouble(&isNumber);
+  if (table.isNumber(column) && isNumber) cell.number = number;
+  if (column < ClassTable::FirstCriterion) return cell;
+  const std::vector<Mark>& marks = table.rows()[row].marking.marks;
+  const std::size_t criterion = column - ClassTable::FirstCriterion;
+  if (criterion >= marks.size()) return cell;
+  const bool isFull = marks[criterion].points == marks[criterion].of;
+  cell.state = isFull ? ResultCell::State::Good : ResultCell::State::Bad;
+  cell.reason = textOf(marks[criterion].reason);
+  return cell;
+}
+
+// What was recorded over time of one student's work.
+TimeLineRecording recordingOf(const ReportedWork& work) {
+  TimeLineRecording recording;
+  const ClassRow& row = work.row;
+  recording.name = QString::fromStdString(row.attempt.student.empty() ? row.file : row.attempt.student);
+  recording.duration = work.details.seconds;
+  for (const ReportCurve& curve : work.details.curves) {
+    if (curve.xUnit != "s" || curve.series.empty()) continue;
+    TimeLineCurve line{figureWord(curve.title), QString::fromStdString(curve.yUnit), {}};
+    for (const auto& [x, y] : curve.series.front().points) line.points.emplace_back(x, y);
+    recording.curves.push_back(std::move(line));
+  }
+  for (const ReportEvent& event : work.details.events)
+    recording.markers.push_back({event.seconds, textOf(event.text), TimeLineMarker::Severity::Error});
+  return recording;
+}
+
+}  // namespace
+
+ClassView::ClassView(QWidget* parent)
+    : QWidget(parent), m_table(new ResultTable(this)), m_recordings(new TimeLinePanel(this)) {
+  setObjectName(QStringLiteral("classView"));
+  auto* column = new QVBoxLayout(this);
+  auto* buttons = new QHBoxLayout;
+  const auto button = [&](const QString& text, const char* name) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(QString::fromLatin1(name));
+    buttons->addWidget(made);
+    return made;
+  };
+  QPushButton* mark = button(tr("&Mark…"), "markSubmissions");
+  mark->setToolTip(tr("Mark files that students have handed in"));
+  m_writeReport = button(tr("&Report…"), "classReport");
+  m_writeTable = button(tr("&Table…"), "classTable");
+  m_table->setObjectName(QStringLiteral("classRows"));
+  m_table->setAccessibleName(tr("Submissions"));
+  column->addLayout(buttons);
+  column->addWidget(m_table, 1);
+  column->addWidget(m_recordings);
+  connect(mark, &QPushButton::clicked, this, &ClassView::markingRequested);
+  connect(m_writeReport, &QPushButton::clicked, this, &ClassView::reportRequested);
+  connect(m_writeTable, &QPushButton::clicked, this, &ClassView::tableRequested);
+  connect(m_table, &ResultTable::rowActivated, this, &ClassView::openRequested);
+  connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ClassView::showRecordings);
+  setReport({});
+}
+
+void ClassView::setReport(ClassReport report) {
+  m_report = std::move(report);
+  ClassTable table(m_report.exercise);
+  for (const ReportedWork& work : m_report.works) table.add(work.row);
+  QStringList headings;
+  for (std::size_t i = 0; i < table.columns(); ++i) {
+    const std::string heading = table.heading(i);
+    headings += i < ClassTable::FirstCriterion ? QCoreApplication::translate("ClassTable", heading.c_str())
+                                               : QString::fromStdString(heading);
+  }
+  std::vector<ResultModel::Row> rows(table.rows().size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.columns(); ++i) rows[row].push_back(cellOf(table, row, i));
+  }
+  m_table->setTable(std::move(headings), std::move(rows));
+  m_writeReport->setEnabled(!m_report.works.empty());
+  m_writeTable->setEnabled(!m_report.works.empty());
+  showRecordings();
+}
+
+void ClassView::showRecordings() {
+  const auto* model = static_cast<const ResultModel*>(m_table->model());
+  std::vector<TimeLineRecording> recordings;
+  for (const QModelIndex& row : m_table->selectionModel()->selectedRows()) {
+    const std::size_t source = model->source(row.row());
+    if (source >= m_report.works.size()) continue;
+    const ReportedWork& work = m_report.works[source];
+    if (work.row.problem.empty()) recordings.push_back(recordingOf(work));
+  }
+  m_recordings->setVisible(!recordings.empty());
+  m_recordings->setRecordings(std::move(recordings));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/exercise/MarkingReport.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace handwheel {
+
+class ResultTable;
+class TimeLinePanel;
+
+// The submissions of a class as a table that sorts by each column, with the recordings of up to two of them on a time
+// line.
+class ClassView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClassView(QWidget* parent = nullptr);
+
+  void setReport(ClassReport report);
+  const ClassReport& report() const { return m_report; }
+
+ signals:
+  void markingRequested();
+  void reportRequested();
+  void tableRequested();
+  void openRequested(std::size_t work);  // of the report
+
+ private:
+  void showRecordings();
+
+  ClassReport m_report;
+  ResultTable* m_table;
+  QPushButton* m_writeReport;
+  QPushButton* m_writeTable;
+  TimeLinePanel* m_recordings;
+};
+
+}  // namespace handwheel

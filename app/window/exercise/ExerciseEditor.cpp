@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/exercise/ExerciseEditor.h"
+
+#include "controls/PropertyList.h"
+#include "document/exercise/ExerciseProperties.h"
+#include "window/documents/DocumentProperties.h"
+#include "window/exercise/ClassView.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace handwheel {
+
+namespace {
+
+std::vector<Property> beginningWith(const std::vector<Property>& all, const std::string& prefix) {
+  std::vector<Property> some;
+  for (const Property& property : all) {
+    if (property.id.starts_with(prefix)) some.push_back(property);
+  }
+  return some;
+}
+
+// Neither of a criterion nor of a step.
+std::vector<Property> ofTask(const std::vector<Property>& all) {
+  std::vector<Property> some;
+  for (const Property& property : all) {
+    if (!property.id.starts_with("criterion.") && !property.id.starts_with("step.")) some.push_back(property);
+  }
+  return some;
+}
+
+}  // namespace
+
+ExerciseEditor::ExerciseEditor(QWidget* parent) : QTabWidget(parent), m_task(new PropertyList(this)) {
+  setObjectName(QStringLiteral("exerciseEditor"));
+  setDocumentMode(true);
+  const auto present = [this]() -> Document* { return m_document; };
+  connectEdits(*m_task, present, this);
+  m_criteria = makeRows(QStringLiteral("criteria"), tr("Add what is marked"), [this](QToolButton* add) {
+    auto* menu = new QMenu(add);
+    add->setMenu(menu);
+    add->setPopupMode(QToolButton::InstantPopup);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+      menu->clear();
+      if (!m_document) return;
+      const std::vector<FigureType> types = figureTypes(*m_document->exercise().subject);
+      for (std::size_t i = 0; i < types.size(); ++i) {
+        QAction* action = menu->addAction(QCoreApplication::translate("Figure", types[i].label.c_str()));
+        connect(action, &QAction::triggered, this, [this, i] { addCriterion(i); });
+      }
+    });
+  });
+  m_steps = makeRows(QStringLiteral("steps"), tr("Add a step"), [this](QToolButton* add) {
+    connect(add, &QToolButton::clicked, this, [this] {
+      if (m_document) change(tr("Add a step"), withNewStep(m_document->exercise()));
+      m_steps.list->setCurrentRow(m_steps.list->count() - 1);
+    });
+  });
+  connect(m_criteria.remove, &QToolButton::clicked, this, [this] {
+    const int row = m_criteria.list->currentRow();
+    if (!m_document || row < 0) return;
+    const ExerciseSnapshot& exercise = m_document->exercise();
+    change(tr("Remove a criterion"),
+           withoutCriterion(exercise, exercise.exercise.criteria[static_cast<std::size_t>(row)].id));
+  });
+  connect(m_steps.remove, &QToolButton::clicked, this, [this] {
+    const int row = m_steps.list->currentRow();
+    if (m_document && row >= 0)
+      change(tr("Remove a step"), withoutStep(m_document->exercise(), static_cast<std::size_t>(row)));
+  });
+  m_class = new ClassView(this);
+  addTab(m_task, tr("Task"));
+  addTab(m_criteria.page, tr("Marks"));
+  addTab(m_steps.page, tr("Steps"));
+  addTab(m_class, tr("Class"));
+}
+
+ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString& addTip,
+                                              const std::function<void(QToolButton*)>& setUpAdding) {
+  Rows rows;
+  rows.page = new QWidget(this);
+  auto* column = new QVBoxLayout(rows.page);
+  auto* buttons = new QHBoxLayout;
+  auto* add = new QToolButton(rows.page);
+  add->setText(tr("Add"));
+  add->setToolTip(addTip);
+  add->setObjectName(name + QStringLiteral("/add"));
+  rows.remove = new QToolButton(rows.page);
+  rows.remove->setText(tr("Remove"));
+  rows.remove->setObjectName(name + QStringLiteral("/remove"));
+  buttons->addWidget(add);
+  buttons->addWidget(rows.remove);
+  buttons->addStretch(1);
+  rows.list = new QListWidget(rows.page);
+  rows.list->setObjectName(name);
+  rows.list->setAccessibleName(addTip);
+  rows.properties = new PropertyList(rows.page);
+  column->addLayout(buttons);
+  column->addWidget(rows.list, 1);
+  column->addWidget(rows.properties, 1);
+  setUpAdding(add);
+  connectEdits(
+      *rows.properties, [this]() -> Document* { return m_document; }, this);
+  connect(rows.list, &QListWidget::currentRowChanged, this, &ExerciseEditor::refresh);
+  return rows;
+}
+
+void ExerciseEditor::setDocument(ExerciseDocument* document) {
+  if (m_document) m_document->disconnect(this);
+  m_document = document;
+  if (document) connect(document, &Document::changed, this, &ExerciseEditor::refresh);
+  m_class->setReport({});
+  refresh();
+}
+
+void ExerciseEditor::refresh() {
+  if (!m_document) return;
+  const Exercise& exercise = m_document->exercise().exercise;
+  m_task->setLengthUnit(m_document->displayUnit());
+  m_task->setProperties(ofTask(exerciseProperties(m_document->exercise())));
+  QStringList criteria, steps;
+  for (const MarkingCriterion& c : exercise.criteria)
+    criteria += tr("%1 (%2 points)").arg(QString::fromStdString(c.name.empty() ? c.id : c.name)).arg(c.points);
+  for (std::size_t i = 0; i < exercise.steps.size(); ++i)
+    steps += tr("%1. %2").arg(i + 1).arg(QString::fromStdString(exercise.steps[i].title));
+  fillRows(m_criteria, criteria,
+           [&](int row) { return criterionPrefix(exercise.criteria[static_cast<std::size_t>(row)]); });
+  fillRows(m_steps, steps, [](int row) { return stepPrefix(static_cast<std::size_t>(row)); });
+}
+
+void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::function<std::string(int)>& prefix) {
+  const QSignalBlocker blocker(rows.list);
+  const int before = rows.list->currentRow();
+  while (rows.list->count() > names.size()) delete rows.list->takeItem(rows.list->count() - 1);
+  while (rows.list->count() < names.size()) rows.list->addItem(QString());
+  for (int i = 0; i < names.size(); ++i) rows.list->item(i)->setText(names[i]);
+  const int row = names.isEmpty() ? -1 : std::clamp(before, 0, static_cast<int>(names.size()) - 1);
+  rows.list->setCurrentRow(row);
+  rows.remove->setEnabled(row >= 0);
+  rows.properties->setProperties(row < 0 ? std::vector<Property>()
+                                         : beginningWith(exerciseProperties(m_document->exercise()), prefix(row)));
+}
+
+void ExerciseEditor::addCriterion(std::size_t figure) {
+  if (!m_document) return;
+  const ExerciseSnapshot& exercise = m_document->exercise();
+  change(tr("Add a criterion"), withNewCriterion(exercise, figureTypes(*exercise.subject)[figure]));
+  m_criteria.list->setCurrentRow(m_criteria.list->count() - 1);
+}
+
+void ExerciseEditor::change(const QString& text, ExerciseSnapshot exercise) {
+  m_document->change(text, std::move(exercise));
+}
+
+}  // namespace handwheel

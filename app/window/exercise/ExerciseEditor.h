@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/exercise/ExerciseDocument.h"
+
+#include <QPointer>
+#include <QTabWidget>
+
+class QListWidget;
+class QToolButton;
+
+namespace handwheel {
+
+class ClassView;
+class PropertyList;
+
+// The panel in which a teacher prepares an exercise: task, marking scheme, steps, and the class.
+class ExerciseEditor : public QTabWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExerciseEditor(QWidget* parent = nullptr);
+
+  // Null: none. Shows it anew after each change.
+  void setDocument(ExerciseDocument* document);
+  void refresh();
+  ClassView* classView() const { return m_class; }
+
+ private:
+  // A list of rows with what each has below it.
+  struct Rows {
+    QWidget* page = nullptr;
+    QListWidget* list = nullptr;
+    PropertyList* properties = nullptr;
+    QToolButton* remove = nullptr;
+  };
+  Rows makeRows(const QString& name, const QString& addTip, const std::function<void(QToolButton*)>& setUpAdding);
+  void fillRows(Rows& rows, const QStringList& names, const std::function<std::string(int)>& prefix);
+  void addCriterion(std::size_t figure);
+  void change(const QString& text, ExerciseSnapshot exercise);
+
+  QPointer<ExerciseDocument> m_document;
+  PropertyList* m_task;
+  Rows m_criteria, m_steps;
+  ClassView* m_class;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "exercise/Attempt.h"
+#include "exercise/Marking.h"
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace handwheel {
+
+class LessonPanel;
+
+// The panel with which a student works: task, steps with their hints, time, sizes as measured, handing in.
+class ExerciseLesson : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExerciseLesson(QWidget* parent = nullptr);
+
+  // isRunning: the work has begun. Keeps what is typed.
+  void setExercise(const Exercise& exercise, const Attempt& attempt, bool isRunning);
+  void setSeconds(double seconds, double allowed);
+  // Shows each size of the drawing, and which steps that makes done or not.
+  void setMeasured(const Exercise& exercise, const Marking& marking);
+
+ signals:
+  void begun();
+  void hintsTaken(std::size_t step);
+  void stepDone(std::size_t step);
+  void measuringRequested();
+  void handInRequested(const QString& student);
+
+ private:
+  void followName();
+
+  QLabel* m_text;
+  QPushButton* m_begin;
+  LessonPanel* m_steps;
+  QLabel* m_measured;
+  QPushButton* m_measure;
+  QLineEdit* m_name;
+  QPushButton* m_handIn;
+  bool m_isRunning = false;
+};
+
+// Whether all criteria of a step are met; false for a step without any.
+bool isMet(const ExerciseStep& step, const Marking& marking);
+
+}  // namespace handwheel

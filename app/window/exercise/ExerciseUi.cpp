@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/exercise/ExerciseUi.h"
+
+#include "document/AtomicFile.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "theme/Icons.h"
+#include "theme/Theme.h"
+#include "window/ActionToolTip.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/exercise/ClassView.h"
+#include "window/exercise/ExerciseEditor.h"
+#include "window/exercise/ExerciseLesson.h"
+#include "window/exercise/RunningAttempt.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStackedWidget>
+
+namespace handwheel {
+
+namespace {
+
+std::string markProblem(const Error& error) {
+  return errorSentence(error).toStdString();
+}
+
+}  // namespace
+
+ExerciseUi::ExerciseUi(const WindowContext& window)
+    : RigidPartsUi(window, {}),
+      m_pages(new QStackedWidget(window.window)),
+      m_editor(new ExerciseEditor(m_pages)),
+      m_student(new ExerciseLesson(m_pages)),
+      m_attempt(new RunningAttempt(window, this)) {
+  RigidPartsUi::panel()->hide();  // the pages stand in its place
+  m_student->setObjectName(QStringLiteral("exercisePage"));
+  m_pages->addWidget(m_editor);
+  m_pages->addWidget(m_student);
+  buildActions();
+  connect(m_attempt, &RunningAttempt::message, this, &KindUi::message);
+  connect(m_attempt, &RunningAttempt::changed, this, &ExerciseUi::refresh);
+  connect(m_student, &ExerciseLesson::begun, m_begin, &QAction::trigger);
+  ClassView* const table = m_editor->classView();
+  connect(table, &ClassView::markingRequested, m_mark, &QAction::trigger);
+  connect(table, &ClassView::reportRequested, this, [this] { writeClass(false); });
+  connect(table, &ClassView::tableRequested, this, [this] { writeClass(true); });
+  connect(table, &ClassView::openRequested, this, [this](std::size_t work) {
+    if (const auto i = static_cast<qsizetype>(work); i < m_marked.size()) parts().openFile(m_marked[i]);
+  });
+  refresh();
+}
+
+void ExerciseUi::buildActions() {
+  const auto action = [this](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QAction(text, this);
+    made->setObjectName(QString::fromLatin1(name));
+    setActionToolTip(*made, tip);
+    return made;
+  };
+  m_begin = action("beginExercise", tr("&Begin"), tr("Open the stock and work on the exercise, step by step"));
+  m_preview =
+      action("studentCopy", tr("&Student's copy"), tr("Open the exercise as students see it; save it for them"));
+  m_solution = action("takeSolution", tr("Take as model s&olution"),
+                      tr("Keep the work that was begun from this exercise as its model solution"));
+  m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
+  m_mark = action("markExercise", tr("&Mark…"), tr("Mark files that students have handed in"));
+  connect(m_begin, &QAction::triggered, this, [this] { m_attempt->begin(snapshot()); });
+  connect(m_preview, &QAction::triggered, this, [this] { openContent(forStudents(*snapshot())); });
+  connect(m_solution, &QAction::triggered, this, [this] { takeWork(false); });
+  connect(m_target, &QAction::triggered, this, [this] { takeWork(true); });
+  connect(m_mark, &QAction::triggered, this, &ExerciseUi::chooseSubmissions);
+}
+
+ExerciseDocument* ExerciseUi::current() const {
+  return document() ? static_cast<ExerciseDocument*>(&document()->document) : nullptr;
+}
+
+std::shared_ptr<const ExerciseSnapshot> ExerciseUi::snapshot() const {
+  return std::static_pointer_cast<const ExerciseSnapshot>(current()->snapshot());
+}
+
+void ExerciseUi::setDocument(DocumentTab* document) {
+  RigidPartsUi::setDocument(document);
+  if (current() != nullptr) connect(current(), &Document::changed, this, &ExerciseUi::refresh);
+  m_editor->setDocument(current() && !current()->exercise().isForStudents ? current() : nullptr);
+  refresh();
+}
+
+void ExerciseUi::refresh() {
+  for (QAction* action : menu()) action->setEnabled(false);
+  if (!current()) return;
+  m_begin->setEnabled(true);
+  const ExerciseSnapshot& exercise = current()->exercise();
+  const bool isStudent = exercise.isForStudents;
+  m_pages->setCurrentWidget(isStudent ? static_cast<QWidget*>(m_student) : m_editor);
+  if (isStudent) m_student->setExercise(exercise.exercise, exercise.attempt.value_or(Attempt()), false);
+  const bool hasWork = m_attempt->isRunning() && m_attempt->exercise() && m_attempt->exercise()->key == exercise.key;
+  m_preview->setEnabled(!isStudent);
+  m_mark->setEnabled(!isStudent);
+  m_solution->setEnabled(!isStudent && hasWork);
+  m_target->setEnabled(!isStudent && hasWork);
+  emit stateChanged();
+}
+
+QWidget* ExerciseUi::panel() {
+  return m_pages;
+}
+
+QList<QAction*> ExerciseUi::menu() {
+  return {m_begin, m_preview, m_solution, m_target, m_mark};
+}
+
+QList<QAction*> ExerciseUi::toolBar() {
+  return {m_begin, m_preview, m_mark};
+}
+
+std::vector<StartAction> ExerciseUi::startActions() const {
+  std::vector<StartAction> all = {
+      {QStringLiteral("newExercise"), tr("New e&xercise"), tr("Prepare an exercise for students"), panelIcon()},
+      {QStringLiteral("openFirstLesson"), tr("First &lesson at the lathe"),
+       tr("Turn a shoulder step by step, without having turned before"), panelIcon(),
+       QStringLiteral("first-lesson.exercise.json"),
+       StartTile{QStringLiteral("lessonTile"), panelIcon(), tr("Turn your first shoulder"),
+                 tr("A lesson of three minutes: the program says what to do, and measures the part.")}}};
+  const std::pair<const char*, QString> shipped[] = {{"shaft", tr("Exercise: shaft with shoulders")},
+                                                     {"bush", tr("Exercise: bored bush")},
+                                                     {"thread-m20", tr("Exercise: blank of a thread M20")},
+                                                     {"ball", tr("Exercise: ball")},
+                                                     {"gourd", tr("Exercise: gourd")},
+                                                     {"dumb-bell", tr("Exercise: dumb-bell weight")},
+                                                     {"wine-glass", tr("Exercise: wine glass")}};
+  for (const auto& [name, text] : shipped) {
+    const QString id = QString::fromLatin1(name);
+    all.push_back({QStringLiteral("exercise/") + id, text, tr("Open a prepared exercise"), panelIcon(),
+                   id + QStringLiteral(".exercise.json")});
+  }
+  return all;
+}
+
+NextStep ExerciseUi::nextStep() {
+  if (!current()) return {};
+  const ExerciseSnapshot& exercise = current()->exercise();
+  const QColor accent = themeColours(currentTheme()).accent;
+  const QString title = QString::fromStdString(exercise.exercise.title);
+  if (exercise.attempt && exercise.attempt->isHandedIn())
+    return {panelIcon(),
+            accent,
+            tr("Handed in by %1").arg(QString::fromStdString(exercise.attempt->student)),
+            tr("The teacher marks it with the exercise."),
+            {}};
+  if (exercise.isForStudents)
+    return {panelIcon(),
+            accent,
+            title,
+            tr("%n step(s)", nullptr, static_cast<int>(exercise.exercise.steps.size())),
+            {m_begin}};
+  return {panelIcon(),
+          accent,
+          title.isEmpty() ? tr("New exercise") : title,
+          tr("%1 points. Students get a copy without the answers.").arg(exercise.exercise.points()),
+          {m_begin, m_preview}};
+}
+
+QString ExerciseUi::openedText(const DocumentTab& opened) const {
+  const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(opened.document).exercise();
+  return tr("Opened %1: exercise “%2”").arg(opened.document.name(), QString::fromStdString(exercise.exercise.title));
+}
+
+void ExerciseUi::openContent(const ExerciseSnapshot& content) {
+  OpenedFile opened = DocumentKinds::blank(current()->kind());
+  opened.content = std::make_shared<const ExerciseSnapshot>(content);
+  parts().openDocument(std::move(opened));
+}
+
+void ExerciseUi::report(const QString& title, const Error& error) {
+  emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error)});
+}
+
+void ExerciseUi::takeWork(bool asTarget) {
+  if (!current() || !m_attempt->work()) return;
+  const SnapshotPointer work = m_attempt->work()->document.snapshot();
+  ExerciseSnapshot changed = current()->exercise();
+  if (!asTarget) {
+    changed.solution = work;
+    return current()->change(tr("Take the model solution"), std::move(changed));
+  }
+  Result<TaskPointer> task = changed.subject->withTarget(*changed.task, *work);
+  if (!task) return report(tr("The target was not taken"), task.error());
+  changed.task = std::move(task.value());
+  current()->change(tr("Take the target"), std::move(changed));
+}
+
+void ExerciseUi::chooseSubmissions() {
+  auto* dialog = new QFileDialog(parts().window, tr("Mark what was handed in"), QString(),
+                                 tr("Submissions (%1)").arg(QStringLiteral("*.handwheel")));
+  dialog->setObjectName(QStringLiteral("markDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  connect(dialog, &QFileDialog::filesSelected, this, &ExerciseUi::mark);
+  dialog->open();
+}
+
+void ExerciseUi::mark(const QStringList& paths) {
+  if (!current()) return;
+  Job job;
+  job.name = tr("Marking");
+  job.owner = current();
+  job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = current()](Progress progress) {
+    auto marked = std::make_shared<ClassReport>(ClassReport{scheme->exercise, figureTypes(*scheme->subject), {}});
+    const double share = 1.0 / static_cast<double>(paths.size());
+    for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
+      marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
+                                       progress.part(i * share, (i + 1) * share)));
+    return Job::Finish([this, marked, paths, owner] {
+      if (owner != current()) return;
+      m_marked = paths;
+      m_editor->classView()->setReport(std::move(*marked));
+      m_editor->setCurrentWidget(m_editor->classView());
+    });
+  };
+  parts().jobs.start(std::move(job));
+}
+
+void ExerciseUi::chooseFile(const QString& title, const QString& filter, const QString& suffix,
+                            const std::function<void(const QString& path)>& chosen) {
+  auto* dialog = new QFileDialog(parts().window, title, QString(), filter);
+  dialog->setObjectName(QStringLiteral("classFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffix);
+  connect(dialog, &QFileDialog::fileSelected, this, chosen);
+  dialog->open();
+}
+
+void ExerciseUi::writeClass(bool asTable) {
+  const auto write = [this, asTable](const QString& path) {
+    const ClassReport& marked = m_editor->classView()->report();
+    const std::filesystem::path file = QFile::encodeName(path).toStdString();
+    ClassTable table(marked.exercise);
+    for (const ReportedWork& work : marked.works) table.add(work.row);
+    const Status written = asTable ? writeFileAtomically(file, table.csv()) : writeReport(marked, file);
+    if (!written) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), written.error());
+  };
+  if (asTable) {
+    chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), QStringLiteral("csv"), write);
+  } else {
+    chooseFile(tr("Save the report"), tr("Report (%1)").arg(QStringLiteral("*.html *.pdf")), QStringLiteral("html"),
+               write);
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/LathePanel.h"
+
+#include "controls/NumberField.h"
+#include "controls/machine/HandwheelDial.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace handwheel {
+
+namespace {
+
+using Do = LatheCommand::Kind;
+
+// The ways of the automatic feed, as ids of its buttons.
+struct FeedWay {
+  LatheAxis axis;
+  double sign;
+};
+constexpr std::array<FeedWay, 5> kFeedWays{{{LatheAxis::Carriage, 0.0},
+                                            {LatheAxis::Carriage, -1.0},
+                                            {LatheAxis::Carriage, 1.0},
+                                            {LatheAxis::Cross, -1.0},
+                                            {LatheAxis::Cross, 1.0}}};
+
+NumberField* field(const QString& label, const char* name, double value, double least, double largest) {
+  auto* made = new NumberField;
+  made->setObjectName(QString::fromLatin1(name));
+  made->setQuantity(Quantity::Number, LengthUnit::Millimetre);
+  made->setRange(least, largest);
+  made->setValue(value);
+  made->setLabel(label);
+  made->setMaximumWidth(110);
+  return made;
+}
+
+QString number(double value, int digits) {
+  return QLocale().toString(value, 'f', digits);
+}
+
+}  // namespace
+
+LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("lathePanel"));
+  auto* rows = new QVBoxLayout;
+  rows->addWidget(makeReadout());
+  rows->addWidget(makeSpindle());
+  rows->addWidget(makeFeed());
+  rows->addStretch();
+  m_crashes = new QListWidget;
+  m_crashes->setObjectName(QStringLiteral("latheCrashes"));
+  m_crashes->setAccessibleName(tr("Crashes"));
+  m_crashes->setToolTip(tr("What met what, and when. A crash stops the spindle."));
+  m_crashes->setMinimumWidth(180);
+  auto* all = new QHBoxLayout(this);
+  all->addLayout(rows);
+  all->addWidget(makeWheels());
+  all->addWidget(m_crashes, 1);
+}
+
+QPushButton* LathePanel::button(const QString& text, const char* name, const QString& tip) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(QString::fromLatin1(name));
+  made->setToolTip(tip);
+  return made;
+}
+
+QWidget* LathePanel::makeReadout() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_tools = new QComboBox;
+  m_tools->setObjectName(QStringLiteral("latheTool"));
+  m_tools->setAccessibleName(tr("Tool in the post"));
+  m_x = new QLabel;
+  m_x->setObjectName(QStringLiteral("latheX"));
+  m_z = new QLabel;
+  m_z->setObjectName(QStringLiteral("latheZ"));
+  m_cut = new QLabel;
+  m_cut->setObjectName(QStringLiteral("latheCut"));
+  m_touch = field(tr("Value for touching off, mm"), "latheTouchValue", 0.0, -1e4, 1e4);
+  auto* const offX = button(tr("Touch off &X"), "latheTouchX", tr("The read-out shows this value for X here"));
+  auto* const offZ = button(tr("Touch off &Z"), "latheTouchZ", tr("The read-out shows this value for Z here"));
+  for (QWidget* each : std::initializer_list<QWidget*>{m_tools, m_x, m_z, m_touch, offX, offZ, m_cut})
+    layout->addWidget(each);
+  layout->addStretch();
+  connect(m_tools, &QComboBox::activated, this, [this](int index) {
+    emit commanded({Do::Tool, LatheAxis::Carriage, static_cast<double>(index)});
+  });
+  connect(offX, &QPushButton::clicked, this, [this] { emit touchOffRequested(true, m_touch->value()); });
+  connect(offZ, &QPushButton::clicked, this, [this] { emit touchOffRequested(false, m_touch->value()); });
+  return row;
+}
+
+QWidget* LathePanel::makeSpindle() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_spindle = new QButtonGroup(this);
+  const auto add = [&](int direction, const QString& text, const char* name) {
+    QPushButton* const made = button(text, name, tr("Direction of the spindle"));
+    made->setCheckable(true);
+    m_spindle->addButton(made, direction + 1);
+    layout->addWidget(made);
+  };
+  layout->addWidget(new QLabel(tr("Spindle")));
+  add(1, tr("&Forward"), "latheForward");
+  add(0, tr("&Stop"), "latheStop");
+  add(-1, tr("&Reverse"), "latheReverse");
+  m_speed = field(tr("Speed, r/min"), "latheSpeed", 600.0, 1.0, 10'000.0);
+  m_isConstant = new QCheckBox(tr("Constant surface speed"));
+  m_isConstant->setObjectName(QStringLiteral("latheConstantSpeed"));
+  m_surface = field(tr("Surface speed, m/min"), "latheSurfaceSpeed", 100.0, 1.0, 2'000.0);
+  m_clamp = field(tr("Largest speed, r/min"), "latheClamp", 2'000.0, 1.0, 10'000.0);
+  for (QWidget* each :
+       std::initializer_list<QWidget*>{m_speed, new QLabel(tr("r/min")), m_isConstant, m_surface,
+                                       new QLabel(tr("m/min, at most")), m_clamp, new QLabel(tr("r/min"))})
+    layout->addWidget(each);
+  layout->addStretch();
+  connect(m_spindle, &QButtonGroup::idClicked, this, [this](int id) {
+    emit commanded({Do::Spindle, LatheAxis::Carriage, id - 1.0});
+  });
+  connect(m_isConstant, &QCheckBox::toggled, this, &LathePanel::sendSpeed);
+  for (NumberField* each : {m_speed, m_surface, m_clamp})
+    connect(each, &NumberField::valueEdited, this, &LathePanel::sendSpeed);
+  return row;
+}
+
+QWidget* LathePanel::makeFeed() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_feedWays = new QButtonGroup(this);
+  const auto add = [&](int id, const QString& text, const char* name) {
+    QPushButton* const made = button(text, name, tr("Automatic feed"));
+    made->setCheckable(true);
+    m_feedWays->addButton(made, id);
+    layout->addWidget(made);
+  };
+  layout->addWidget(new QLabel(tr("Feed")));
+  m_feed = field(tr("Feed, mm in a turn"), "latheFeed", 0.1, 0.0, 10.0);
+  layout->addWidget(m_feed);
+  layout->addWidget(new QLabel(tr("mm/rev")));
+  add(0, tr("Off"), "latheFeedOff");
+  add(1, tr("To chuck"), "latheFeedLeft");
+  add(2, tr("Away"), "latheFeedRight");
+  add(3, tr("In"), "latheFeedIn");
+  add(4, tr("Out"), "latheFeedOut");
+  m_lead = field(tr("Pitch of the thread, mm"), "latheLead", 1.5, 0.0, 100.0);
+  m_nut = button(tr("&Half-nut"), "latheHalfNut", tr("Closes the half-nut: the carriage follows the lead screw"));
+  m_nut->setCheckable(true);
+  layout->addWidget(new QLabel(tr("Pitch")));
+  layout->addWidget(m_lead);
+  layout->addWidget(m_nut);
+  layout->addStretch();
+  connect(m_feedWays, &QButtonGroup::idClicked, this, &LathePanel::sendFeed);
+  connect(m_feed, &NumberField::valueEdited, this, [this] { sendFeed(m_feedWays->checkedId()); });
+  connect(m_nut, &QPushButton::clicked, this, [this](bool isClosed) {
+    emit commanded({Do::HalfNut, LatheAxis::Carriage, isClosed ? -m_lead->value() : 0.0});
+  });
+  return row;
+}
+
+QWidget* LathePanel::makeWheels() {
+  auto* group = new QWidget;
+  auto* grid = new QGridLayout(group);
+  grid->setContentsMargins(0, 0, 0, 0);
+  const std::array<QString, kLatheAxes> names{tr("Carriage"), tr("Cross slide"), tr("Compound slide"),
+                                              tr("Tailstock quill")};
+  const std::array<const char*, kLatheAxes> ids{"latheCarriage", "latheCross", "latheCompound", "latheQuill"};
+  for (std::size_t i = 0; i < kLatheAxes; ++i) {
+    m_wheels[i] = new HandwheelDial;
+    m_wheels[i]->setObjectName(QString::fromLatin1(ids[i]));
+    m_wheels[i]->setLabel(names[i]);
+    auto* const caption = new QLabel(names[i]);
+    caption->setAlignment(Qt::AlignHCenter);
+    grid->addWidget(m_wheels[i], 0, static_cast<int>(i));
+    grid->addWidget(caption, 1, static_cast<int>(i));
+    connect(m_wheels[i], &HandwheelDial::moved, this, [this, i](double mm) {
+      const double by = mm - std::exchange(m_turned[i], mm);
+      emit commanded({Do::Turn, static_cast<LatheAxis>(i), by});
+    });
+  }
+  m_wheels[static_cast<std::size_t>(LatheAxis::Cross)]->setPrefix(QStringLiteral("R"));
+  return group;
+}
+
+void LathePanel::sendSpeed() {
+  if (m_isConstant->isChecked())
+    emit commanded({Do::SurfaceSpeed, LatheAxis::Carriage, m_surface->value(), m_clamp->value()});
+  else
+    emit commanded({Do::Speed, LatheAxis::Carriage, m_speed->value()});
+}
+
+void LathePanel::sendFeed(int way) {
+  if (way < 0 || way >= static_cast<int>(kFeedWays.size())) return;
+  const FeedWay& chosen = kFeedWays[static_cast<std::size_t>(way)];
+  emit commanded({Do::Feed, chosen.axis, chosen.sign * m_feed->value()});
+}
+
+void LathePanel::showTools(const ManualLatheTool& tool) {
+  std::vector<std::string> ids;
+  for (const LatheSlot& slot : tool.setup().stations) ids.push_back(slot.tool);
+  const QSignalBlocker quiet(m_tools);
+  if (ids != m_listed) {
+    m_listed = ids;
+    m_tools->clear();
+    int place = 1;
+    for (const std::string& id : ids) {
+      const auto found = toolNamed(tool.tools(), id);
+      const QString name = found ? QCoreApplication::translate("LatheTool", titleOf(found->kind)) + QLatin1Char(' ') +
+                                       QString::fromStdString(found->designation)
+                                 : tr("none");
+      m_tools->addItem(QStringLiteral("%1: %2").arg(place++).arg(name));
+    }
+  }
+  m_tools->setCurrentIndex(static_cast<int>(tool.moment()->machine.tool));
+}
+
+// What was turned and not followed yet counts, too.
+void LathePanel::showWheels(const ManualLatheTool& tool) {
+  const LatheSetup setup = tool.setup();
+  const auto now = tool.moment();
+  for (std::size_t i = 0; i < kLatheAxes; ++i) {
+    m_turned[i] = now->machine.wheels[i] + now->machine.demands[i];
+    m_wheels[i]->setDivisions(setup.dials[i].divisions, setup.dials[i].perDivision);
+    m_wheels[i]->setValue(m_turned[i]);
+  }
+  m_wheels[static_cast<std::size_t>(LatheAxis::Quill)]->setEnabled(setup.tailstock.isUsed());
+}
+
+void LathePanel::showCrashes(const ManualLatheTool& tool) {
+  const std::vector<LatheCollision> all = tool.collisions();
+  for (int i = m_crashes->count(); i < static_cast<int>(all.size()); ++i) {
+    const LatheCollision& crash = all[static_cast<std::size_t>(i)];
+    const auto part = [](LathePart which) { return QCoreApplication::translate("LathePart", titleOf(which)); };
+    m_crashes->addItem(tr("%1 s: %2 – %3 at R %4, Z %5. %6")
+                           .arg(number(crash.time, 1), part(crash.moving), part(crash.struck),
+                                number(crash.place.x(), 2), number(crash.place.y(), 2),
+                                QCoreApplication::translate("LathePart", sentenceOf(crash.cause))));
+    m_crashes->scrollToBottom();
+  }
+  if (static_cast<int>(all.size()) < m_crashes->count()) m_crashes->clear();
+}
+
+void LathePanel::show(const ManualLatheTool& tool) {
+  const auto now = tool.moment();
+  const ProfilePoint read = tool.readout();
+  const QString badge = tool.setup().showsDiameter ? QStringLiteral("⌀") : QStringLiteral("R");
+  m_x->setText(QStringLiteral("X %1 %2 mm").arg(badge, number(read.x(), 3)));
+  m_z->setText(QStringLiteral("Z %1 mm").arg(number(read.y(), 3)));
+  m_cut->setText(now->isCutting ? tr("depth %1 mm, %2 m/min").arg(number(now->depth, 2), number(now->surfaceSpeed, 0))
+                                : tr("%1 r/min").arg(number(now->machine.speed, 0)));
+  if (QAbstractButton* const shown = m_spindle->button(now->machine.direction + 1)) shown->setChecked(true);
+  int way = 0;
+  for (std::size_t i = 1; now->machine.feed != 0.0 && i < kFeedWays.size(); ++i) {
+    if (kFeedWays[i].axis == now->machine.feedAxis && kFeedWays[i].sign * now->machine.feed > 0.0)
+      way = static_cast<int>(i);
+  }
+  m_feedWays->button(way)->setChecked(true);
+  m_nut->setChecked(now->machine.lead != 0.0);
+  showTools(tool);
+  showWheels(tool);
+  showCrashes(tool);
+}
+
+}  // namespace handwheel

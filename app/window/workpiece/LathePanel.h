@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/workpiece/ManualLatheTool.h"
+
+#include <QWidget>
+#include <array>
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace handwheel {
+
+class HandwheelDial;
+class NumberField;
+
+// The levers and handwheels of a manual lathe, its read-out and its crashes. What is done comes out as commands; what
+// the lathe does is shown by show(). Window thread.
+class LathePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LathePanel(QWidget* parent = nullptr);
+
+  // To be called some times a second while the lathe runs.
+  void show(const ManualLatheTool& tool);
+
+ signals:
+  void commanded(const handwheel::LatheCommand& command);
+  void touchOffRequested(bool isX, double value);  // mm, X as it is shown
+
+ private:
+  QWidget* makeReadout();
+  QWidget* makeSpindle();
+  QWidget* makeFeed();
+  QWidget* makeWheels();
+  QPushButton* button(const QString& text, const char* name, const QString& tip);
+  void sendSpeed();
+  void sendFeed(int way);
+  void showTools(const ManualLatheTool& tool);
+  void showWheels(const ManualLatheTool& tool);
+  void showCrashes(const ManualLatheTool& tool);
+
+  QComboBox* m_tools;
+  QLabel* m_x;
+  QLabel* m_z;
+  QLabel* m_cut;
+  NumberField* m_touch;
+  QButtonGroup* m_spindle;
+  NumberField* m_speed;
+  QCheckBox* m_isConstant;
+  NumberField* m_surface;
+  NumberField* m_clamp;
+  NumberField* m_feed;
+  QButtonGroup* m_feedWays;
+  NumberField* m_lead;
+  QPushButton* m_nut;
+  std::array<HandwheelDial*, kLatheAxes> m_wheels;
+  std::array<double, kLatheAxes> m_turned{};  // mm, what the dials show
+  QListWidget* m_crashes;
+  std::vector<std::string> m_listed;  // ids of the tools in the post
+};
+
+}  // namespace handwheel

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/TargetPanel.h"
+
+#include "controls/QuantityText.h"
+
+#include <QAction>
+#include <QImage>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPixmap>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kLegendWidth = 220, kLegendHeight = 12;  // pixels
+
+// As a shop reads it: to a micrometre.
+QString lengthText(double mm, LengthUnit unit, const QLocale& locale) {
+  return quantityText(std::round(mm * 1e3) / 1e3, Quantity::Length, unit, locale);
+}
+
+QPixmap legendPicture(const ColourScale& scale) {
+  QImage image(kLegendWidth, 1, QImage::Format_RGB32);
+  for (int x = 0; x < kLegendWidth; ++x)
+    image.setPixelColor(x, 0, scale.at(scale.range * (2.0 * x / (kLegendWidth - 1) - 1.0)));
+  return QPixmap::fromImage(image.scaled(kLegendWidth, kLegendHeight));
+}
+
+}  // namespace
+
+QString dimensionText(const ProfileFeature& f, LengthUnit unit, const QLocale& locale) {
+  const auto length = [&](double mm) { return lengthText(mm, unit, locale); };
+  QString text;
+  if (f.kind == ProfileFeature::Kind::Cylinder) text = QStringLiteral("⌀ %1").arg(length(f.value));
+  if (f.kind == ProfileFeature::Kind::Arc) text = QStringLiteral("R %1").arg(length(f.value));
+  if (f.kind == ProfileFeature::Kind::Taper)
+    text = QStringLiteral("∠ %1  ⌀ %2 … %3")
+               .arg(quantityText(f.value, Quantity::Angle, unit, locale), length(2.0 * f.low.x()),
+                    length(2.0 * f.high.x()));
+  if (f.kind == ProfileFeature::Kind::FlatFace)
+    return QStringLiteral("⟂ ⌀ %1 … %2  ·  Z %3")
+        .arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()), length(f.low.y()));
+  if (f.isInner) text = TargetPanel::tr("Bore %1").arg(text);
+  return QStringLiteral("%1  ·  Z %2 … %3  ·  ↔ %4")
+      .arg(text, length(f.low.y()), length(f.high.y()), length(f.length()));
+}
+
+TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
+    : QWidget(parent),
+      m_target(new QLabel(this)),
+      m_over(new QLabel(this)),
+      m_under(new QLabel(this)),
+      m_legend(new QLabel(this)),
+      m_ends(new QLabel(this)),
+      m_dimensions(new QListWidget(this)) {
+  setObjectName(QStringLiteral("targetPanel"));
+  m_over->setObjectName(QStringLiteral("targetOver"));
+  m_under->setObjectName(QStringLiteral("targetUnder"));
+  m_dimensions->setObjectName(QStringLiteral("partDimensions"));
+  m_dimensions->setAccessibleName(tr("Measured dimensions"));
+  m_dimensions->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  m_target->setWordWrap(true);
+  auto* heading = new QLabel(tr("Target"), this);
+  auto* measured = new QLabel(tr("Dimensions"), this);
+  for (QLabel* label : {heading, measured}) label->setProperty("strong", true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 8, 12);
+  column->setSpacing(8);
+  column->addWidget(heading);
+  for (QWidget* row : std::initializer_list<QWidget*>{m_target, m_over, m_under, m_legend, m_ends})
+    column->addWidget(row);
+  for (QAction* action : actions) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    column->addWidget(button);
+  }
+  column->addWidget(measured);
+  column->addWidget(m_dimensions, 1);
+  setLegend({}, LengthUnit::Millimetre);
+}
+
+void TargetPanel::show(const PartMeasurement& measurement, const QString& target, LengthUnit unit) {
+  const QLocale locale;
+  const bool hasTarget = measurement.deviation.has_value();
+  m_target->setText(hasTarget ? target : tr("No target: import one to compare the part with it."));
+  for (QLabel* label : {m_over, m_under}) label->setVisible(hasTarget);
+  if (hasTarget) {
+    const TargetDeviation& d = *measurement.deviation;
+    m_over->setText(tr("Too large by up to %1").arg(lengthText(d.largestOver.distance, unit, locale)));
+    m_under->setText(tr("Too small by up to %1").arg(lengthText(-d.largestUnder.distance, unit, locale)));
+  }
+  m_dimensions->clear();
+  for (const ProfileFeature& feature : measurement.features)
+    m_dimensions->addItem(dimensionText(feature, unit, locale));
+}
+
+void TargetPanel::setLegend(const std::optional<ColourScale>& scale, LengthUnit unit) {
+  for (QLabel* label : {m_legend, m_ends}) label->setVisible(scale.has_value());
+  if (!scale) return;
+  m_legend->setPixmap(legendPicture(*scale));
+  const QString range = lengthText(scale->range, unit, QLocale());
+  m_ends->setText(tr("blue: %1 too small, red: %1 too large").arg(range));
+  m_legend->setAccessibleName(m_ends->text());
+}
+
+}  // namespace handwheel

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "base/Units.h"
+#include "machining/target/ProfileFeatures.h"
+#include "machining/target/TargetDeviation.h"
+#include "viewport/overlay/ColourScale.h"
+
+#include <QLocale>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QLabel;
+class QListWidget;
+
+namespace handwheel {
+
+// What is measured of a turned part.
+struct PartMeasurement {
+  std::vector<ProfileFeature> features;
+  std::optional<TargetDeviation> deviation;  // none without a target
+};
+
+// The panel with the measured dimensions of a part, its deviation from the target and the legend of its colours.
+class TargetPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  // actions: shown as buttons.
+  TargetPanel(const QList<QAction*>& actions, QWidget* parent = nullptr);
+
+  // target: its name; empty for none.
+  void show(const PartMeasurement& measurement, const QString& target, LengthUnit unit);
+  // The scale of the colours in the view; none while they are not shown.
+  void setLegend(const std::optional<ColourScale>& scale, LengthUnit unit);
+
+ private:
+  QLabel* m_target;
+  QLabel* m_over;
+  QLabel* m_under;
+  QLabel* m_legend;
+  QLabel* m_ends;
+  QListWidget* m_dimensions;
+};
+
+// A dimension in a few signs: "⌀ 40 mm · Z 0 mm … 30 mm".
+QString dimensionText(const ProfileFeature& feature, LengthUnit unit, const QLocale& locale);
+
+}  // namespace handwheel

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/TargetView.h"
+
+#include "document/workpiece/DeviationDisplay.h"
+#include "document/workpiece/TargetEdit.h"
+#include "document/workpiece/TargetReport.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "text/NoteText.h"
+#include "window/ActionToolTip.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// What is measured of a workpiece; on a worker.
+PartMeasurement measure(const WorkpieceSnapshot& workpiece, Progress progress) {
+  PartMeasurement found;
+  if (const Result<TargetProfile> section = sectionOf(workpiece))
+    found.features = featuresOf(*section, workpiece.chord);
+  if (workpiece.target) found.deviation = deviationOf(workpiece, progress);
+  return found;
+}
+
+}  // namespace
+
+TargetView::TargetView(const WindowContext& parts, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_import(tr("Import &target…"), this),
+      m_remove(tr("&Remove target"), this),
+      m_colours(tr("&Deviation in colours"), this),
+      m_panel(new TargetPanel({&m_import, &m_remove, &m_colours}, parts.window)),
+      m_measuring(JobRunner::Policy::Latest, parts.pool) {
+  m_import.setObjectName(QStringLiteral("importTarget"));
+  m_remove.setObjectName(QStringLiteral("removeTarget"));
+  m_colours.setObjectName(QStringLiteral("targetDeviation"));
+  m_colours.setCheckable(true);
+  setActionToolTip(m_import, tr("Read what the part is to become, from STEP, DXF, SVG or a workpiece"));
+  setActionToolTip(m_remove, tr("Compare the part with nothing"));
+  setActionToolTip(m_colours, tr("Show where the part is larger or smaller than the target"));
+  connect(&m_import, &QAction::triggered, this, &TargetView::askForFile);
+  connect(&m_remove, &QAction::triggered, this,
+          [this] { m_document->document.commit(tr("Remove target"), std::make_unique<TargetEdit>(nullptr)); });
+  connect(&m_colours, &QAction::toggled, this, [this] {
+    refresh();
+    emit shownChanged();
+  });
+}
+
+const WorkpieceDocument* TargetView::workpiece() const {
+  return m_document ? static_cast<const WorkpieceDocument*>(&m_document->document) : nullptr;
+}
+
+void TargetView::setDocument(DocumentTab* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_measuring.cancelAll();
+  m_document = document;
+  m_import.setEnabled(document != nullptr);
+  if (document) connect(&document->document, &Document::changed, this, &TargetView::refresh);
+  refresh();
+}
+
+void TargetView::refresh() {
+  const WorkpieceDocument* const owner = workpiece();
+  const bool hasTarget = owner && owner->workpiece().target;
+  m_remove.setEnabled(hasTarget);
+  m_colours.setEnabled(hasTarget);
+  if (!owner) return;
+  Job job;
+  job.name = tr("Measuring");
+  job.owner = m_document;
+  job.work = [this, document = m_document, value = owner->workpiece()](Progress progress) -> Job::Finish {
+    PartMeasurement found = measure(value, progress);
+    return [this, document, made = std::move(found)] {
+      if (document == m_document) measured(made);
+    };
+  };
+  m_measuring.start(std::move(job));
+}
+
+void TargetView::measured(const PartMeasurement& measurement) {
+  if (!m_panel) return;
+  const auto& target = workpiece()->workpiece().target;
+  const LengthUnit unit = m_document->document.displayUnit();
+  m_panel->show(measurement, target ? QString::fromStdString(target->source) : QString(), unit);
+  const bool isShown = m_colours.isChecked() && target;
+  m_panel->setLegend(isShown ? std::optional(ColourScale{m_range}) : std::nullopt, unit);
+}
+
+std::optional<DisplayModel> TargetView::display(const WorkpieceSnapshot& workpiece) const {
+  if (!m_colours.isChecked() || !workpiece.target) return std::nullopt;
+  return deviationDisplay(workpiece, [scale = ColourScale{m_range}](double distance) {
+    const QColor colour = scale.at(distance);
+    return std::array<float, 3>{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
+                                static_cast<float>(colour.blueF())};
+  });
+}
+
+void TargetView::askForFile() {
+  QStringList patterns;
+  for (const std::string& ending : targetEndings()) patterns << QStringLiteral("*") + QString::fromStdString(ending);
+  auto* dialog = new QFileDialog(m_parts.window, tr("Import a target"), QFileInfo(m_document->document.path()).path(),
+                                 tr("Turned parts (%1)").arg(patterns.join(QLatin1Char(' '))));
+  dialog->setObjectName(QStringLiteral("targetDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
+    if (m_parts.tabs.contains(document)) importFrom(document, path);
+  });
+  dialog->open();
+}
+
+void TargetView::importFrom(DocumentTab* document, const QString& path) {
+  Job job;
+  job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
+  job.owner = document;
+  const auto failed = [this, path](const Error& error) {
+    if (error.code == ErrorCode::Cancelled) return;
+    emit message({Message::Weight::Error, tr("%1 is no target").arg(QFileInfo(path).fileName()), errorSentence(error),
+                  errorAdvice(error)});
+  };
+  job.work = [this, document, path, failed](Progress progress) -> Job::Finish {
+    const Result<ImportedTarget> imported = importTarget(path.toStdString(), UnturnedFaces::Refuse, progress);
+    if (!imported) return [failed, error = imported.error()] { failed(error); };
+    return [this, document, path, made = *imported] { take(document, made, path); };
+  };
+  job.failed = failed;
+  m_parts.jobs.start(std::move(job));
+}
+
+void TargetView::take(DocumentTab* document, const ImportedTarget& imported, const QString& path) {
+  if (!m_parts.tabs.contains(document)) return;
+  const StockCylinder& stock = static_cast<const WorkpieceDocument&>(document->document).workpiece().stock;
+  document->document.commit(tr("Import target"), std::make_unique<TargetEdit>(placedTarget(imported, stock)));
+  m_parts.log.add(tr("Target read from %1").arg(QFileInfo(path).fileName()));
+  for (const Note& note : imported.notes) m_parts.log.add(noteText(note));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "document/workpiece/TargetImport.h"
+#include "window/JobRunner.h"
+#include "window/kinds/KindUi.h"
+#include "window/workpiece/TargetPanel.h"
+
+#include <QAction>
+#include <QPointer>
+
+namespace handwheel {
+
+class WorkpieceDocument;
+
+// The commands and measurements of a workpiece's target: importing it, removing it, showing the deviation in colours.
+class TargetView : public QObject {
+  Q_OBJECT
+
+ public:
+  TargetView(const WindowContext& parts, QObject* parent);
+
+  void setDocument(DocumentTab* document);
+  QList<QAction*> actions() { return {&m_import, &m_remove, &m_colours}; }
+  QWidget* panel() { return m_panel; }
+  // The workpiece in the colours of its deviation; none where they are not shown.
+  std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
+  bool isSettled() const { return m_measuring.isIdle(); }
+
+  // Reads a target as a job and sets it as one undo step.
+  void importFrom(DocumentTab* document, const QString& path);
+
+ signals:
+  void shownChanged();
+  void message(const handwheel::Message& message);
+
+ private:
+  const WorkpieceDocument* workpiece() const;
+  void askForFile();
+  void take(DocumentTab* document, const ImportedTarget& imported, const QString& path);
+  void refresh();
+  void measured(const PartMeasurement& measurement);
+
+  WindowContext m_parts;
+  QAction m_import, m_remove, m_colours;
+  QPointer<TargetPanel> m_panel;
+  DocumentTab* m_document = nullptr;
+  JobRunner m_measuring;
+  double m_range = 0.1;  // mm, of the colours
+};
+
+}  // namespace handwheel

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Document.h"
+#include "document/exercise/ExerciseSnapshot.h"
+
+namespace handwheel {
+
+// Document of an exercise, or of a student's copy of one.
+class ExerciseDocument : public Document {
+  Q_OBJECT
+
+ public:
+  // opened: the content is an ExerciseSnapshot with a subject.
+  explicit ExerciseDocument(OpenedFile opened, QObject* parent = nullptr);
+
+  const ExerciseSnapshot& exercise() const { return *m_exercise; }
+
+  SnapshotPointer snapshot() const override { return m_exercise; }
+  // Those of exerciseProperties(), then those of every document.
+  std::vector<Property> properties() const override;
+  // Error for a student's copy: Fixed.
+  Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
+
+  // Makes another value the present one, as one undo step.
+  void change(const QString& text, ExerciseSnapshot exercise);
+
+ private:
+  friend class ExerciseEdit;
+
+  std::shared_ptr<const ExerciseSnapshot> m_exercise;
+};
+
+// Exchanges the value of an exercise. Versions share task, solution and work.
+class ExerciseEdit : public Edit {
+ public:
+  // property: that the edit changes; edits of one that are part of a gesture become one step. Empty: of none.
+  explicit ExerciseEdit(ExerciseSnapshot exercise, std::string property = {});
+
+  void exchange(Document& document) override;
+  bool absorb(const Edit& later) override;
+  std::size_t bytes() const override;
+
+ private:
+  std::shared_ptr<const ExerciseSnapshot> m_exercise;
+  std::string m_property;
+};
+
+}  // namespace handwheel

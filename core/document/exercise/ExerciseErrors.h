@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The codes of errors of exercises.
+namespace handwheel::ExerciseError {
+
+extern const ErrorDescription SubjectUnknown;  // {subject} work that this program does not know
+extern const ErrorDescription OtherExercise;   // {title} what was handed in belongs to another exercise
+extern const ErrorDescription OtherWork;       // {reason} the work cannot be of this exercise
+extern const ErrorDescription NotHandedIn;     // the file is no work that was handed in
+extern const ErrorDescription WithoutScheme;   // the exercise is a student's, which has no marking scheme
+extern const ErrorDescription Fixed;           // a student's copy cannot be changed
+
+}  // namespace handwheel::ExerciseError

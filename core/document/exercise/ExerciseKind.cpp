@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/exercise/ExerciseKind.h"
+
+#include "base/JsonText.h"
+#include "document/AtomicFile.h"
+#include "document/Container.h"
+#include "document/DocumentErrors.h"
+#include "document/FileBytes.h"
+#include "document/exercise/ExerciseDocument.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ExerciseJson.h"
+
+#include <QUuid>
+#include <QtGlobal>
+#include <algorithm>
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kDescriptionEnding = ".exercise.json";
+constexpr const char *kSolution = "solution", *kWork = "work";
+
+const ExerciseSnapshot& exerciseOf(const Snapshot& content) {
+  return static_cast<const ExerciseSnapshot&>(content);
+}
+
+std::string folderOf(const char* name) {
+  return std::string("exercise/") + name + "/";
+}
+
+// A document within the document: its JSON under a key, its blobs in a folder of that name.
+void writeInner(Container& container, const char* name, const DocumentKind& kind, const SnapshotPointer& content) {
+  Json& document = (*container.manifest)["document"];
+  document[name] = nullptr;
+  if (!content) return;
+  Container inner;
+  kind.save(*content, inner);
+  document[name] = std::move((*inner.manifest)["document"]);
+  for (auto& [blob, bytes] : inner.blobs) container.blobs[folderOf(name) + blob] = std::move(bytes);
+}
+
+Result<SnapshotPointer> readInner(const Container& container, const char* name, const DocumentKind& kind,
+                                  std::vector<Error>& damage, Progress progress) {
+  const Json& document = (*container.manifest)["document"];
+  const auto found = document.find(name);
+  if (found == document.end() || found->is_null()) return SnapshotPointer();
+  Container inner;
+  (*inner.manifest)["document"] = *found;
+  const std::string folder = folderOf(name);
+  for (auto blob = container.blobs.lower_bound(folder); blob != container.blobs.end(); ++blob) {
+    if (!blob->first.starts_with(folder)) break;
+    inner.blobs[blob->first.substr(folder.size())] = blob->second;
+  }
+  Result<SnapshotPointer> content = kind.load(inner, damage, progress);
+  if (content || content.error().code == ErrorCode::Cancelled) return content;
+  damage.push_back(content.error());
+  return SnapshotPointer();
+}
+
+}  // namespace
+
+std::string newExerciseKey() {
+  return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+}
+
+ExerciseKind::ExerciseKind(std::vector<std::unique_ptr<ExerciseSubject>> subjects) : m_subjects(std::move(subjects)) {
+  assert(!m_subjects.empty());
+}
+
+std::string ExerciseKind::title() const {
+  return QT_TRANSLATE_NOOP("DocumentKind", "Exercise");
+}
+
+std::vector<FileFormat> ExerciseKind::formats() const {
+  return {{"Exercise", {kDescriptionEnding}, true, true}};
+}
+
+bool ExerciseKind::recognises(std::string_view head, std::string_view name) const {
+  return name.ends_with(kDescriptionEnding) && head.find("\"subject\"") != head.npos;
+}
+
+Result<OpenedFile> ExerciseKind::import(const std::filesystem::path& path, const ReadOptions&,
+                                        Progress progress) const {
+  const Result<std::string> text = readFileBytes(path);
+  const Result<Json> json = text ? parseJson(*text, "exercise") : Result<Json>(text.error());
+  Result<SnapshotPointer> content = json ? fromDescription(*json, progress) : Result<SnapshotPointer>(json.error());
+  if (!content) {
+    Error error = content.error();
+    error.subject = path.string();
+    return error;
+  }
+  OpenedFile opened;
+  opened.kind = this;
+  opened.content = std::move(content.value());
+  return opened;
+}
+
+Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
+                                           Progress progress) const {
+  const ExerciseSnapshot& exercise = exerciseOf(content);
+  const std::string text = description(exercise).dump(1) + "\n";
+  const Status written = writeFileAtomically(path, text, progress);
+  if (!written) return written.error();
+  WrittenFile file{text.size(), {}};
+  if (exercise.solution || exercise.work)
+    file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The description has neither model solution nor work."), {}, true});
+  return file;
+}
+
+void ExerciseKind::save(const Snapshot& content, Container& container) const {
+  const ExerciseSnapshot& exercise = exerciseOf(content);
+  Json& document = (*container.manifest)["document"];
+  if (!document.is_object()) document = Json::object();
+  document.update(description(exercise));
+  document["key"] = exercise.key;
+  document["for_students"] = exercise.isForStudents;
+  document["attempt"] = exercise.attempt ? toJson(*exercise.attempt) : Json();
+  writeInner(container, kSolution, exercise.subject->kind(), exercise.solution);
+  writeInner(container, kWork, exercise.subject->kind(), exercise.work);
+}
+
+Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vector<Error>& damage,
+                                           Progress progress) const {
+  const auto document = container.manifest->find("document");
+  if (document == container.manifest->end() || !document->is_object())
+    return Error{ErrorCode::ElementMalformed, {"document", "it is missing"}, {}, {}};
+  Result<ExerciseSnapshot> read = this->read(*document, damage);
+  if (!read) return read.error();
+  ExerciseSnapshot exercise = std::move(read.value());
+  const auto isForStudents = document->find("for_students");
+  exercise.isForStudents =
+      isForStudents != document->end() && isForStudents->is_boolean() && isForStudents->get<bool>();
+  const auto attempt = document->find("attempt");
+  if (attempt != document->end() && attempt->is_object()) exercise.attempt = attemptFrom(*attempt, damage);
+  Result<SnapshotPointer> solution =
+      readInner(container, kSolution, exercise.subject->kind(), damage, progress.part(0.0, 0.5));
+  Result<SnapshotPointer> work =
+      solution ? readInner(container, kWork, exercise.subject->kind(), damage, progress.part(0.5, 1.0))
+               : Result<SnapshotPointer>(solution.error());
+  if (!work) return work.error();
+  exercise.solution = std::move(solution.value());
+  exercise.work = std::move(work.value());
+  return SnapshotPointer(std::make_shared<const ExerciseSnapshot>(std::move(exercise)));
+}
+
+Result<ExerciseSnapshot> ExerciseKind::read(const Json& document, std::vector<Error>& damage) const {
+  const std::string subject = stringAt(document, "subject");
+  const auto known =
+      std::find_if(m_subjects.begin(), m_subjects.end(), [&](const auto& each) { return each->id() == subject; });
+  if (known == m_subjects.end()) return Error{ExerciseError::SubjectUnknown, {subject}, {}, {}};
+  ExerciseSnapshot exercise;
+  exercise.subject = known->get();
+  exercise.exercise = exerciseFrom(document, damage);
+  exercise.task = exercise.subject->fromJson(document.value("task", Json()), damage);
+  exercise.key = stringAt(document, "key");
+  if (exercise.key.size() > 100) {
+    exercise.key.clear();
+    damage.push_back({ErrorCode::ElementMalformed, {"key", "it is too long"}, {}, {}});
+  }
+  return exercise;
+}
+
+SnapshotPointer ExerciseKind::blank() const {
+  ExerciseSnapshot exercise;
+  exercise.key = newExerciseKey();
+  exercise.subject = m_subjects.front().get();
+  exercise.task = exercise.subject->blankTask();
+  return std::make_shared<const ExerciseSnapshot>(std::move(exercise));
+}
+
+std::unique_ptr<Document> ExerciseKind::make(OpenedFile opened) const {
+  return std::make_unique<ExerciseDocument>(std::move(opened));
+}
+
+Json ExerciseKind::describe(const Snapshot& content) const {
+  const ExerciseSnapshot& exercise = exerciseOf(content);
+  Json described = description(exercise);
+  described["key"] = exercise.key;
+  described["for_students"] = exercise.isForStudents;
+  described["points"] = exercise.exercise.points();
+  described["has_solution"] = exercise.solution != nullptr;
+  described["attempt"] = exercise.attempt ? toJson(*exercise.attempt) : Json();
+  described["work"] = exercise.work ? exercise.subject->kind().describe(*exercise.work) : Json();
+  return described;
+}
+
+DisplayModel ExerciseKind::display(const Snapshot& content) const {
+  const ExerciseSnapshot& exercise = exerciseOf(content);
+  return exercise.work ? exercise.subject->kind().display(*exercise.work) : exercise.subject->display(*exercise.task);
+}
+
+Result<SnapshotPointer> ExerciseKind::fromDescription(const Json& given, Progress progress) const {
+  if (!given.is_object()) return Error{ErrorCode::ElementMalformed, {"exercise", "an object was expected"}, {}, {}};
+  std::vector<Error> damage;
+  Result<ExerciseSnapshot> read = this->read(given, damage);
+  if (!read) return read.error();
+  if (!damage.empty()) return damage.front();
+  ExerciseSnapshot exercise = std::move(read.value());
+  if (exercise.key.empty()) exercise.key = newExerciseKey();
+  if (const auto solution = given.find(kSolution); solution != given.end() && !solution->is_null()) {
+    Result<SnapshotPointer> made = exercise.subject->makeWork(*exercise.task, *solution, progress);
+    if (!made) return made.error();
+    exercise.solution = std::move(made.value());
+  }
+  const auto isForStudents = given.find("for_students");
+  if (isForStudents != given.end() && isForStudents->is_boolean() && isForStudents->get<bool>())
+    exercise = forStudents(std::move(exercise));
+  return SnapshotPointer(std::make_shared<const ExerciseSnapshot>(std::move(exercise)));
+}
+
+Json ExerciseKind::description(const ExerciseSnapshot& exercise) {
+  Json json = toJson(exercise.exercise);
+  json["subject"] = exercise.subject->id();
+  json["task"] = exercise.subject->toJson(*exercise.task);
+  return json;
+}
+
+}  // namespace handwheel

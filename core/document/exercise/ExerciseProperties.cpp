@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/exercise/ExerciseProperties.h"
+
+#include "base/NumberText.h"
+#include "document/Utf8.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSecondsOfMinute = 60.0;
+constexpr char kListSign = ';', kHintSign = '|';
+
+Error malformed(const std::string& id, const char* what) {
+  return {ErrorCode::ElementMalformed, {id, what}, {}, {}};
+}
+
+Property property(std::string id, std::string group, const char* label, PropertyValue value) {
+  Property p;
+  p.id = std::move(id);
+  p.group = std::move(group);
+  p.label = label;
+  p.value = std::move(value);
+  return p;
+}
+
+std::string joined(const std::vector<std::string>& words, char sign) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : std::string(1, sign) + " ") + word;
+  return text;
+}
+
+std::string numbersText(const std::vector<double>& numbers) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(shortestText(number));
+  return joined(words, kListSign);
+}
+
+std::vector<std::string> split(const std::string& text, char sign) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(sign, begin), text.size());
+    std::string word = text.substr(begin, end - begin);
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    if (!word.empty()) words.push_back(std::move(word));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::optional<std::vector<double>> numbersIn(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : split(text, kListSign)) {
+    double number = 0.0;
+    ErrorCode why;
+    if (!parseDecimal(word, number, why) || !std::isfinite(number)) return std::nullopt;
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::string limitText(const std::optional<double>& limit) {
+  return limit ? shortestText(*limit) : std::string();
+}
+
+std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
+                                          const std::vector<FigureType>& types) {
+  const std::string prefix = criterionPrefix(c), group = c.name.empty() ? c.id : c.name;
+  std::vector<Property> all;
+  const auto add = [&](const char* id, const char* label, PropertyValue value) -> Property& {
+    all.push_back(property(prefix + id, group, label, std::move(value)));
+    all.back().groupTranslated = false;
+    all.back().editable = !exercise.isForStudents;
+    return all.back();
+  };
+  add("name", QT_TRANSLATE_NOOP("Property", "Name"), c.name);
+  Property& figure = add("figure", QT_TRANSLATE_NOOP("Property", "Figure"), 0.0);
+  const FigureType* type = figureType(types, c.figure);
+  for (const FigureType& each : types) figure.choices.push_back(each.label);
+  if (type) {
+    figure.value = static_cast<double>(type - types.data());
+  } else {
+    figure.problem = QT_TRANSLATE_NOOP("Property", "this figure is not known");
+  }
+  add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments));
+  add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance);
+  add("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower));
+  add("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper));
+  if (exercise.isForStudents) return all;
+  Property& points = add("points", QT_TRANSLATE_NOOP("Property", "Points"), c.points);
+  points.least = 0.0;
+  points.largest = Exercise::kMostPoints;
+  Property& slack = add("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack);
+  slack.least = 0.0;
+  slack.largest = Exercise::kLargestFigure;
+  add("hidden", QT_TRANSLATE_NOOP("Property", "Hidden from students"), c.isHidden);
+  return all;
+}
+
+Status setLimit(std::optional<double>& limit, const std::string& id, const std::string& text) {
+  const auto numbers = numbersIn(text);
+  if (!numbers || numbers->size() > 1) return malformed(id, "a number was expected, or nothing");
+  limit = numbers->empty() ? std::nullopt : std::optional(numbers->front());
+  return Done{};
+}
+
+Status setField(MarkingCriterion& c, const std::string& field, const std::string& id, const PropertyValue& value,
+                const std::vector<FigureType>& types) {
+  const auto* text = std::get_if<std::string>(&value);
+  const auto* number = std::get_if<double>(&value);
+  if (field == "hidden") {
+    const auto* flag = std::get_if<bool>(&value);
+    if (!flag) return malformed(id, "a switch was expected");
+    c.isHidden = *flag;
+    return Done{};
+  }
+  if (field == "points" || field == "slack" || field == "figure") {
+    if (!number) return malformed(id, "a number was expected");
+    if (field == "points") c.points = *number;
+    if (field == "slack") c.slack = *number;
+    if (field != "figure") return Done{};
+    if (!(*number >= 0.0 && *number < static_cast<double>(types.size())))
+      return malformed(id, "there is no such choice");
+    c.figure = types[static_cast<std::size_t>(*number)].id;
+    return Done{};
+  }
+  if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
+  if (field == "lower") return setLimit(c.lower, id, *text);
+  if (field == "upper") return setLimit(c.upper, id, *text);
+  if (field == "name") c.name = *text;
+  if (field == "tolerance") c.tolerance = *text;
+  if (field == "arguments") {
+    const auto numbers = numbersIn(*text);
+    if (!numbers) return malformed(id, "numbers with “;” between them were expected");
+    c.arguments = *numbers;
+  }
+  return Done{};
+}
+
+Status setField(ExerciseStep& step, const std::string& field, const std::string& id, const PropertyValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
+  if (field == "title") step.title = *text;
+  if (field == "text") step.text = *text;
+  if (field == "hints") step.hints = split(*text, kHintSign);
+  if (field == "criteria") step.criteria = split(*text, kListSign);
+  return Done{};
+}
+
+Status setText(Exercise& exercise, const std::string& id, const PropertyValue& value) {
+  if (id == "allowed_minutes") {
+    const auto* minutes = std::get_if<double>(&value);
+    if (!minutes) return malformed(id, "a number was expected");
+    exercise.allowedSeconds = kSecondsOfMinute * *minutes;
+    return Done{};
+  }
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
+  (id == "title" ? exercise.title : id == "author" ? exercise.author : exercise.text) = *text;
+  return Done{};
+}
+
+bool isText(const std::string& id) {
+  return id == "title" || id == "author" || id == "text" || id == "allowed_minutes";
+}
+
+// Sets what the id names; none: it is of the subject.
+std::optional<Status> setOwn(ExerciseSnapshot& exercise, const std::string& id, const PropertyValue& value) {
+  if (isText(id)) return setText(exercise.exercise, id, value);
+  for (MarkingCriterion& c : exercise.exercise.criteria) {
+    const std::string prefix = criterionPrefix(c);
+    if (id.starts_with(prefix)) return setField(c, id.substr(prefix.size()), id, value, figureTypes(*exercise.subject));
+  }
+  for (std::size_t i = 0; i < exercise.exercise.steps.size(); ++i) {
+    const std::string prefix = stepPrefix(i);
+    if (id.starts_with(prefix)) return setField(exercise.exercise.steps[i], id.substr(prefix.size()), id, value);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string criterionPrefix(const MarkingCriterion& criterion) {
+  return "criterion." + criterion.id + ".";
+}
+
+std::string stepPrefix(std::size_t step) {
+  return "step." + std::to_string(step + 1) + ".";
+}
+
+std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise) {
+  const Exercise& e = exercise.exercise;
+  const std::string group = QT_TRANSLATE_NOOP("Property", "Exercise");
+  std::vector<Property> all = {property("title", group, QT_TRANSLATE_NOOP("Property", "Title"), e.title),
+                               property("author", group, QT_TRANSLATE_NOOP("Property", "Author"), e.author),
+                               property("text", group, QT_TRANSLATE_NOOP("Property", "Task"), e.text),
+                               property("allowed_minutes", group, QT_TRANSLATE_NOOP("Property", "Time (min)"),
+                                        e.allowedSeconds / kSecondsOfMinute)};
+  all.back().least = 0.0;
+  all.back().largest = Exercise::kLongestTime / kSecondsOfMinute;
+  for (Property& each : exercise.subject->properties(*exercise.task)) all.push_back(std::move(each));
+  for (Property& each : all) each.editable = each.editable && !exercise.isForStudents;
+  const std::vector<FigureType> types = figureTypes(*exercise.subject);
+  for (const MarkingCriterion& c : e.criteria) {
+    for (Property& each : criterionProperties(exercise, c, types)) all.push_back(std::move(each));
+  }
+  for (std::size_t i = 0; i < e.steps.size(); ++i) {
+    const ExerciseStep& step = e.steps[i];
+    const std::string prefix = stepPrefix(i), heading = std::to_string(i + 1) + ". " + step.title;
+    for (auto&& [id, label, value] :
+         {std::tuple{"title", QT_TRANSLATE_NOOP("Property", "Title"), step.title},
+          std::tuple{"text", QT_TRANSLATE_NOOP("Property", "Text"), step.text},
+          std::tuple{"hints", QT_TRANSLATE_NOOP("Property", "Hints, with | between"), joined(step.hints, kHintSign)},
+          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met"), joined(step.criteria, kListSign)}}) {
+      all.push_back(property(prefix + id, heading, label, value));
+      all.back().groupTranslated = false;
+      all.back().editable = !exercise.isForStudents;
+    }
+  }
+  return all;
+}
+
+Result<ExerciseSnapshot> withExerciseProperty(ExerciseSnapshot exercise, const std::string& id,
+                                              const PropertyValue& value) {
+  const std::optional<Status> set = setOwn(exercise, id, value);
+  if (!set) {
+    Result<TaskPointer> task = exercise.subject->withProperty(*exercise.task, id, value);
+    if (!task) return task.error();
+    exercise.task = std::move(task.value());
+    return exercise;
+  }
+  if (!*set) return set->error();
+  const Status checked = checkExercise(exercise.exercise);
+  if (!checked) return checked.error();
+  return exercise;
+}
+
+ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure) {
+  MarkingCriterion c;
+  for (int number = 1; c.id.empty() || exercise.exercise.find(c.id); ++number) c.id = "c" + std::to_string(number);
+  c.name = figure.label;
+  c.figure = figure.id;
+  c.arguments.assign(figure.arguments.size(), 0.0);
+  c.points = 1.0;
+  if (exercise.exercise.criteria.size() < Exercise::kMostCriteria) exercise.exercise.criteria.push_back(std::move(c));
+  return exercise;
+}
+
+ExerciseSnapshot withNewStep(ExerciseSnapshot exercise) {
+  if (exercise.exercise.steps.size() < Exercise::kMostSteps) exercise.exercise.steps.emplace_back();
+  return exercise;
+}
+
+ExerciseSnapshot withoutCriterion(ExerciseSnapshot exercise, const std::string& id) {
+  std::erase_if(exercise.exercise.criteria, [&](const MarkingCriterion& c) { return c.id == id; });
+  for (ExerciseStep& step : exercise.exercise.steps) std::erase(step.criteria, id);
+  return exercise;
+}
+
+ExerciseSnapshot withoutStep(ExerciseSnapshot exercise, std::size_t step) {
+  auto& steps = exercise.exercise.steps;
+  if (step < steps.size()) steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(step));
+  return exercise;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Snapshot.h"
+#include "document/exercise/ExerciseSubject.h"
+#include "exercise/Attempt.h"
+
+namespace handwheel {
+
+// The value of an exercise document: of a teacher's, with its answers; of a student's, without them; or of one that was
+// handed in, with the work.
+struct ExerciseSnapshot : Snapshot {
+  std::string key;  // the same in the teacher's file, the students' and what they hand in
+  Exercise exercise;
+  const ExerciseSubject* subject = nullptr;  // never null in a document
+  TaskPointer task;                          // never null in a document
+  SnapshotPointer solution;                  // the model solution; null: none
+  SnapshotPointer work;                      // of the student, as far as it is; null: nothing yet
+  std::optional<Attempt> attempt;            // present since the student has begun
+  bool isForStudents = false;                // it has no answers, and cannot be changed
+};
+
+// The exercise for students: without marking scheme, model solution and work.
+ExerciseSnapshot forStudents(ExerciseSnapshot exercise);
+
+// Marks the work of an exercise by the scheme of another, the teacher's. Measures the common figures as well. The
+// subjects must be the same.
+Marking markWork(const ExerciseSnapshot& scheme, const Snapshot& work, const Attempt& attempt, Progress progress = {});
+
+// The type of a figure of this subject or of the common ones; null when it is unknown.
+const FigureType* figureType(std::span<const FigureType> types, std::string_view id);
+// All of a subject, its own first.
+std::vector<FigureType> figureTypes(const ExerciseSubject& subject);
+
+}  // namespace handwheel

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "document/Property.h"
+#include "exercise/Marking.h"
+
+namespace handwheel {
+
+// What a kind of work can measure of what a student made.
+struct FigureType {
+  std::string id;                           // "diameter"; in files
+  std::string label;                        // English, context "Figure": "Diameter"
+  std::string unit;                         // "mm"; empty for a count
+  std::vector<std::string> arguments = {};  // English, context "Figure": "from Z (mm)"
+};
+
+// The figures that every exercise has, whatever the work is: time and hints.
+std::span<const FigureType> commonFigures();
+
+// What a kind of work prepares for an exercise: stock, machine, target. Immutable; each kind derives its own.
+class ExerciseTask {
+ public:
+  virtual ~ExerciseTask() = default;
+};
+using TaskPointer = std::shared_ptr<const ExerciseTask>;
+
+// A curve of a report: how the work was done.
+struct ReportCurve {
+  struct Series {
+    std::string name;  // English, context "Figure"
+    std::vector<std::pair<double, double>> points;
+  };
+  std::string title;               // English, context "Figure"
+  std::string x, xUnit, y, yUnit;  // of the axes
+  std::vector<Series> series;
+};
+
+// A remarkable moment of the work: a collision, for example.
+struct ReportEvent {
+  double seconds = 0.0;
+  ExerciseText text;
+};
+
+// What a report shows of a student's work besides the marks.
+struct ReportDetails {
+  std::vector<ReportCurve> curves;
+  std::vector<ReportEvent> events;
+  double seconds = 0.0;  // that the recorded work took
+};
+
+// What a kind of document brings to exercises: what is prepared and what is measured. Turning is one; drilling or
+// assembly would be others. No state; any thread.
+class ExerciseSubject {
+ public:
+  virtual ~ExerciseSubject() = default;
+
+  virtual std::string id() const = 0;            // in files: "turning"
+  virtual std::string title() const = 0;         // English, context "Figure": "Turning"
+  virtual const DocumentKind& kind() const = 0;  // of the documents that students work in
+  virtual std::vector<FigureType> figures() const = 0;
+
+  virtual TaskPointer blankTask() const = 0;
+  virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;
+  // Accepts any JSON; what it cannot take is added to the damage and replaced by that of the blank task.
+  virtual TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const = 0;
+  // The properties of a task that teachers change. Errors of a change: as Document::propertyEdit().
+  virtual std::vector<Property> properties(const ExerciseTask& task) const = 0;
+  virtual Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
+                                           const PropertyValue& value) const = 0;
+
+  // What a student begins with.
+  virtual SnapshotPointer start(const ExerciseTask& task) const = 0;
+  // Whether a document can be work on this task: of the same stock. Error: ExerciseError::OtherWork {reason}.
+  virtual Status checkWork(const ExerciseTask& task, const Snapshot& work) const = 0;
+  // Work as a description in JSON tells it, for model solutions. Errors: ElementMalformed, Cancelled.
+  virtual Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
+                                           Progress progress) const = 0;
+  // A task whose target is what this work made, for teachers who turn the model solution first.
+  virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
+
+  // Measures the figures of the criteria that are not common ones. Deterministic.
+  virtual std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
+                                      Progress progress) const = 0;
+  virtual ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const = 0;
+  // The target, as it is shown in the view.
+  virtual DisplayModel display(const ExerciseTask& task) const = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/exercise/ExerciseSnapshot.h"
+#include "exercise/ClassTable.h"
+
+namespace handwheel {
+
+// A student's exercise with the work, to be handed in as a file: without answers, whatever it was made from. Errors:
+// OtherWork {reason}.
+Result<ExerciseSnapshot> handedIn(ExerciseSnapshot exercise, SnapshotPointer work, Attempt attempt);
+
+// Marks what was handed in by the teacher's exercise. file: its name, for the row. Errors: WithoutScheme, NotHandedIn,
+// OtherExercise {title}, OtherWork, Cancelled.
+Result<ClassRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission, std::string file,
+                                Progress progress = {});
+
+// The present time as attempts have it: UTC, ISO 8601.
+std::string presentTime();
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+namespace handwheel {
+
+// Exchanges how the lathe of a workpiece is set up: chuck, tailstock, tools with their offsets.
+class LatheSetupEdit : public Edit {
+ public:
+  explicit LatheSetupEdit(std::shared_ptr<const LatheSetup> setup) : m_setup(std::move(setup)) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override;
+
+ private:
+  std::shared_ptr<const LatheSetup> m_setup;
+};
+
+// The setup of a workpiece; where none was made, the usual one for its bar.
+LatheSetup latheOf(const WorkpieceSnapshot& workpiece);
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "machining/drawing/Sheet.h"
+
+#include <string>
+
+namespace handwheel {
+
+// A sheet as a PDF file of its size. Needs fonts, so a QGuiApplication; any thread. Error: LibraryFailed.
+Result<std::string> pdfOf(const Sheet& sheet, const std::string& title);
+
+}  // namespace handwheel

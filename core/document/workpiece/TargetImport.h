@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/Note.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/target/TurnedStep.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+// A target that was read from a file, where it stands there.
+struct ImportedTarget {
+  TargetProfile profile;
+  std::string source;       // name of the file, UTF-8
+  std::vector<Note> notes;  // what the user should know of how it was read
+};
+
+// Reads a target by the content of the file: a turned part in STEP, the half section in DXF or SVG, or a workpiece of
+// our own, whose target counts if it has one, else the part. Blocks. Errors: those of the readers, FormatUnknown; the
+// subject is the path.
+Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedFaces others, Progress progress = {});
+
+// The extensions of these files: ".step", …
+std::vector<std::string> targetEndings();
+
+// The target of a workpiece: moved so that its upper end is that of the bar, unless it is within the bar already.
+std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock);
+
+// The section of a workpiece where it stands: of what was cut, or of the bar. Errors: those of TargetProfile::make().
+Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece);
+
+}  // namespace handwheel

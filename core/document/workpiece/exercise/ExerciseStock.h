@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/exercise/TurningTask.h"
+
+namespace handwheel {
+
+// What a student of an exercise of turning begins with.
+struct ExerciseStock {
+  WorkpieceSnapshot bar;
+  std::shared_ptr<const TurningTask> task;  // with the target, if there is one
+};
+
+// How far a part is from the target of the task at most, above the chuck, mm. The task must have one.
+double targetError(const ExerciseStock& exercise, const TurnedProfile& part);
+
+// The stock of an exercise document's value; none for other documents, and exercises about other work.
+std::optional<ExerciseStock> exerciseStock(const Snapshot& content);
+
+}  // namespace handwheel

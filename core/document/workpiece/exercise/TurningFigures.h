@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/exercise/ExerciseSnapshot.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/exercise/TurningTask.h"
+
+namespace handwheel {
+
+// All figures of turning, with their units and arguments.
+const std::vector<FigureType>& turningFigureTypes();
+
+// A turned part with what its passes tell, for measuring. Computed once for all figures.
+class MeasuredPart {
+ public:
+  // The review is missing where it takes too much work; then what needs it is not measured.
+  MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress);
+
+  // Deterministic. What a figure does not find there, it says.
+  Figure measure(const MarkingCriterion& criterion, Progress progress = {}) const;
+
+  const TurnedProfile& profile() const { return m_profile; }
+  const std::optional<TurningReview>& review() const { return m_review; }
+  // Whether the passes give this part, sample by sample. Else somebody has changed the file.
+  bool isOfItsPasses() const { return m_isOfItsPasses; }
+  // The cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
+  struct Load {
+    double time, force, power;
+  };
+  std::vector<Load> loads() const;
+
+ private:
+  Figure ofPasses(const MarkingCriterion& criterion) const;
+  Figure ofShape(const MarkingCriterion& criterion, Progress progress) const;
+
+  const TurningTask& m_task;
+  TurnedProfile m_profile;
+  std::optional<TurningReview> m_review;
+  std::vector<std::shared_ptr<const TurningPass>> m_passes;
+  bool m_isOfItsPasses = true;
+};
+
+}  // namespace handwheel

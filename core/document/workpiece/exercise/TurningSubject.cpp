@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/exercise/TurningSubject.h"
+
+#include "base/JsonText.h"
+#include "base/NumberText.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/workpiece/TurnedPartDisplay.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceProperties.h"
+#include "document/workpiece/exercise/TurningFigures.h"
+#include "machining/TurningFidelity.h"
+#include "machining/force/WorkMaterials.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+const TurningTask& turningOf(const ExerciseTask& task) {
+  return static_cast<const TurningTask&>(task);
+}
+
+const WorkpieceSnapshot& turnedOf(const Snapshot& work) {
+  return static_cast<const WorkpieceSnapshot&>(work);
+}
+
+Error malformedPass(const char* what) {
+  return {ErrorCode::ElementMalformed, {"passes", what}, {}, {}};
+}
+
+// A pass at a constant feed.
+Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
+  if (!json.is_object()) return malformedPass("an object was expected");
+  const auto number = [&](const char* key, double otherwise) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_number() ? found->get<double>() : otherwise;
+  };
+  TurningPass pass;
+  pass.noseRadius = number("nose_radius", AllowedTool().noseRadius);
+  if (!(pass.noseRadius >= TurningPass::kLeastNose && pass.noseRadius <= TurningPass::kLargestNose))
+    return malformedPass("a nose radius is impossible");
+  pass.side = stringAt(json, "side") == "bore" ? TurningSide::Bore : TurningSide::Outside;
+  const double feed = number("feed", 0.1), mmPerSecond = feed * spindleSpeed / 60.0;
+  if (!(feed > 0.0 && mmPerSecond > 0.0)) return malformedPass("feed and spindle speed must be above 0");
+  const auto points = json.find("points");
+  if (points == json.end() || !points->is_array() || points->empty() || points->size() > TurningPass::kMostPoints)
+    return malformedPass("points were expected");
+  for (const nlohmann::json& each : *points) {
+    if (!each.is_array() || each.size() != 2 || !each[0].is_number() || !each[1].is_number())
+      return malformedPass("points of two numbers each were expected");
+    const ProfilePoint p(each[0].get<double>(), each[1].get<double>());
+    const double seconds = pass.path.empty() ? 0.0 : (p - pass.path.back()).norm() / mmPerSecond;
+    pass.times.push_back(pass.times.empty() ? 0.0 : pass.times.back() + seconds);
+    pass.path.push_back(p);
+  }
+  return pass;
+}
+
+// A side of a part as a line; the bore only where there is one.
+std::vector<ProfilePoint> lineOf(const TurnedProfile& profile, TurningSide side) {
+  std::vector<ProfilePoint> line;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const double r = side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
+    if (profile.hasMaterial(i) && (side == TurningSide::Outside || r > 0.0)) line.emplace_back(r, profile.z(i));
+  }
+  return line;
+}
+
+// With as few of the points as stay within the tolerance of the line, in r.
+std::vector<ProfilePoint> chainThinned(const std::vector<ProfilePoint>& line, double tolerance) {
+  std::vector<ProfilePoint> kept;
+  std::size_t from = 0;
+  const auto isStraight = [&](std::size_t to) {
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const double t = (line[k].y() - line[from].y()) / (line[to].y() - line[from].y());
+      if (std::abs(std::lerp(line[from].x(), line[to].x(), t) - line[k].x()) > tolerance) return false;
+    }
+    return true;
+  };
+  constexpr std::size_t kLongest = 512;  // points, so that the search is short
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i != 0 && i + 1 != line.size() && i + 1 - from < kLongest && isStraight(i + 1)) continue;
+    kept.push_back(line[i]);
+    from = i;
+  }
+  return kept;
+}
+
+ReportCurve::Series seriesOf(const char* name, const std::vector<ProfilePoint>& line) {
+  ReportCurve::Series series{name, {}};
+  for (const ProfilePoint& p : line) series.points.emplace_back(p.y(), p.x());
+  return series;
+}
+
+ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
+  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Profile"), "Z", "mm", QT_TRANSLATE_NOOP("Figure", "Radius"), "mm", {}};
+  constexpr double kSeen = 0.01;  // mm
+  curve.series.push_back(
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Part"), chainThinned(lineOf(profile, TurningSide::Outside), kSeen)));
+  if (profile.isBored())
+    curve.series.push_back(
+        seriesOf(QT_TRANSLATE_NOOP("Figure", "Bore"), chainThinned(lineOf(profile, TurningSide::Bore), kSeen)));
+  if (!task.target) return curve;
+  curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target"), task.target->outer()));
+  if (!task.target->inner().empty())
+    curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target, bore"), task.target->inner()));
+  return curve;
+}
+
+ReportCurve pathCurve(const WorkpieceSnapshot& workpiece) {
+  constexpr std::size_t kMostPoints = 4'000;
+  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Path of the tool"), "Z",  "mm",
+                    QT_TRANSLATE_NOOP("Figure", "Radius"),           "mm", {}};
+  std::size_t count = 0;
+  for (const auto& pass : workpiece.part->passes) count += pass->path.size();
+  const std::size_t step = count / kMostPoints + 1;
+  ReportCurve::Series path{QT_TRANSLATE_NOOP("Figure", "Centre of the nose"), {}};
+  for (const auto& pass : workpiece.part->passes) {
+    for (std::size_t i = 0; i < pass->path.size(); ++i) {
+      const bool isKept = i % step == 0 || i + 1 == pass->path.size();
+      if (isKept) path.points.emplace_back(pass->path[i].y(), pass->path[i].x());
+    }
+  }
+  curve.series.push_back(std::move(path));
+  return curve;
+}
+
+ReportCurve loadCurve(const char* title, const char* unit, const std::vector<MeasuredPart::Load>& loads,
+                      double MeasuredPart::Load::*which) {
+  ReportCurve curve{title, QT_TRANSLATE_NOOP("Figure", "Time"), "s", title, unit, {}};
+  ReportCurve::Series series{title, {}};
+  for (const MeasuredPart::Load& load : loads) series.points.emplace_back(load.time, load.*which);
+  curve.series.push_back(std::move(series));
+  return curve;
+}
+
+ReportEvent eventOf(const CrashMoment& crash) {
+  const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
+  if (crash.what == CrashMoment::What::Chuck)
+    return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), place}};
+  return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool was rammed into the material at Z %1 mm, ⌀%2 mm."), place}};
+}
+
+}  // namespace
+
+std::string TurningSubject::title() const {
+  return QT_TRANSLATE_NOOP("Figure", "Turning");
+}
+
+std::vector<FigureType> TurningSubject::figures() const {
+  return turningFigureTypes();
+}
+
+TaskPointer TurningSubject::blankTask() const {
+  return std::make_shared<const TurningTask>();
+}
+
+nlohmann::json TurningSubject::toJson(const ExerciseTask& task) const {
+  return handwheel::toJson(turningOf(task));
+}
+
+TaskPointer TurningSubject::fromJson(const nlohmann::json& json, std::vector<Error>& damage) const {
+  return std::make_shared<const TurningTask>(turningTaskFrom(json, damage));
+}
+
+std::vector<Property> TurningSubject::properties(const ExerciseTask& task) const {
+  return propertiesOf(turningOf(task));
+}
+
+Result<TaskPointer> TurningSubject::withProperty(const ExerciseTask& task, const std::string& id,
+                                                 const PropertyValue& value) const {
+  Result<TurningTask> changed = withTaskProperty(turningOf(task), id, value);
+  if (!changed) return changed.error();
+  return TaskPointer(std::make_shared<const TurningTask>(std::move(changed.value())));
+}
+
+SnapshotPointer TurningSubject::start(const ExerciseTask& task) const {
+  const TurningTask& turning = turningOf(task);
+  WorkpieceSnapshot bar;
+  bar = withValue(std::move(bar), WorkpieceField::Diameter, turning.stock.diameter);
+  bar = withValue(std::move(bar), WorkpieceField::Length, turning.stock.length);
+  const WorkMaterials materials = WorkMaterials::standard();
+  if (const WorkMaterial* material = materials.find(turning.material)) bar.material = material->name;
+  return std::make_shared<const WorkpieceSnapshot>(std::move(bar));
+}
+
+Status TurningSubject::checkWork(const ExerciseTask& task, const Snapshot& work) const {
+  const StockCylinder &wanted = turningOf(task).stock, &given = turnedOf(work).stock;
+  const auto text = [](const StockCylinder& s) {
+    return "⌀" + shownText(s.diameter) + " × " + shownText(s.length) + " mm";
+  };
+  if (wanted.diameter == given.diameter && wanted.length == given.length) return Done{};
+  return Error{ExerciseError::OtherWork, {"its bar is " + text(given) + ", not " + text(wanted)}, {}, {}};
+}
+
+Result<SnapshotPointer> TurningSubject::makeWork(const ExerciseTask& task, const nlohmann::json& description,
+                                                 Progress progress) const {
+  const TurningTask& turning = turningOf(task);
+  const auto passes = description.is_object() ? description.find("passes") : description.end();
+  if (passes == description.end() || !passes->is_array()) return malformedPass("a list was expected");
+  WorkpieceSnapshot work = turnedOf(*start(task));
+  for (std::size_t i = 0; i < passes->size(); ++i) {
+    Result<TurningPass> pass = passFrom((*passes)[i], turning.lathe.spindleSpeed);
+    if (!pass) return pass.error();
+    const double share = 1.0 / static_cast<double>(passes->size()), done = share * static_cast<double>(i);
+    work.part =
+        withPass(work, std::move(pass.value()), turnSpacingSetting().standard, progress.part(done, done + share));
+    if (!work.part) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  }
+  return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(work)));
+}
+
+Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const Snapshot& work) const {
+  constexpr double kTolerance = 2e-3;  // mm
+  const WorkpieceSnapshot& workpiece = turnedOf(work);
+  const TurnedProfile profile = partOf(workpiece, turnSpacingSetting().standard).profile;
+  Result<ReferenceProfile> target =
+      ReferenceProfile::make(chainThinned(lineOf(profile, TurningSide::Outside), kTolerance),
+                             chainThinned(lineOf(profile, TurningSide::Bore), kTolerance));
+  if (!target) return target.error();
+  TurningTask changed = turningOf(task);
+  changed.target = std::move(target.value());
+  return TaskPointer(std::make_shared<const TurningTask>(std::move(changed)));
+}
+
+std::vector<Figure> TurningSubject::measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
+                                            Progress progress) const {
+  const MeasuredPart part(turningOf(task), turnedOf(work), progress.part(0.0, 0.8));
+  std::vector<Figure> figures;
+  for (const MarkingCriterion& criterion : exercise.criteria) {
+    if (figureType(commonFigures(), criterion.figure)) continue;
+    if (progress.cancelled()) break;
+    figures.push_back(part.measure(criterion, progress.part(0.8, 1.0)));
+  }
+  return figures;
+}
+
+ReportDetails TurningSubject::details(const ExerciseTask& task, const Snapshot& work, Progress progress) const {
+  const WorkpieceSnapshot& workpiece = turnedOf(work);
+  const MeasuredPart part(turningOf(task), workpiece, progress);
+  ReportDetails details;
+  details.curves.push_back(shapeCurve(turningOf(task), part.profile()));
+  if (!workpiece.part || !part.review()) return details;
+  details.curves.push_back(pathCurve(workpiece));
+  const std::vector<MeasuredPart::Load> loads = part.loads();
+  details.curves.push_back(
+      loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
+  details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
+  for (const CrashMoment& crash : part.review()->crashes()) details.events.push_back(eventOf(crash));
+  details.seconds = part.review()->seconds();
+  return details;
+}
+
+DisplayModel TurningSubject::display(const ExerciseTask& task) const {
+  constexpr double kSpacing = 0.1, kChord = 0.02;  // mm
+  const TurningTask& turning = turningOf(task);
+  TurnedProfile shape(turning.stock, kSpacing);
+  for (std::size_t i = 0; turning.target && i < shape.size(); ++i) {
+    shape.limitOuter(i, turning.target->radius(TurningSide::Outside, shape.z(i)));
+    shape.limitInner(i, turning.target->radius(TurningSide::Bore, shape.z(i)));
+  }
+  return displayOf(TurnedSurface(shape, kChord), 0.0);
+}
+
+}  // namespace handwheel

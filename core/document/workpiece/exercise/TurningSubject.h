@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/exercise/TurningTask.h"
+
+namespace handwheel {
+
+// Exercises of turning: students cut a workpiece, which is measured against a drawing.
+class TurningSubject : public ExerciseSubject {
+ public:
+  std::string id() const override { return "turning"; }
+  std::string title() const override;
+  const DocumentKind& kind() const override { return m_kind; }
+  std::vector<FigureType> figures() const override;
+
+  TaskPointer blankTask() const override;
+  nlohmann::json toJson(const ExerciseTask& task) const override;
+  TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;
+  std::vector<Property> properties(const ExerciseTask& task) const override;
+  Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
+                                   const PropertyValue& value) const override;
+
+  SnapshotPointer start(const ExerciseTask& task) const override;
+  Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
+  // {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z], …]}]}:
+  // points of the centre of the nose.
+  Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
+                                   Progress progress) const override;
+  Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
+
+  std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
+                              Progress progress) const override;
+  ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const override;
+  DisplayModel display(const ExerciseTask& task) const override;
+
+ private:
+  WorkpieceKind m_kind;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/exercise/TurningTask.h"
+
+#include "base/JsonText.h"
+#include "base/NumberText.h"
+#include "machining/force/WorkMaterials.h"
+
+#include <QtGlobal>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// A number of a task: its key in files, which is the id of its property, and its limits.
+struct TaskNumber {
+  const char* id;
+  const char* group;
+  const char* label;
+  double least, largest;
+  Quantity quantity;
+  double& (*at)(TurningTask& task);
+};
+
+std::span<const TaskNumber> taskNumbers() {
+  static const char* const kStock = QT_TRANSLATE_NOOP("Property", "Stock");
+  static const char* const kLathe = QT_TRANSLATE_NOOP("Property", "Lathe");
+  static const std::array<TaskNumber, 8> kNumbers = {{
+      {"diameter", kStock, QT_TRANSLATE_NOOP("Property", "Diameter"), 0.1, 2000.0, Quantity::Length,
+       [](TurningTask& t) -> double& { return t.stock.diameter; }},
+      {"length", kStock, QT_TRANSLATE_NOOP("Property", "Length"), 0.1, 5000.0, Quantity::Length,
+       [](TurningTask& t) -> double& { return t.stock.length; }},
+      {"spindle_speed", kLathe, QT_TRANSLATE_NOOP("Property", "Spindle speed (r/min)"), 0.0, TurningTask::kLargestSpeed,
+       Quantity::Number, [](TurningTask& t) -> double& { return t.lathe.spindleSpeed; }},
+      {"chuck_height", kLathe, QT_TRANSLATE_NOOP("Property", "Held by the chuck"), 0.0, 5000.0, Quantity::Length,
+       [](TurningTask& t) -> double& { return t.lathe.chuckHeight; }},
+      {"chuck_diameter", kLathe, QT_TRANSLATE_NOOP("Property", "Diameter of the chuck"), 0.0, 5000.0, Quantity::Length,
+       [](TurningTask& t) -> double& { return t.lathe.chuckDiameter; }},
+      {"largest_feed", kLathe, QT_TRANSLATE_NOOP("Property", "Largest feed (mm per revolution)"), 1e-3,
+       TurningTask::kLargestFeed, Quantity::Number, [](TurningTask& t) -> double& { return t.lathe.largestFeed; }},
+      {"force_limit", kLathe, QT_TRANSLATE_NOOP("Property", "Largest force (N)"), 0.0, 1e6, Quantity::Number,
+       [](TurningTask& t) -> double& { return t.forceLimit; }},
+      {"power_limit", kLathe, QT_TRANSLATE_NOOP("Property", "Motor power (kW)"), 0.0, 1e4, Quantity::Number,
+       [](TurningTask& t) -> double& { return t.powerLimit; }},
+  }};
+  return kNumbers;
+}
+
+double valueOf(const TaskNumber& number, const TurningTask& task) {
+  return number.at(const_cast<TurningTask&>(task));  // which is only read
+}
+
+Json jsonOf(const std::vector<ProfilePoint>& points) {
+  Json json = Json::array();
+  for (const ProfilePoint& p : points) json.push_back({p.x(), p.y()});
+  return json;
+}
+
+std::optional<std::vector<ProfilePoint>> pointsIn(const Json& object, const char* key) {
+  std::vector<ProfilePoint> points;
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return points;
+  if (!found->is_array() || found->size() > ReferenceProfile::kMostPoints) return std::nullopt;
+  for (const Json& each : *found) {
+    if (!each.is_array() || each.size() != 2 || !each[0].is_number() || !each[1].is_number()) return std::nullopt;
+    points.emplace_back(each[0].get<double>(), each[1].get<double>());
+  }
+  return points;
+}
+
+std::optional<ReferenceProfile> targetIn(const Json& json, std::vector<Error>& damage) {
+  const auto found = json.find("target");
+  if (found == json.end() || found->is_null()) return std::nullopt;
+  const auto outer = found->is_object() ? pointsIn(*found, "outer") : std::nullopt;
+  const auto inner = found->is_object() ? pointsIn(*found, "inner") : std::nullopt;
+  if (!outer || !inner) {
+    damage.push_back({ErrorCode::ElementMalformed, {"target", "points of two numbers each were expected"}, {}, {}});
+    return std::nullopt;
+  }
+  Result<ReferenceProfile> target = ReferenceProfile::make(*outer, *inner);
+  if (target) return std::move(target.value());
+  damage.push_back(target.error());
+  return std::nullopt;
+}
+
+const WorkMaterials& materials() {
+  static const WorkMaterials kMaterials = WorkMaterials::standard();
+  return kMaterials;
+}
+
+Error outOfRange(const TaskNumber& number, double value) {
+  return {ErrorCode::ValueOutOfRange,
+          {number.id, shownText(value), shownText(number.least), shownText(number.largest)},
+          {},
+          {}};
+}
+
+}  // namespace
+
+Json toJson(const TurningTask& task) {
+  Json json = Json::object();
+  for (const TaskNumber& number : taskNumbers()) json[number.id] = valueOf(number, task);
+  json["material"] = task.material;
+  json["tools"] = Json::array();
+  for (const AllowedTool& tool : task.tools)
+    json["tools"].push_back({{"name", tool.name}, {"nose_radius", tool.noseRadius}});
+  json["target"] = nullptr;
+  if (task.target) json["target"] = {{"outer", jsonOf(task.target->outer())}, {"inner", jsonOf(task.target->inner())}};
+  return json;
+}
+
+TurningTask turningTaskFrom(const Json& json, std::vector<Error>& damage) {
+  TurningTask task;
+  if (!json.is_object()) {
+    damage.push_back({ErrorCode::ElementMalformed, {"task", "it is missing"}, {}, {}});
+    return task;
+  }
+  for (const TaskNumber& number : taskNumbers()) {
+    const auto found = json.find(number.id);
+    if (found == json.end()) continue;
+    const double value = found->is_number() ? found->get<double>() : std::nan("");
+    if (value >= number.least && value <= number.largest) {
+      number.at(task) = value;
+    } else {
+      damage.push_back(outOfRange(number, value));
+    }
+  }
+  if (const std::string id = stringAt(json, "material", TurningTask().material); materials().find(id)) {
+    task.material = id;
+  } else {
+    task.material = TurningTask().material;
+    damage.push_back({ErrorCode::ElementMalformed, {"material", "it is not known"}, {}, {}});
+  }
+  if (const auto tools = json.find("tools"); tools != json.end() && tools->is_array()) {
+    for (const Json& each : *tools) {
+      const auto nose = each.is_object() ? each.find("nose_radius") : each.end();
+      const double radius = nose != each.end() && nose->is_number() ? nose->get<double>() : AllowedTool().noseRadius;
+      AllowedTool tool{stringAt(each, "name"), radius};
+      const bool isSound = radius >= TurningPass::kLeastNose && radius <= TurningPass::kLargestNose &&
+                           tool.name.size() <= Exercise::kLongestText && task.tools.size() < TurningTask::kMostTools;
+      if (isSound) {
+        task.tools.push_back(std::move(tool));
+      } else {
+        damage.push_back({ErrorCode::ElementMalformed, {"tools", "a tool is impossible"}, {}, {}});
+      }
+    }
+  }
+  task.target = targetIn(json, damage);
+  return task;
+}
+
+std::vector<Property> propertiesOf(const TurningTask& task) {
+  std::vector<Property> all;
+  for (const TaskNumber& number : taskNumbers()) {
+    Property p;
+    p.id = number.id;
+    p.group = number.group;
+    p.label = number.label;
+    p.value = valueOf(number, task);
+    p.quantity = number.quantity;
+    p.least = number.least;
+    p.largest = number.largest;
+    if (p.id.ends_with("diameter")) p.prefix = "⌀";
+    all.push_back(std::move(p));
+  }
+  Property material;
+  material.id = "material";
+  material.group = all.front().group;
+  material.label = QT_TRANSLATE_NOOP("Property", "Material");
+  material.value = 0.0;
+  for (std::size_t i = 0; i < materials().all().size(); ++i) {
+    material.choices.push_back(materials().all()[i].name);
+    if (materials().all()[i].id == task.material) material.value = static_cast<double>(i);
+  }
+  all.insert(all.begin() + 2, std::move(material));
+  return all;
+}
+
+Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, const PropertyValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  const auto malformed = [&](const char* what) { return Error{ErrorCode::ElementMalformed, {id, what}, {}, {}}; };
+  if (id == "material") {
+    if (!number || !(*number >= 0.0 && *number < static_cast<double>(materials().all().size())))
+      return malformed("there is no such choice");
+    task.material = materials().all()[static_cast<std::size_t>(*number)].id;
+    return task;
+  }
+  for (const TaskNumber& each : taskNumbers()) {
+    if (id != each.id) continue;
+    if (!number) return malformed("a number was expected");
+    if (!(*number >= each.least && *number <= each.largest)) return outOfRange(each, *number);
+    each.at(task) = *number;
+    return task;
+  }
+  return Error{ErrorCode::ReferenceMissing, {"property", id, {}}, {}, {}};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/exercise/ExerciseSubject.h"
+#include "machining/measure/ReferenceProfile.h"
+#include "machining/measure/TurningReview.h"
+#include "nurbs/StockCylinder.h"
+
+namespace handwheel {
+
+// A tool that a student may use.
+struct AllowedTool {
+  std::string name;         // "right-hand turning tool"
+  double noseRadius = 0.8;  // mm
+  bool operator==(const AllowedTool&) const = default;
+};
+
+// What is prepared for an exercise of turning: bar, lathe, tools and the shape that the part is to have.
+struct TurningTask : ExerciseTask {
+  static constexpr std::size_t kMostTools = 50;
+  static constexpr double kLargestSpeed = 10'000.0;  // r/min
+  static constexpr double kLargestFeed = 100.0;      // mm per revolution
+
+  StockCylinder stock{40.0, 100.0, 0.0};
+  std::string material = "medium-carbon-steel";  // id of a WorkMaterial
+  ReviewedLathe lathe{800.0, 25.0, 100.0, 2.0};
+  double forceLimit = 2000.0;  // N, of the lathe; shown to the student
+  double powerLimit = 3.0;     // kW
+  std::vector<AllowedTool> tools;
+  std::optional<ReferenceProfile> target;
+};
+
+// As containers and descriptions have it; docs/format.md lists the keys.
+nlohmann::json toJson(const TurningTask& task);
+TurningTask turningTaskFrom(const nlohmann::json& json, std::vector<Error>& damage);
+
+// The properties that teachers change.
+std::vector<Property> propertiesOf(const TurningTask& task);
+// Errors: ReferenceMissing {property}, ElementMalformed, ValueOutOfRange.
+Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, const PropertyValue& value);
+
+}  // namespace handwheel

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exercise/ClassTable.h"
+
+#include "base/NumberText.h"
+#include "base/Translatable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSecondsOfMinute = 60.0;
+
+std::string csvField(std::string text, bool isNumber) {
+  if (!isNumber && !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos)
+    text.insert(text.begin(), '\'');
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+ClassTable::ClassTable(const Exercise& exercise) : m_criteria(exercise.criteria) {}
+
+std::string ClassTable::heading(std::size_t column) const {
+  switch (column) {
+    case Student:
+      return translatable("ClassTable", "Student");
+    case File:
+      return translatable("ClassTable", "File");
+    case HandedIn:
+      return translatable("ClassTable", "Handed in");
+    case Minutes:
+      return translatable("ClassTable", "Minutes");
+    case Hints:
+      return translatable("ClassTable", "Hints");
+    case Points:
+      return translatable("ClassTable", "Points");
+    case Percent:
+      return translatable("ClassTable", "Percent");
+    default:
+      return m_criteria[column - FirstCriterion].name;
+  }
+}
+
+std::optional<double> ClassTable::number(const ClassRow& row, std::size_t column) const {
+  if (column == Minutes) return std::round(10.0 * row.attempt.seconds / kSecondsOfMinute) / 10.0;
+  if (column == Hints) return static_cast<double>(row.attempt.hintCount());
+  if (!row.problem.empty()) return std::nullopt;
+  if (column == Points) return row.marking.points;
+  if (column == Percent && row.marking.of > 0.0) return std::round(1000.0 * row.marking.points / row.marking.of) / 10.0;
+  if (column < FirstCriterion) return std::nullopt;
+  const Mark* mark = row.marking.find(m_criteria[column - FirstCriterion].id);
+  return mark ? std::optional(mark->points) : std::nullopt;
+}
+
+std::string ClassTable::cell(const ClassRow& row, std::size_t column) const {
+  switch (column) {
+    case Student:
+      return row.attempt.student;
+    case File:
+      return row.file;
+    case HandedIn:
+      return row.attempt.handedIn;
+    default:
+      break;
+  }
+  const std::optional<double> value = number(row, column);
+  if (column == Points && !row.problem.empty()) return row.problem;
+  return value ? roundedText(*value) : std::string();
+}
+
+std::string ClassTable::cell(std::size_t row, std::size_t column) const {
+  return cell(m_rows[row], column);
+}
+
+void ClassTable::sort(std::size_t column, bool isDescending) {
+  const auto isBefore = [&](const ClassRow& a, const ClassRow& b) {
+    if (isNumber(column)) {
+      const auto x = number(a, column), y = number(b, column);
+      if (!x || !y) return x.has_value() && !y.has_value();
+      return isDescending ? *x > *y : *x < *y;
+    }
+    const std::string x = cell(a, column), y = cell(b, column);
+    if (x.empty() || y.empty()) return !x.empty() && y.empty();
+    return isDescending ? x > y : x < y;
+  };
+  std::stable_sort(m_rows.begin(), m_rows.end(), isBefore);
+}
+
+std::string ClassTable::csv() const {
+  std::string text;
+  for (std::size_t column = 0; column < columns(); ++column)
+    text += (column > 0 ? "," : "") + csvField(heading(column), false);
+  text += "\r\n";
+  for (const ClassRow& row : m_rows) {
+    for (std::size_t column = 0; column < columns(); ++column) {
+      const bool isPlain = isNumber(column) && row.problem.empty();
+      text += (column > 0 ? "," : "") + csvField(cell(row, column), isPlain);
+    }
+    text += "\r\n";
+  }
+  return text;
+}
+
+}  // namespace handwheel

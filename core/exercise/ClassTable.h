@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "exercise/Attempt.h"
+#include "exercise/Marking.h"
+
+namespace handwheel {
+
+// One submission of a class.
+struct ClassRow {
+  std::string file;  // its name
+  Attempt attempt;
+  Marking marking;
+  std::string problem = {};  // why it was not marked; empty: it was
+};
+
+// The submissions of a class as one table: a row for each, a column for each criterion.
+class ClassTable {
+ public:
+  // The columns before those of the criteria.
+  enum Column : std::size_t { Student, File, HandedIn, Minutes, Hints, Points, Percent, FirstCriterion };
+
+  explicit ClassTable(const Exercise& exercise);
+
+  void add(ClassRow row) { m_rows.push_back(std::move(row)); }
+  const std::vector<ClassRow>& rows() const { return m_rows; }
+
+  std::size_t columns() const { return m_criteria.size() + FirstCriterion; }
+  // English, or the name of a criterion.
+  std::string heading(std::size_t column) const;
+  bool isNumber(std::size_t column) const { return column >= Minutes; }
+  // As a text; numbers with a decimal point. Empty where there is none.
+  std::string cell(std::size_t row, std::size_t column) const;
+
+  // Sorts by a column; numbers by value, what is empty last. Equal rows keep their order.
+  void sort(std::size_t column, bool isDescending);
+
+  // RFC 4180 with a header; fields that a spreadsheet would take for a formula get an apostrophe in front.
+  std::string csv() const;
+
+ private:
+  std::optional<double> number(const ClassRow& row, std::size_t column) const;
+  std::string cell(const ClassRow& row, std::size_t column) const;
+
+  std::vector<MarkingCriterion> m_criteria;
+  std::vector<ClassRow> m_rows;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exercise/Marking.h"
+
+#include "base/NumberText.h"
+#include "base/Translatable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+// Sizes that differ by less are the same: of rounding, not of the work.
+constexpr double kSameFigure = 1e-9;
+
+double excessOf(const MarkingCriterion& c, double value) {
+  if (std::isnan(value)) return value;
+  double excess = 0.0;
+  if (c.lower) excess = std::max(excess, *c.lower - value);
+  if (c.upper) excess = std::max(excess, value - *c.upper);
+  return excess <= kSameFigure ? 0.0 : excess;
+}
+
+double hundredths(double points) {
+  return std::round(100.0 * points) / 100.0;
+}
+
+std::string withUnit(double value, const std::string& unit) {
+  return roundedText(value) + (unit.empty() ? "" : " " + unit);
+}
+
+ExerciseText limitsText(const MarkingCriterion& c, const std::string& value, const std::string& unit) {
+  if (c.lower && c.upper)
+    return {translatable("Note", "%1 is within %2 and %3"), {value, roundedText(*c.lower), withUnit(*c.upper, unit)}};
+  if (c.upper) return {translatable("Note", "%1 is not above %2"), {value, withUnit(*c.upper, unit)}};
+  if (c.lower) return {translatable("Note", "%1 is not below %2"), {value, withUnit(*c.lower, unit)}};
+  return {translatable("Note", "%1, without a limit"), {value}};
+}
+
+ExerciseText reasonFor(const MarkingCriterion& c, const Mark& mark, const std::string& unit) {
+  if (mark.verdict == Verdict::NotMeasured) return {translatable("Note", "it could not be measured")};
+  const std::string value = withUnit(*mark.value, unit);
+  if (mark.verdict == Verdict::Met) return limitsText(c, value, unit);
+  const bool isSmall = mark.verdict == Verdict::TooSmall;
+  const double limit = isSmall ? *c.lower : *c.upper;
+  const std::string beyond = withUnit(std::abs(*mark.value - limit), unit);
+  return {isSmall ? translatable("Note", "%1 is %2 below the lower limit, %3")
+                  : translatable("Note", "%1 is %2 above the upper limit, %3"),
+          {value, beyond, withUnit(limit, unit)}};
+}
+
+Mark markFor(const MarkingCriterion& c, const Figure* figure, const std::string& unit) {
+  Mark mark;
+  mark.criterion = c.id;
+  mark.of = hundredths(c.points);
+  if (figure) mark.remark = figure->remark;
+  if (figure && figure->value && std::isfinite(*figure->value)) {
+    mark.value = figure->value;
+    const bool isMet = excessOf(c, *mark.value) == 0.0;
+    const bool isSmall = c.lower && *mark.value < *c.lower;
+    mark.verdict = isMet ? Verdict::Met : isSmall ? Verdict::TooSmall : Verdict::TooLarge;
+    mark.points = hundredths(c.points * earnedShare(c, *mark.value));
+  }
+  mark.reason = reasonFor(c, mark, unit);
+  return mark;
+}
+
+}  // namespace
+
+std::string ExerciseText::inEnglish() const {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 1 < text.size() && isDigit(text[i + 1])) {
+      const auto argument = static_cast<std::size_t>(text[++i] - '1');
+      if (argument < arguments.size()) result += arguments[argument];
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
+const Mark* Marking::find(std::string_view criterion) const {
+  const auto found =
+      std::find_if(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.criterion == criterion; });
+  return found == marks.end() ? nullptr : &*found;
+}
+
+double earnedShare(const MarkingCriterion& criterion, double value) {
+  const double excess = excessOf(criterion, value);
+  if (excess == 0.0) return 1.0;
+  if (!(criterion.slack > 0.0) || !(excess < criterion.slack)) return 0.0;
+  return 1.0 - excess / criterion.slack;
+}
+
+Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures,
+                    const std::vector<std::string>& units) {
+  Marking marking;
+  for (std::size_t i = 0; i < exercise.criteria.size(); ++i) {
+    const MarkingCriterion& c = exercise.criteria[i];
+    const auto figure =
+        std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.criterion == c.id; });
+    const std::string unit = i < units.size() ? units[i] : std::string();
+    marking.marks.push_back(markFor(c, figure == figures.end() ? nullptr : &*figure, unit));
+    marking.points = hundredths(marking.points + marking.marks.back().points);
+    marking.of = hundredths(marking.of + marking.marks.back().of);
+  }
+  return marking;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/target/ProfileSegment.h"
+
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// A sheet of a technical drawing as lines, filled areas and texts in millimetres of the paper. The origin is the lower
+// left corner; y is up.
+struct Sheet {
+  enum class Line { Wide, Narrow, Centre };  // ISO 128-2: visible edges; dimensions; axes (long dash, dot)
+  enum class Align { Left, Centre, Right };
+
+  struct Stroke {
+    ProfileSegment curve;  // (x, y)
+    Line line = Line::Narrow;
+  };
+  struct Text {
+    ProfilePoint at{0, 0};  // of its base line
+    std::string text;       // UTF-8
+    double height = 3.5;    // mm, of capitals
+    Align align = Align::Centre;
+    bool isUpwards = false;  // runs up, to be read from the right
+  };
+  // A closed outline, to be filled (arrow heads) or hatched (cut material).
+  struct Area {
+    std::vector<ProfileSegment> outline;
+    bool isHatched = false;
+  };
+
+  double width = 297.0, height = 210.0;
+  std::vector<Stroke> strokes;
+  std::vector<Area> areas;
+  std::vector<Text> texts;
+
+  void line(const ProfilePoint& a, const ProfilePoint& b, Line kind = Line::Narrow) {
+    strokes.push_back({{a, b, 0.0}, kind});
+  }
+  void text(const ProfilePoint& at, std::string words, Align align = Align::Centre, double size = 3.5) {
+    texts.push_back({at, std::move(words), size, align, false});
+  }
+  // A slender arrow head whose tip is at a point, looking along a direction (ISO 129-1).
+  void arrow(const ProfilePoint& tip, const ProfilePoint& towards);
+};
+
+// About how wide a text is printed (mm).
+double widthOf(const std::string& text, double height);
+
+}  // namespace handwheel

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/force/ForcePeaks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSamplesOfACut = 8.0;  // an eighth of the depth is what one sample more or less makes
+constexpr double kLongestMove = 0.5;    // mm: longer ones are judged in parts
+
+struct RemovedSection {
+  double area = 0.0;    // mm²
+  double radius = 0.0;  // mm
+};
+
+RemovedSection removedBy(TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius,
+                         std::vector<double>& before) {
+  const TurnedProfile::Range under = profile.samplesUnder(a, b, noseRadius);
+  before.clear();
+  for (std::size_t i = under.first; i < under.last; ++i) before.push_back(profile.radius(i));
+  profile.cut(a, b, noseRadius);
+  RemovedSection removed;
+  for (std::size_t i = under.first; i < under.last; ++i) {
+    const double was = before[i - under.first], gone = was - profile.radius(i);
+    if (!(gone > 0.0)) continue;
+    removed.area += gone * profile.spacing();
+    removed.radius = std::max(removed.radius, was);
+  }
+  return removed;
+}
+
+}  // namespace
+
+double SpindleSetting::at(double radius) const noexcept {
+  if (!(surfaceSpeed > 0.0)) return speed;
+  const double wanted = spindleSpeed(surfaceSpeed, 2.0 * radius);
+  return speed > 0.0 ? std::min(wanted, speed) : wanted;
+}
+
+ForcePeakMeter::ForcePeakMeter(const CuttingForceModel& model, const SpindleSetting& spindle, double resolution)
+    : m_model(&model), m_spindle(spindle), m_resolution(resolution) {}
+
+void ForcePeakMeter::add(double length, double seconds, double area, double radius) {
+  if (!(area > 0.0)) {
+    judge();
+    m_time += seconds;
+    return;
+  }
+  m_time += seconds;
+  m_length += length;
+  m_area += area;
+  m_radius = std::max(m_radius, radius);
+  m_turns += m_spindle.at(radius) / 60.0 * seconds;
+  if (m_length >= kSamplesOfACut * m_resolution && m_turns >= 1.0) judge();
+}
+
+void ForcePeakMeter::judge() {
+  if (m_area > 0.0 && m_length > 0.0) {
+    // Per length of the path the area is the width of the cut; per turn the length is the feed.
+    const double feed = m_turns > 0.0 ? std::min(m_length / m_turns, kRapidFeed) : kRapidFeed;
+    // A cut that ended before it was as long as a sample tells nothing of its width.
+    const double length = std::max(m_length, m_resolution);
+    const CutConditions cut{m_area / length, feed, handwheel::surfaceSpeed(m_spindle.at(m_radius), 2.0 * m_radius)};
+    const CutForces forces = m_model->at(cut);
+    if (forces.norm() > m_peaks.force) {
+      m_peaks.force = forces.norm();
+      m_peaks.cut = cut;
+      m_peaks.time = m_time;
+    }
+    m_peaks.power = std::max(m_peaks.power, cuttingPower(forces, cut));
+    m_peaks.torque = std::max(m_peaks.torque, cuttingTorque(forces, 2.0 * m_radius));
+    m_peaks.isOutsideModel |= !m_model->covers(cut);
+  }
+  m_length = m_area = m_turns = m_radius = 0.0;
+}
+
+ForcePeaks ForcePeakMeter::finish() {
+  judge();
+  return m_peaks;
+}
+
+std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const TurningPass> passes,
+                                     const SpindleSetting& spindle, const CuttingForceModel& model, Progress progress) {
+  constexpr std::size_t kLook = 64;      // points between two looks at the cancel flag
+  constexpr double kMostParts = 10'000;  // of a move
+  ForcePeakMeter meter(model, spindle, profile.spacing());
+  std::vector<double> before;
+  for (const TurningPass& pass : passes) {
+    if (!pass.path.empty()) profile.cut(pass.path[0], pass.path[0], pass.noseRadius);
+    for (std::size_t i = 1; i < pass.path.size(); ++i) {
+      if (i % kLook == 0 && progress.cancelled()) return std::nullopt;
+      const ProfilePoint from = pass.path[i - 1], way = pass.path[i] - from;
+      const double seconds = pass.times[i] - pass.times[i - 1], length = way.norm();
+      const int parts = static_cast<int>(std::clamp(std::ceil(length / kLongestMove), 1.0, kMostParts));
+      for (int k = 0; k < parts; ++k) {
+        const ProfilePoint a = from + way * (static_cast<double>(k) / parts);
+        const ProfilePoint b = from + way * (static_cast<double>(k + 1) / parts);
+        const RemovedSection removed = removedBy(profile, a, b, pass.noseRadius, before);
+        meter.add(length / parts, seconds / parts, removed.area, removed.radius);
+      }
+    }
+  }
+  return meter.finish();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/force/CuttingEdge.h"
+#include "machining/force/PowerLaw.h"
+
+#include <span>
+#include <utility>
+
+namespace handwheel {
+
+// The two constants of Kienzle's law: kc = kc11 h^-mc, with the thickness h of the chip in mm.
+struct KienzleConstants {
+  double kc11 = 0.0;  // N/mm², of a chip 1 mm wide and 1 mm thick
+  double mc = 0.0;
+  bool operator==(const KienzleConstants&) const = default;
+};
+
+// The constants that come nearest, in logarithms and by least squares, to a table of thickness (mm) and kc (N/mm²). The
+// table must have two different thicknesses, and nothing that is not above zero.
+KienzleConstants fittedConstants(std::span<const std::pair<double, double>> table);
+
+// Kienzle's law for a material and an edge: Fc = kc11 b h^(1-mc), b = ap / sin κ, h = f sin κ, and 1 % less for each
+// degree of rake (Kienzle 1952; rake after Sandvik's handbook). It knows no speed.
+class KienzleModel : public CuttingForceModel {
+ public:
+  KienzleModel(const KienzleConstants& constants, const CuttingEdge& edge, const ThrustSettings& thrust = {});
+
+  CutForces at(const CutConditions& cut) const noexcept override;
+  bool covers(const CutConditions& cut) const noexcept override;
+
+ private:
+  CuttingEdge m_edge;
+  ThrustSettings m_thrust;
+  PowerLaw m_cutting;
+  double m_thickness;  // of the chip, by the feed: sin κ
+};
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/force/KosilovaTables.h"
+#include "machining/force/PowerLaw.h"
+
+namespace handwheel {
+
+// The law of Kosilova and Meshcheryakov for a material and an edge: F[N] = 10 C t^x s^y v^n K (He 2008, 3-5), with
+// K = Kmp Kφ Kγ Kλ Kr.
+class KosilovaModel : public CuttingForceModel {
+ public:
+  // property: the tensile strength (MPa) or the hardness (HB) of the work, as the row asks; 0: as the row has it.
+  KosilovaModel(const KosilovaTables& tables, const KosilovaRow& row, double property, const CuttingEdge& edge,
+                const ThrustSettings& thrust = {});
+
+  CutForces at(const CutConditions& cut) const noexcept override;
+  bool covers(const CutConditions& cut) const noexcept override;
+
+  double correction() const { return m_correction; }  // K of the cutting force
+  // Whether all that the cutting force comes from was compared with the handbook.
+  bool isVerified() const { return m_isVerified; }
+  // Whether feed and radial force come from laws of the table.
+  bool hasThrustLaws() const { return m_hasThrustLaws; }
+
+ private:
+  CuttingEdge m_edge;
+  ThrustSettings m_thrust;
+  PowerLaw m_cutting, m_radial, m_feed;
+  double m_correction;
+  bool m_hasThrustLaws;
+  bool m_isVerified;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/lathe/LatheRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kAtRest = 1.0;  // r/min
+
+// The largest outer, or least inner, radius between the jaws.
+double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck) {
+  const TurnedProfile::Range held = samplesWithin(profile, 0.0, chuck.grip);
+  double radius = chuck.gripsInside ? profile.radius(0) : 0.0;
+  for (std::size_t i = held.first; i < held.last; ++i)
+    radius = chuck.gripsInside ? std::min(radius, profile.inner(i)) : std::max(radius, profile.radius(i));
+  return radius;
+}
+
+double largestRadius(const TurnedProfile& profile) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < profile.size(); ++i) largest = std::max(largest, profile.radius(i));
+  return largest;
+}
+
+}  // namespace
+
+// A step as the levers and hands would have it, before it is known whether it can be made.
+struct LatheRun::Try {
+  LatheMotion motion;
+  std::shared_ptr<const LatheTool> tool;  // that moved; of the post, or the drill in the quill
+  ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};
+  SectionCut cut;
+  bool isQuill = false;    // the quill moved
+  bool isIndexed = false;  // another tool of the post
+  bool isPressed = false;  // an abrasive tool against the work
+  bool hasMoved() const { return isQuill || isIndexed || isPressed || from != to; }
+};
+
+double LatheStep::depthOfCut() const {
+  const double way = (to - from).norm();
+  return way > 0.0 ? cut.area / way : 0.0;
+}
+
+double LatheStep::feed() const {
+  return turns > 0.0 && !cut.isEmpty() ? (to - from).norm() / turns : 0.0;
+}
+
+LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state)
+    : m_machine(std::move(setup), state), m_tools(std::move(tools)), m_profile(std::move(profile)) {
+  m_gripped = grippedRadius(m_profile, m_machine.setup().chuck);
+  m_within = largestRadius(m_profile);
+  m_chuck = chuckSolids(m_machine.setup().chuck, m_gripped);
+  for (const auto& tool : m_tools) m_solids.push_back(toolSolids(*tool));
+}
+
+std::shared_ptr<const LatheTool> LatheRun::tool() const {
+  return toolNamed(m_tools, m_machine.slot().tool);
+}
+
+std::shared_ptr<const LatheTool> LatheRun::drill() const {
+  const LatheTailstock& tailstock = m_machine.setup().tailstock;
+  return tailstock.fitting == LatheFitting::Drill ? toolNamed(m_tools, tailstock.drill) : nullptr;
+}
+
+const std::vector<LatheSolid>& LatheRun::solidsOf(const LatheTool& tool) const {
+  static const std::vector<LatheSolid> kNoSolids;
+  for (std::size_t i = 0; i < m_tools.size(); ++i) {
+    if (m_tools[i].get() == &tool) return m_solids[i];
+  }
+  return kNoSolids;
+}
+
+// Of a post and a quill that move in one step, the quill is the one that drills.
+LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double mostByHand) {
+  const ProfilePoint tipBefore = m_machine.tip();
+  const double quillBefore = m_machine.quillTip();
+  Try tried;
+  tried.motion = m_machine.advance(dt, mostByHand);
+  tried.isQuill = m_machine.setup().tailstock.isUsed() && m_machine.quillTip() != quillBefore;
+  tried.isIndexed = m_machine.state().tool != before.tool;
+  tried.tool = tried.isQuill ? drill() : tool();
+  tried.from = tried.isQuill ? ProfilePoint(0.0, quillBefore) : tipBefore;
+  tried.to = tried.isQuill ? ProfilePoint(0.0, m_machine.quillTip()) : m_machine.tip();
+  tried.isPressed = tried.tool && tried.tool->isAbrasive() && tried.tool == m_lastTool && m_lastPlace != tried.to;
+  if (tried.tool && tried.hasMoved()) tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
+  return tried;
+}
+
+std::optional<LatheCollision> LatheRun::cutCrash(const Try& tried) const {
+  if (!tried.tool || !(tried.cut.depth > kTouch)) return std::nullopt;
+  if (tried.tool->isAbrasive() && !tried.motion.isRapid && !tried.isIndexed) return std::nullopt;  // it gives way
+  const double speed = m_machine.state().speed;
+  LatheCollision collision;
+  collision.place = tried.to;
+  collision.depth = tried.cut.depth;
+  if (tried.isIndexed)
+    collision.cause = CrashCause::Contact;
+  else if (tried.motion.isRapid)
+    collision.cause = CrashCause::Rapid;
+  else if (std::abs(speed) < kAtRest)
+    collision.cause = CrashCause::SpindleAtRest;
+  else if (speed < 0.0)
+    collision.cause = CrashCause::Reversed;
+  else if (tried.cut.beyond > kTouch)
+    collision.cause = CrashCause::TooDeep;
+  else
+    return std::nullopt;
+  return collision;
+}
+
+std::optional<LatheCollision> LatheRun::crashOf(const Try& tried) const {
+  if (auto crash = cutCrash(tried)) return crash;
+  const auto drilling = drill();
+  const auto tail = tailstockSolids(m_machine.setup().tailstock, m_machine.quillTip(), drilling.get());
+  if (tried.isQuill) {
+    if (auto crash = contactBetween(tail, {0.0, 0.0}, m_chuck)) return crash;
+    if (drilling) {
+      if (auto crash = contactWithWork(tail, {0.0, 0.0}, {0.0, 0.0}, m_profile, m_within)) return crash;
+    }
+  }
+  const auto inPost = tool();
+  if (!inPost) return std::nullopt;
+  const std::vector<LatheSolid>& solids = solidsOf(*inPost);
+  const ProfilePoint tip = m_machine.tip();
+  if (auto crash = contactBetween(solids, tip, m_chuck)) return crash;
+  if (auto crash = contactBetween(solids, tip, tail)) return crash;
+  return contactWithWork(solids, tried.isQuill || tried.isIndexed ? tip : tried.from, tip, m_profile, m_within);
+}
+
+void LatheRun::crash(LatheStep& step, LatheCollision collision, const LatheState& before) {
+  const double time = m_machine.state().time;
+  LatheState stopped = before;
+  stopped.time = time;
+  stopped.turns = m_machine.state().turns;
+  m_machine.restore(stopped);
+  m_machine.stop();
+  collision.time = time;
+  if (step.tool) collision.tool = step.tool->id;
+  step.to = step.from;
+  step.isHeld = true;
+  if (std::exchange(m_isBlocked, true)) return;  // still the same
+  step.isCrash = true;
+  if (m_collisions.size() < kMostCollisions) m_collisions.push_back(std::move(collision));
+}
+
+// What is pressed on by hand, or grinds, gives way where it would take off more than it can.
+void LatheRun::cut(LatheStep& step, const Try& tried) {
+  const LatheTool& tool = *tried.tool;
+  step.from = m_lastTool == tried.tool && !tried.isIndexed ? m_lastPlace : tried.from;
+  step.to = tried.to;
+  if (tool.isAbrasive()) {
+    const double lift = std::max(0.0, tried.cut.depth - tool.depthPerTurn * tried.motion.turns);
+    step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
+  }
+  step.cut = cutWithTool(m_profile, tool, step.from, step.to);
+  m_lastTool = tried.tool;
+  m_lastPlace = step.to;
+}
+
+LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {
+  const LatheState start = m_machine.state();
+  for (const LatheCommand& command : commands) m_machine.apply(command);
+  LatheStep step;
+  if (!(dt > 0.0 && std::isfinite(dt))) return step;
+  const LatheSetup& setup = m_machine.setup();
+  const LatheState before = m_machine.state();
+  Try tried = attempt(start, dt, setup.handSpeed * dt);
+  // A hand feels material, and goes through it as fast as it can push only.
+  const bool isTurning = std::abs(m_machine.state().speed) >= kAtRest;
+  if (isTurning && tried.motion.isByHand && !tried.motion.isRapid && tried.cut.depth > kTouch) {
+    m_machine.restore(before);
+    tried = attempt(start, dt, setup.handFeed * tried.motion.turns);
+  }
+  step.tool = tried.tool;
+  step.turns = tried.motion.turns;
+  step.from = step.to = tried.from;
+  step.time = m_machine.state().time;
+  if (!tried.hasMoved()) return step;
+  if (auto collision = crashOf(tried)) {
+    LatheState safe = before;
+    safe.tool = start.tool;
+    crash(step, std::move(*collision), safe);
+    return step;
+  }
+  const auto centre = setup.tailstock.fitting == LatheFitting::Centre && tried.isQuill;
+  const bool isOnCentre = centre && contactWithWork(tailstockSolids(setup.tailstock, m_machine.quillTip(), nullptr),
+                                                    {0.0, 0.0}, {0.0, 0.0}, m_profile, m_within);
+  const bool isTooDeep = setup.depthLimit > 0.0 && tried.cut.depth > setup.depthLimit && !tried.isIndexed &&
+                         !(tried.tool && tried.tool->isAbrasive());
+  if (isOnCentre || isTooDeep) {  // held, without a crash
+    LatheState held = before;
+    held.time = m_machine.state().time;
+    held.turns = m_machine.state().turns;
+    held.speed = m_machine.state().speed;
+    held.demands.fill(0.0);
+    held.feed = 0.0;
+    held.lead = 0.0;
+    held.isNutClosed = false;
+    m_machine.restore(held);
+    step.isHeld = true;
+    return step;
+  }
+  m_isBlocked = false;
+  if (tried.tool) cut(step, tried);
+  return step;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/lathe/LatheCollisions.h"
+
+#include <span>
+
+namespace handwheel {
+
+// What happened in one step of a lathe.
+struct LatheStep {
+  SectionCut cut;                             // what left
+  std::shared_ptr<const LatheTool> tool;      // that moved; null: none was in use
+  ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm: where its tip went, as far as it cut, (r, z)
+  double turns = 0.0;                         // of the spindle, not signed
+  double time = 0.0;                          // s, of the machine after the step
+  bool isCrash = false;                       // the last of LatheRun::collisions() is of this step
+  bool isHeld = false;                        // the depth limit, or the work, held the slide back
+
+  bool hasMoved() const { return from != to; }
+  // mm, across the way of the tool, and mm in a turn; 0 where nothing was cut.
+  double depthOfCut() const;
+  double feed() const;
+};
+
+// A manual lathe with a part in it: commands move it step by step, material leaves, crashes stop it. A step that would
+// be a crash is not made: the slides stay where they were, the spindle stops, and the crash is recorded. Deterministic:
+// all of it is a function of the calls.
+class LatheRun {
+ public:
+  static constexpr double kTouch = 1e-3;                // mm: a cut that is less deep touches only
+  static constexpr std::size_t kMostCollisions = 1000;  // that are recorded
+
+  // The setup must be sound. tools: those that it names; a slot whose tool is missing has none.
+  LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state);
+
+  LatheStep step(double dt, std::span<const LatheCommand> commands);
+
+  const TurnedProfile& profile() const { return m_profile; }
+  const LatheMachine& machine() const { return m_machine; }
+  const std::vector<LatheCollision>& collisions() const { return m_collisions; }
+  std::shared_ptr<const LatheTool> tool() const;  // of the slot in use; null: none
+  double gripped() const { return m_gripped; }    // mm, radius that the jaws are closed on
+
+ private:
+  struct Try;
+  Try attempt(const LatheState& before, double dt, double mostByHand);
+  std::optional<LatheCollision> crashOf(const Try& tried) const;
+  std::optional<LatheCollision> cutCrash(const Try& tried) const;
+  const std::vector<LatheSolid>& solidsOf(const LatheTool& tool) const;
+  std::shared_ptr<const LatheTool> drill() const;
+  void crash(LatheStep& step, LatheCollision collision, const LatheState& before);
+  void cut(LatheStep& step, const Try& tried);
+
+  LatheMachine m_machine;
+  LatheTools m_tools;
+  std::vector<std::vector<LatheSolid>> m_solids;  // of m_tools
+  TurnedProfile m_profile;
+  double m_gripped = 0.0;
+  double m_within = 0.0;  // mm: no material is further from the axis
+  std::vector<LatheSolid> m_chuck;
+  std::vector<LatheCollision> m_collisions;
+  bool m_isBlocked = false;                     // the last move was a crash, which is recorded once
+  std::shared_ptr<const LatheTool> m_lastTool;  // that cut, and where: an abrasive tool is not where its slide is
+  ProfilePoint m_lastPlace{0.0, 0.0};
+};
+
+}  // namespace handwheel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "nurbs/ProfileCurve.h"
+
+#include <array>
+#include <span>
+
+namespace handwheel {
+
+// A convex polygon in (r, z), widened by a radius: the section of a cutting tool. mm. With a radius of 0 its corners
+// are sharp; one corner alone is a disc, or a point.
+class RoundedSection {
+ public:
+  static constexpr std::size_t kMostCorners = 12;
+
+  // Empty: covers nothing.
+  RoundedSection() = default;
+  // The hull of at most kMostCorners finite points, and a finite radius of at least 0; a caller with other input checks
+  // isSound() of it first.
+  RoundedSection(std::span<const ProfilePoint> corners, double radius);
+  static bool isSound(std::span<const ProfilePoint> corners, double radius);
+
+  bool empty() const { return m_count == 0; }
+  // Without repetition, counterclockwise where z points to the right and r upward.
+  std::span<const ProfilePoint> corners() const { return {m_corners.data(), m_count}; }
+  double radius() const { return m_radius; }
+
+  RoundedSection moved(const ProfilePoint& by) const;
+  // Mirrored at the axis.
+  RoundedSection mirrored() const;
+  // Its boundary as a closed polyline with this many points to a full circle.
+  std::vector<ProfilePoint> outline(int perCircle) const;
+
+  bool operator==(const RoundedSection& other) const;
+
+ private:
+  std::array<ProfilePoint, kMostCorners> m_corners{};
+  std::size_t m_count = 0;
+  double m_radius = 0.0;
+};
+
+// What a section covers while it moves straight from one place to another: exact, since it is the widened hull of both.
+// The section moves with its own origin. No allocation.
+class SectionSweep {
+ public:
+  // Places that are not finite: covers nothing.
+  SectionSweep(const RoundedSection& section, const ProfilePoint& from, const ProfilePoint& to);
+
+  bool empty() const { return m_lower.count == 0; }
+  double first() const { return m_first; }  // mm, the least z that it covers
+  double last() const { return m_last; }    // and the largest
+  double least() const { return m_least; }  // mm, the least r that it covers anywhere
+  double largest() const { return m_largest; }
+
+  // The least and the largest r that it covers at this z, which must be within first() and last(). O(corners).
+  double lowest(double z) const { return m_lower.at(z, m_radius); }
+  double highest(double z) const { return -m_upper.at(z, m_radius); }
+
+ private:
+  // The side of the hull that faces the axis, from the least z to the largest; of the other side mirrored.
+  struct Chain {
+    std::array<ProfilePoint, 2 * RoundedSection::kMostCorners> points{};
+    std::size_t count = 0;
+    void add(const ProfilePoint& p);
+    double at(double z, double radius) const;
+  };
+
+  Chain m_lower, m_upper;
+  double m_radius = 0.0;
+  double m_first = 0.0, m_last = -1.0;
+  double m_least = 0.0, m_largest = 0.0;
+};
+
+}  // namespace handwheel

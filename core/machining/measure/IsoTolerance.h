@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace handwheel {
+
+// The limits of a size: how far it may be below and above its nominal value, mm.
+struct SizeDeviations {
+  double lower = 0.0, upper = 0.0;
+  double width() const { return upper - lower; }
+  bool operator==(const SizeDeviations&) const = default;
+};
+
+// The nominal sizes that the tables know end here, mm.
+inline constexpr double kLargestToleratedSize = 120.0;
+
+// The width (mm) of a standard tolerance grade of ISO 286-1 for a nominal size, mm: IT5 to IT12, sizes above 0 and up
+// to kLargestToleratedSize. None for others.
+std::optional<double> standardTolerance(double nominal, int grade);
+
+// The deviations of a tolerance class of ISO 286-2: "h10", "H7", "js9", "f7". Shafts d, e, f, g, h, js, k, m, n, p;
+// holes D, E, F, G, H, JS, which mirror the shafts without a correction. None for other classes and sizes: those take
+// explicit limits.
+std::optional<SizeDeviations> isoDeviations(double nominal, std::string_view toleranceClass);
+
+}  // namespace handwheel

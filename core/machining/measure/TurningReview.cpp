@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/measure/TurningReview.h"
+
+#include "machining/lathe/LatheTool.h"
+#include "machining/measure/RoughnessGrade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kMostCrashes = 1'000;
+
+double sideRadius(const TurnedProfile& profile, TurningSide side, std::size_t i) {
+  return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
+}
+
+// Whether the nose, or the shank that comes to it from outside, is within the jaws.
+bool isInChuck(const TurningPass& pass, const ProfilePoint& centre, const ReviewedLathe& lathe) {
+  if (!(lathe.chuckHeight > 0.0) || pass.side == TurningSide::Bore) return false;
+  const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
+  return centre.y() - nose < lathe.chuckHeight && centre.x() - nose < 0.5 * lathe.chuckDiameter;
+}
+
+// How much a cut asks of the lathe; only to compare.
+double weightOf(const CutMoment& moment) {
+  return moment.depth * moment.feed * moment.speed;
+}
+
+}  // namespace
+
+// The moves that are taken as one cut.
+struct TurningReview::Way {
+  static constexpr double kLongest = 0.5;  // mm: hands move in steps that are shorter than the samples are apart
+
+  double length = 0.0, seconds = 0.0, time = 0.0;
+  double area = 0.0;     // mm², that left the section
+  double largest = 0.0;  // mm, the largest radius that was cut
+  ProfilePoint place{0, 0};
+};
+
+TurningReview::TurningReview(const TurnedProfile& bar) : m_profile(bar), m_outer(bar.size()), m_bore(bar.size()) {
+  for (std::size_t i = 0; i < bar.size(); ++i) {
+    m_outerRadii.push_back(bar.radius(i));
+    m_boreRadii.push_back(bar.inner(i));
+  }
+}
+
+std::optional<TurningReview> TurningReview::make(const TurnedProfile& bar, Passes passes, const ReviewedLathe& lathe,
+                                                 Progress progress) {
+  TurningReview review(bar);
+  std::uint64_t work = 0;
+  for (const auto& pass : passes) work += samplesUnder(bar, *pass) + pass->path.size();
+  if (work > kMostWork) return std::nullopt;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const double from = static_cast<double>(i) / static_cast<double>(passes.size());
+    const double to = static_cast<double>(i + 1) / static_cast<double>(passes.size());
+    review.repeat(*passes[i], i, lathe, progress.part(from, to));
+    if (progress.cancelled()) return std::nullopt;
+  }
+  return review;
+}
+
+void TurningReview::repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, Progress progress) {
+  constexpr std::size_t kLook = 256;  // points between two looks at the cancel flag
+  const double start = m_seconds;
+  bool wasInChuck = false, wasRapid = false;
+  Way cutting;
+  const auto crash = [&](CrashMoment::What what, double time, const ProfilePoint& place) {
+    if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, place});
+  };
+  const double nose = pass.tool ? pass.tool->noseRadius : pass.noseRadius;
+  std::vector<SampleFinish>& finish = pass.side == TurningSide::Outside ? m_outer : m_bore;
+  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+    if (i % kLook == 0 && progress.cancelled()) return;
+    const ProfilePoint &from = pass.path[i == 0 ? 0 : i - 1], &to = pass.path[i];
+    const double seconds = i == 0 ? 0.0 : pass.times[i] - pass.times[i - 1], way = (to - from).norm();
+    const double time = start + pass.times[i];
+    m_pathLength += way;
+    const bool inChuck = isInChuck(pass, to, lathe);
+    if (inChuck && !wasInChuck) crash(CrashMoment::What::Chuck, time, to);
+    wasInChuck = inChuck;
+
+    const TurnedProfile::Range changed = cut(m_profile, pass, from, to);
+    const double turns = seconds * lathe.spindleSpeed / 60.0;
+    // The tool comes to where it begins: that is no feed.
+    const double feed = way > 0.0 ? way / turns : 0.0;
+    const bool isRapid = !changed.isEmpty() && feed > lathe.largestFeed;
+    if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, to);
+    wasRapid = isRapid;
+    if (changed.isEmpty()) {
+      endWay(cutting, lathe);
+      continue;
+    }
+    for (std::size_t k = changed.first; k < changed.last; ++k) finish[k] = {feed, nose, true};
+    cutting.length += way;
+    cutting.seconds += seconds;
+    cutting.time = time;
+    cutting.place = to;
+    take(cutting, pass.side, changed);
+    if (cutting.length >= Way::kLongest) endWay(cutting, lathe);
+  }
+  endWay(cutting, lathe);
+  if (!pass.times.empty()) m_seconds += pass.times.back();
+}
+
+void TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range changed) {
+  std::vector<double>& radii = side == TurningSide::Outside ? m_outerRadii : m_boreRadii;
+  for (std::size_t i = changed.first; i < changed.last; ++i) {
+    const double before = std::exchange(radii[i], sideRadius(m_profile, side, i));
+    way.area += std::abs(before - radii[i]) * m_profile.spacing();
+    way.largest = std::max({way.largest, before, radii[i]});
+  }
+}
+
+void TurningReview::endWay(Way& way, const ReviewedLathe& lathe) {
+  const Way done = std::exchange(way, Way());
+  if (!(done.length > 0.0)) return;
+  const double feed = done.length / (done.seconds * lathe.spindleSpeed / 60.0);
+  const double speed = 2.0 * M_PI * done.largest * lathe.spindleSpeed / 1000.0;
+  m_moments.push_back({done.time, done.place, done.area / done.length, feed, speed});
+  if (m_moments.size() >= 2 * kMostMoments) thinMoments();
+}
+
+// Of each two neighbours the heavier cut stays.
+void TurningReview::thinMoments() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < m_moments.size(); i += 2) {
+    const bool second = i + 1 < m_moments.size() && weightOf(m_moments[i + 1]) > weightOf(m_moments[i]);
+    m_moments[kept++] = m_moments[second ? i + 1 : i];
+  }
+  m_moments.resize(kept);
+}
+
+std::optional<FinishReading> TurningReview::finish(TurningSide side, AxisRange range) const {
+  const std::vector<SampleFinish>& finish = side == TurningSide::Outside ? m_outer : m_bore;
+  FinishReading reading;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < finish.size(); ++i) {
+    const double z = m_profile.z(i);
+    if (!(z >= range.from && z <= range.to)) continue;
+    if (!finish[i].isCut) return std::nullopt;
+    const double ra = idealRoughness(finish[i].feed, finish[i].noseRadius);
+    sum += ra;
+    ++count;
+    if (ra > reading.largest) reading.largest = ra, reading.largestAt = z;
+  }
+  if (count == 0) return std::nullopt;
+  reading.mean = sum / static_cast<double>(count);
+  return reading;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurningPass.h"
+#include "machining/measure/ProfileMeasure.h"
+
+#include <memory>
+#include <span>
+
+namespace handwheel {
+
+// What a review of passes has to know of the lathe.
+struct ReviewedLathe {
+  double spindleSpeed = 800.0;  // revolutions a minute
+  double chuckHeight = 0.0;     // mm above the lower end of the part that the chuck holds it; 0: no chuck
+  double chuckDiameter = 0.0;   // mm
+  double largestFeed = 2.0;     // mm per revolution that a tool survives in the material
+};
+
+// A tool that touched what it must not touch.
+struct CrashMoment {
+  enum class What { Chuck, RapidInMaterial };
+  What what = What::Chuck;
+  std::size_t pass = 0;
+  double time = 0.0;         // s since the begin of the first pass, pauses between passes left out
+  ProfilePoint place{0, 0};  // of the centre of the nose
+};
+
+// How the tool cut over a short way, half a millimetre or less.
+struct CutMoment {
+  double time = 0.0;  // s, as above
+  ProfilePoint place{0, 0};
+  double depth = 0.0;  // mm, width of the cut across the feed: the area that left the section, by the way
+  double feed = 0.0;   // mm per revolution
+  double speed = 0.0;  // m/min at the largest radius that was cut
+};
+
+// How the surface of a side was made at a sample.
+struct SampleFinish {
+  double feed = 0.0;        // mm per revolution of the cut that made it last
+  double noseRadius = 0.0;  // mm
+  bool isCut = false;
+};
+
+// The roughness Ra of a range, by the geometry of feed and nose alone, µm.
+struct FinishReading {
+  double mean = 0.0, largest = 0.0;
+  double largestAt = 0.0;  // mm, height
+};
+
+// What the passes of a part tell about the work: finish, crashes, cuts, time. It repeats them on the bar.
+// Deterministic.
+class TurningReview {
+ public:
+  // The most samples that the passes may visit; beyond it there is no review, as only a hostile file needs it.
+  static constexpr std::uint64_t kMostWork = 400'000'000;
+  static constexpr std::size_t kMostMoments = 2'000;  // neighbours are joined, the heaviest cut of them is kept
+
+  using Passes = std::span<const std::shared_ptr<const TurningPass>>;
+
+  // bar: before the first pass. None when it takes too much work or was cancelled.
+  static std::optional<TurningReview> make(const TurnedProfile& bar, Passes passes, const ReviewedLathe& lathe,
+                                           Progress progress = {});
+
+  const TurnedProfile& profile() const { return m_profile; }  // after the last pass
+  double seconds() const { return m_seconds; }                // of all passes
+  double pathLength() const { return m_pathLength; }          // mm
+  const std::vector<CrashMoment>& crashes() const { return m_crashes; }
+  const std::vector<CutMoment>& moments() const { return m_moments; }  // by time
+  // None where a sample of the range was not cut, or the range has none.
+  std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
+
+ private:
+  explicit TurningReview(const TurnedProfile& bar);
+  struct Way;
+  void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, Progress progress);
+  void take(Way& way, TurningSide side, TurnedProfile::Range changed);
+  void endWay(Way& way, const ReviewedLathe& lathe);
+  void thinMoments();
+
+  TurnedProfile m_profile;
+  std::vector<double> m_outerRadii, m_boreRadii;  // mm, before the present move
+  std::vector<SampleFinish> m_outer, m_bore;
+  std::vector<CrashMoment> m_crashes;
+  std::vector<CutMoment> m_moments;
+  double m_seconds = 0.0, m_pathLength = 0.0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/FanucRun.h"
+
+#include "base/NumberText.h"
+#include "machining/program/DrillCycle.h"
+#include "machining/program/ProgramArc.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+void FanucRun::runOnce(const ProgramBlock& block, int number, const ProgramWord& g) {
+  if (m_machine.isCompensated() && number != 4 && number != 65)
+    refuse(g.place, g.text(), "it is not possible with nose compensation", "Write G40 before it.");
+  switch (number) {
+    case 4: {
+      const ProgramWord *const p = word('P'), *const x = word('X'), *const u = word('U');
+      if (!p && !x && !u) refuse(g.place, g.text(), "the time is missing", "Write P in milliseconds or U in seconds.");
+      m_machine.dwell(p ? (p->hasPoint ? p->number : 1e-3 * p->number) : (x ? x : u)->number, g.place);
+      return;
+    }
+    case 28:
+    case 30:
+      home(number, g);
+      return;
+    case 50:
+      setCoordinates(g);
+      return;
+    case 52: {
+      ProfilePoint shift = m_machine.shift();
+      if (const ProgramWord* const x = word('X')) shift.x() = m_machine.radius(x->number);
+      if (const ProgramWord* const z = word('Z')) shift.y() = m_machine.unit() * z->number;
+      m_machine.setShift(shift);
+      return;
+    }
+    case 53:
+      moveInMachine(g);
+      return;
+    case 65:
+      callMacro(block, g);
+      return;
+    case 70:
+      finish(g);
+      return;
+    case 71:
+    case 72:
+      rough(number, g);
+      return;
+    case 73:
+      repeatPattern(g);
+      return;
+    case 74:
+    case 75:
+      peck(number, g);
+      return;
+    default:
+      threadCycle(g);
+      return;
+  }
+}
+
+void FanucRun::home(int number, const ProgramWord& g) {
+  const bool hasX = has('X') || has('U'), hasZ = has('Z') || has('W');
+  if (number == 30)
+    if (const ProgramWord* const p = word('P')) whole(*p, 2, 2);
+  m_machine.rapid(target(), g.place);
+  ProfilePoint to = m_machine.fromMachine(m_machine.home[number == 28 ? 0 : 1]);
+  if (hasX && !hasZ) to.y() = m_machine.at().y();
+  if (hasZ && !hasX) to.x() = m_machine.at().x();
+  m_machine.rapid(to, g.place);
+}
+
+// G50: the clamp of the spindle, or the coordinates of where the tool is.
+void FanucRun::setCoordinates(const ProgramWord& g) {
+  if (const ProgramWord* const s = word('S')) {
+    if (!(s->number > 0.0)) refuse(s->place, s->text(), "the greatest speed is not above 0", "Write S in r/min.");
+    m_machine.modal.mostSpindle = s->number;
+  }
+  if (!hasAxis()) {
+    if (!has('S')) refuse(g.place, g.text(), "S, X or Z is missing", "Write G50 S2000 for the greatest speed.");
+    return;
+  }
+  const ProfilePoint here = m_machine.at();
+  m_machine.setShift(m_machine.shift() + here - target());
+}
+
+void FanucRun::moveInMachine(const ProgramWord& g) {
+  const ProgramWord *const x = word('X'), *const z = word('Z');
+  if (!x && !z) refuse(g.place, g.text(), "X or Z is missing", "Write G53 X0 or G53 Z0.");
+  const int motion = codeOf(Motion) >= 0 ? codeOf(Motion) : m_machine.modal.motion / 10;
+  if (motion != 0 && motion != 1) refuse(g.place, g.text(), "it needs G0 or G1", "Write G53 G0 X... Z...");
+  m_machine.modal.motion = 10 * motion;
+  ProfilePoint to =
+      m_machine.fromMachine({x ? m_machine.radius(x->number) : 0.0, z ? m_machine.unit() * z->number : 0.0});
+  if (!x) to.x() = m_machine.at().x();
+  if (!z) to.y() = m_machine.at().y();
+  motion == 0 ? m_machine.rapid(to, g.place) : m_machine.feed(to, g.place);
+}
+
+void FanucRun::runMotion(const ProgramBlock& block) {
+  ProgramMachine::Modal& modal = m_machine.modal;
+  if (code(Motion)) modal.motion = 10 * codeOf(Motion);
+  if (code(Drilling)) modal.motion = codeOf(Drilling) == 80 ? 0 : 10 * codeOf(Drilling);
+  if (!hasAxis()) return;
+  const ProgramPlace place = code(Motion) ? code(Motion)->place : block.place;
+  const int motion = modal.motion / 10;
+  if (modal.motion < 0)
+    refuse(place, block.words.front().text(), "there is no motion for X and Z", "Write G0 or G1 before them.");
+  switch (motion) {
+    case 0:
+      m_machine.rapid(target(), place);
+      return;
+    case 1:
+      m_machine.feed(target(), place);
+      return;
+    case 2:
+    case 3:
+      arc(motion == 3 ? 1 : -1, place);
+      return;
+    case 32: {
+      const ProfilePoint from = m_machine.at(), to = target();
+      const double lead =
+          m_machine.unit() * needed('F', code(Motion) ? *code(Motion) : block.words.front(), "the lead");
+      const double longest = (to - from).cwiseAbs().maxCoeff();  // F is measured along the longer axis
+      m_machine.thread(to, longest > 0.0 ? lead * (to - from).norm() / longest : lead, place);
+      return;
+    }
+    case 90:
+    case 92:
+    case 94:
+      boxCycle(motion, place);
+      return;
+    default:
+      drill(motion, place);
+      return;
+  }
+}
+
+void FanucRun::arc(int turn, const ProgramPlace& place) {
+  const ProfilePoint to = target();
+  const PlanePoint centre = arcCentre(planePoint(m_machine.at()), planePoint(to), turn, false, place);
+  m_machine.arc(turn, to, profilePoint(centre), place);
+}
+
+// G90, G92, G94: in, along, out and back. Modal: the next X or Z makes the next pass.
+void FanucRun::boxCycle(int number, const ProgramPlace& place) {
+  if (m_machine.isCompensated())
+    refuse(place, "G" + std::to_string(number), "it is not possible with nose compensation", "Write G40 before it.");
+  const ProfilePoint start = m_machine.at();
+  const ProfilePoint given = target();
+  if (code(Motion)) {
+    m_boxTarget = given;
+    m_boxTaper = 0.0;
+  }
+  if (has('X') || has('U')) m_boxTarget.x() = given.x();
+  if (has('Z') || has('W')) m_boxTarget.y() = given.y();
+  if (const ProgramWord* const r = word('R')) m_boxTaper = m_machine.unit() * r->number;
+  const ProfilePoint to = m_boxTarget;
+  if (number == 94) {
+    m_machine.rapid({start.x(), to.y() + m_boxTaper}, place);
+    m_machine.feed(to, place);
+    m_machine.feed({to.x(), start.y()}, place);
+    m_machine.rapid(start, place);
+    return;
+  }
+  m_machine.rapid({to.x() + m_boxTaper, start.y()}, place);
+  if (number == 90) {
+    m_machine.feed(to, place);
+    m_machine.feed({start.x(), to.y()}, place);
+  } else {
+    const ProgramWord* const f = word('F');
+    if (f) m_cycleLead = m_machine.unit() * f->number;
+    if (!(m_cycleLead > 0.0)) refuse(place, "G92", "the lead is missing", "Write F, the way for one revolution.");
+    m_machine.thread(to, m_cycleLead * std::hypot(1.0, m_boxTaper / std::max(1e-9, std::abs(start.y() - to.y()))),
+                     place);
+    m_machine.rapid({start.x(), to.y()}, place);
+  }
+  m_machine.rapid(start, place);
+}
+
+// G81, G82, G83 on the face. R is the place where it begins to feed, from where the tool is.
+void FanucRun::drill(int number, const ProgramPlace& place) {
+  const ProfilePoint start = m_machine.at();
+  const ProfilePoint to = target();
+  DrillCycle cycle;
+  cycle.radius = to.x();
+  cycle.depth = to.y();
+  cycle.end = start.y();
+  const ProgramWord *const r = word('R'), *const q = word('Q'), *const p = word('P');
+  cycle.retract = r ? m_machine.unit() * r->number : start.y();
+  if (q) cycle.peck = increment(*q);
+  cycle.isDeep = true;
+  if (p) cycle.dwell = p->hasPoint ? p->number : 1e-3 * p->number;
+  if (number == 83 && !(cycle.peck > 0.0)) refuse(place, "G83", "the step Q is missing", "Write Q.");
+  if (cycle.depth > cycle.retract) refuse(place, "G" + std::to_string(number), "Z is above R", "Correct Z or R.");
+  cycle.run(m_machine, place);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/ProgramRun.h"
+
+namespace handwheel {
+
+// A run of a program for a lathe with a Fanuc control: G-code system A (X and Z absolute, U and W from where the tool
+// is, G90, G92 and G94 are cycles), Macro B as far as docs/programs.md says. X and U are diameters; I, K and R are not.
+class FanucRun : public ProgramRun {
+ public:
+  FanucRun(std::string_view text, const ProgramSetup& setup, Progress progress);
+
+  // The groups of G codes: of each a line has at most one, except of the codes for this line alone.
+  enum Group { Once, Motion, Spindle, FeedMode, Units, Nose, Drilling, System, Other, kGroups };
+  struct Code {
+    int number;
+    Group group;
+  };
+
+ protected:
+  void readLine(std::uint32_t i, ProgramScanner& scanner) override;
+  std::optional<ProgramValue> systemVariable(int number) const override;
+
+ private:
+  // What the first of two lines of a cycle sets, in mm.
+  struct CycleSettings {
+    double depth = 1.0, retract = 0.5;        // G71, G72
+    ProfilePoint relief{0, 0};                // G73: (r, z)
+    int passes = 1;                           // G73
+    double peckRetract = 0.5;                 // G74, G75
+    int threadPasses = 1, threadChamfer = 0;  // G76: of the last depth; tenths of the lead
+    double threadAngle = 60.0, threadLeast = 0.0, threadLast = 0.0;
+  };
+
+  // Macro B.
+  bool runMacro(std::uint32_t i, ProgramScanner& scanner);
+  void runLoop(const ProgramOutline::Statement& statement, std::uint32_t i);
+  void goTo(std::uint32_t i, ProgramScanner& scanner);
+  void callMacro(const ProgramBlock& block, const ProgramWord& g);
+
+  // Words.
+  void execute(const ProgramBlock& block);
+  void sortCodes(const ProgramBlock& block);
+  const ProgramWord* code(int group) const { return m_codes[static_cast<std::size_t>(group)]; }
+  int codeOf(int group) const;  // -1: none
+  void runModes();
+  void setTool();
+  void compensation(int number, const ProgramWord& g);
+  void runM(const ProgramBlock& block, bool isAfterMotion);
+  void runOnce(const ProgramBlock& block, int number, const ProgramWord& g);
+  void home(int number, const ProgramWord& g);
+  void setCoordinates(const ProgramWord& g);
+  void moveInMachine(const ProgramWord& g);
+  void runMotion(const ProgramBlock& block);
+  void arc(int turn, const ProgramPlace& place);
+  void boxCycle(int number, const ProgramPlace& place);
+  void drill(int number, const ProgramPlace& place);
+  bool hasAxis() const { return has('X') || has('U') || has('Z') || has('W'); }
+  ProfilePoint target();  // in mm, from X or U, Z or W
+  // A length without a decimal point is in the least increment: 0.001 mm or 0.0001 inch.
+  double increment(const ProgramWord& w) const;
+
+  // Cycles over a contour between two line numbers.
+  struct Contour {
+    std::uint32_t begin = 0, end = 0;  // lines
+    std::vector<ContourSegment> segments;
+  };
+  Contour contourOf(const ProgramWord& g);
+  void collect(const ProgramBlock& block);
+  void finish(const ProgramWord& g);
+  void rough(int number, const ProgramWord& g);
+  void repeatPattern(const ProgramWord& g);
+  void peck(int number, const ProgramWord& g);
+  void threadCycle(const ProgramWord& g);
+  void goBehind(const Contour& contour);
+
+  std::array<const ProgramWord*, kGroups> m_codes{};
+  CycleSettings m_cycle;
+  ProfilePoint m_boxTarget{0, 0};  // of G90, G92, G94: modal
+  double m_boxTaper = 0.0, m_cycleLead = 0.0;
+  std::size_t m_contourCuts = 0;  // segments of m_contour up to the last that is not rapid
+  bool m_hasProgram = false;      // its number was read
+};
+
+}  // namespace handwheel

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/ProgramRun.h"
+
+namespace handwheel {
+
+// A run of a program for LinuxCNC 2.9. The order of what a line does is that of its documentation, "Order of
+// Execution".
+class LinuxCncRun : public ProgramRun {
+ public:
+  using ProgramRun::ProgramRun;
+
+  // The modal groups of G codes: of each a line has at most one.
+  enum Group {
+    NonModal,
+    Motion,
+    Plane,
+    Distance,
+    ArcDistance,
+    Feed,
+    Units,
+    Nose,
+    ToolLength,
+    Return,
+    System,
+    Path,
+    Spindle,
+    Lathe,
+    InMachine,
+    kGroups
+  };
+  struct Code {
+    int number;  // times 10
+    Group group;
+  };
+
+ protected:
+  void readLine(std::uint32_t i, ProgramScanner& scanner) override;
+  std::optional<ProgramValue> systemVariable(int number) const override;
+  std::optional<double> systemVariable(const std::string& name) const override;
+
+ private:
+  using Keyword = ProgramOutline::Keyword;
+  struct Drilling {
+    double depth = 0.0, retract = 0.0, peck = 0.0, dwell = 0.0;  // mm, s
+  };
+
+  // Flow.
+  void runStatement(std::uint32_t i, const ProgramOutline::Statement& statement);
+  void runBranch(std::uint32_t i, const ProgramOutline::Statement& statement);
+  void runLoop(std::uint32_t i, const ProgramOutline::Statement& statement);
+  void leaveLoop(std::uint32_t i, const ProgramOutline::Statement& statement, bool isAgain);
+  void beginCall(const ProgramOutline::Statement& statement, ProgramScanner& scanner, const ProgramPlace& place);
+  double condition(std::uint32_t i, const ProgramOutline::Statement& statement);
+
+  // Words.
+  void execute(const ProgramBlock& block);
+  void sortCodes(const ProgramBlock& block);
+  const ProgramWord* code(int group) const { return m_codes[static_cast<std::size_t>(group)]; }
+  int codeOf(int group) const;  // times 10; -1: none
+  void setFeedAndSpeed(const ProgramBlock& block);
+  void runToolAndSpindle(const ProgramBlock& block);
+  void runModes();
+  void runModes2();
+  void compensation(int code, const ProgramWord& g);
+  void toolLength(int code, const ProgramWord& g);
+  void runNonModal(int code, const ProgramWord& g);
+  void home(int code, const ProgramWord& g);
+  void setOffsets(int code, const ProgramWord& g);
+  void setCoordinates(const ProgramWord& g);
+  void runMotion(const ProgramBlock& block);
+  void move(int code, const ProgramPlace& place);
+  void straightInMachine(int code, const ProgramWord& g);
+  void runStops(const ProgramBlock& block);
+  ProfilePoint target();
+
+  // Cycles.
+  void contourCycle(int code, const ProgramWord& g);
+  void collect(const ProgramBlock& block);
+  void threadCycle(const ProgramWord& g);
+  void drill(int code, const ProgramPlace& place);
+
+  std::array<const ProgramWord*, kGroups> m_codes{};
+  Drilling m_drilling;
+};
+
+}  // namespace handwheel

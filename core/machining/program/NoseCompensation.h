@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/ProgramErrors.h"
+#include "machining/program/ToolPath.h"
+
+#include <complex>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// The plane of a lathe as complex numbers: z + i·r.
+using PlanePoint = std::complex<double>;
+
+inline PlanePoint planePoint(const ProfilePoint& p) {
+  return {p.y(), p.x()};
+}
+inline ProfilePoint profilePoint(const PlanePoint& p) {
+  return {p.imag(), p.real()};
+}
+
+// Nose compensation (G41, G42): from the contour that is programmed to the path of the tool tip.
+//
+// A move is held back until the next one is known: in a concave corner it ends where the two offset moves meet; at a
+// convex corner an arc around it is put between. A corner that the nose cannot enter is refused (ProgramRefusal). The
+// rules, with the tolerance for a corner, are those of LinuxCNC 2.9 (interp_convert.cc, Chris Radek's queue), so that a
+// path is the same as on such a machine; Fanuc's differ in how a move in and out of compensation is made.
+class NoseCompensation {
+ public:
+  // What is held back: a move with everything but its places.
+  struct Step {
+    ToolMove modal;
+    PlanePoint to, centre;  // of the tip
+    ProgramPlace place;
+  };
+  using Emit = std::function<void(const Step&)>;
+
+  explicit NoseCompensation(Emit emit) : m_emit(std::move(emit)) {}
+
+  bool isOn() const { return m_side != 0; }
+
+  // side: 1 the tool is left of the contour (G41), -1 right (G42). radius: mm, > 0. tip: from the centre of the nose to
+  // the tip, in radii. at: where the tip is.
+  void begin(int side, double radius, const ProfilePoint& tip, const PlanePoint& at);
+  // Straight, or an arc that begins where the contour is (the first one: where the tip is). modal.turn says which.
+  void move(const Step& programmed);
+  void placeNose(const PlanePoint& centre) { m_centre = centre; }
+  // Emits what is held back. Returns the end of the contour.
+  PlanePoint end();
+
+ private:
+  struct Held {
+    Step step;               // of the centre of the nose
+    PlanePoint direction{};  // of a straight move as programmed; 0: may turn
+    double sweep = 0.0;      // of an arc as programmed; 0: may change
+  };
+  struct Corner;
+
+  bool isInside(int turn) const { return m_side * turn > 0; }
+  void hold(Held held) { m_held.push_back(std::move(held)); }
+  void flush();
+  void endHeldAt(const PlanePoint& corner, const ProgramPlace& place);
+  void enter(const Step& programmed);
+  void enterByArc(const Step& programmed);
+  void line(const Step& programmed);
+  void arc(const Step& programmed);
+  void roundCorner(const Step& programmed, const PlanePoint& to);
+  PlanePoint cornerOfLines(const PlanePoint& direction, double beta, const ProgramPlace& place) const;
+  PlanePoint cornerFromArc(const PlanePoint& to, const ProgramPlace& place) const;
+  PlanePoint cornerToArc(const Step& programmed, double theta, double beta) const;
+  PlanePoint cornerOfArcs(const Step& programmed) const;
+
+  Emit m_emit;
+  int m_side = 0;
+  double m_radius = 0.0;
+  PlanePoint m_tip;  // from the centre of the nose to the tip
+  bool m_isFirst = false;
+  PlanePoint m_contour;  // programmed
+  PlanePoint m_centre;   // of the nose, as if nothing followed
+  std::vector<Held> m_held;
+  std::optional<PlanePoint> m_heldFrom;  // where the held moves begin
+};
+
+}  // namespace handwheel

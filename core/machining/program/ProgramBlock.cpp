@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramBlock.h"
+
+#include "base/NumberText.h"
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kLargest = 1e9;  // of any number in a word
+
+struct Assignment {
+  int number = 0;
+  std::string name;
+  ProgramValue value;
+  ProgramPlace place;
+};
+
+Assignment readAssignment(ProgramScanner& scanner, const ProgramVariables& variables, ProgramDialect dialect) {
+  Assignment set;
+  set.place = scanner.place();
+  scanner.take();  // #
+  ProgramExpression expression(scanner, variables, dialect);
+  if (scanner.peek() == '<')
+    set.name = scanner.name();
+  else
+    set.number = expression.variableNumber();
+  scanner.expect('=', "Write #number=value.");
+  set.value = dialect == ProgramDialect::Fanuc ? expression.expression() : expression.value();
+  if (set.number == 0 && set.name.empty())
+    refuse(set.place, "#0", "this variable is always vacant", "Use another number.");
+  return set;
+}
+
+ProgramWord readWord(ProgramScanner& scanner, const ProgramVariables& variables, ProgramDialect dialect,
+                     bool& isVacant) {
+  ProgramWord word;
+  word.place = scanner.place();
+  word.letter = scanner.peek();
+  if (!scanner.nextIsLetter())
+    refuse(word.place, scanner.token(), "no word begins with this", "Remove it, or put it in a comment.");
+  scanner.take();
+  const std::size_t begin = scanner.at();
+  const std::string digits = scanner.token();
+  const ProgramValue value = ProgramExpression(scanner, variables, dialect).value();
+  word.number = value.number;
+  isVacant = value.isVacant;
+  const bool isPlain = !digits.empty() && (isDigit(digits[0]) || digits[0] == '-' || digits[0] == '+');
+  word.hasPoint = !isPlain || digits.find('.') != std::string::npos || scanner.at() == begin;
+  if (!(std::abs(word.number) <= kLargest))
+    refuse(word.place, word.text(), "the number is too large", "Numbers may have up to nine digits before the point.");
+  return word;
+}
+
+}  // namespace
+
+std::string ProgramWord::text() const {
+  return letter + roundedText(number);
+}
+
+const ProgramWord* ProgramBlock::find(char letter) const {
+  for (const ProgramWord& word : words)
+    if (word.letter == letter) return &word;
+  return nullptr;
+}
+
+double ProgramBlock::number(char letter, double otherwise) const {
+  const ProgramWord* const word = find(letter);
+  return word ? word->number : otherwise;
+}
+
+ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, ProgramDialect dialect) {
+  ProgramBlock block;
+  block.place = scanner.place();
+  std::vector<Assignment> assignments;
+  while (scanner.peek() != '\0') {
+    if (scanner.peek() == '#') {
+      assignments.push_back(readAssignment(scanner, variables, dialect));
+      continue;
+    }
+    if (block.words.size() >= ProgramBlock::kMostWords)
+      refuse(scanner.place(), scanner.token(), "the line has too many words", "Divide it over several lines.");
+    bool isVacant = false;
+    const ProgramWord word = readWord(scanner, variables, dialect, isVacant);
+    if (isVacant || word.letter == 'N') continue;
+    if (word.letter != 'G' && word.letter != 'M' && block.has(word.letter))
+      refuse(word.place, word.text(), "this letter stands twice in the line", "Remove one of them.");
+    block.words.push_back(word);
+  }
+  for (const Assignment& set : assignments) {
+    if (set.name.empty())
+      variables.set(set.number, set.value, set.place);
+    else
+      variables.set(set.name, set.value.number, set.place);
+  }
+  return block;
+}
+
+}  // namespace handwheel

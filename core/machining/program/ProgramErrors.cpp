@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramErrors.h"
+
+namespace handwheel {
+
+const ErrorDescription ProgramError::Refused{.id = "ProgramRefused",
+                                             .sentences = {translatable("ErrorText", "column %1, %2: %3")},
+                                             .advice = {translatable("ErrorText", "%4 Then run the program again.")}};
+
+const ErrorDescription ProgramError::Endless{
+    .id = "ProgramEndless",
+    .sentences = {translatable("ErrorText", "the program did not end after %1 blocks")},
+    .advice = {translatable("ErrorText", "Look for a loop whose condition never becomes false.")}};
+
+const ErrorDescription ProgramError::TooManyMoves{
+    .id = "ProgramTooManyMoves",
+    .sentences = {translatable("ErrorText", "the tool path has more than %1 moves")},
+    .advice = {translatable("ErrorText", "Take a larger depth of cut, or divide the program.")}};
+
+void refuse(const ProgramPlace& place, const std::string& word, const std::string& reason, const std::string& remedy) {
+  constexpr std::size_t kMostShown = 40;
+  std::string shown = word.substr(0, kMostShown);
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+  throw ProgramRefusal{{ProgramError::Refused,
+                        {std::to_string(place.column), shown, reason, remedy},
+                        InputPosition::line(place.line),
+                        {}}};
+}
+
+}  // namespace handwheel

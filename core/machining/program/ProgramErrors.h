@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+#include <string>
+
+// The codes of errors of lathe programs. Their position is the line.
+namespace handwheel::ProgramError {
+
+extern const ErrorDescription Refused;       // {column, word, what is wrong with it, what to do}
+extern const ErrorDescription Endless;       // {blocks} more were executed than any program has
+extern const ErrorDescription TooManyMoves;  // {moves}
+
+}  // namespace handwheel::ProgramError
+
+namespace handwheel {
+
+// A place in the text of a program, both from 1. Columns count bytes.
+struct ProgramPlace {
+  std::uint32_t line = 0, column = 0;
+};
+
+// An error on its way out of the interpreter; thrown and caught inside this folder only.
+struct ProgramRefusal {
+  Error error;
+};
+
+// Throws the refusal of a word. reason goes after "word: "; remedy is a whole sentence.
+[[noreturn]] void refuse(const ProgramPlace& place, const std::string& word, const std::string& reason,
+                         const std::string& remedy);
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "machining/program/ProgramSetup.h"
+#include "machining/program/ToolPath.h"
+
+#include <string_view>
+
+namespace handwheel {
+
+// Runs a lathe program: G-code in the dialect of LinuxCNC 2.9 or of Fanuc, system A. docs/programs.md has the words.
+//
+// The text is hostile input: its size, its loops and its moves are limited. Every word that is not understood is
+// refused with its line and column. Errors: Refused, Endless, TooManyMoves, FileTooLarge, Cancelled. Cost: linear in
+// the blocks executed, about a microsecond for each. Thread: any.
+Result<ToolPath> runProgram(std::string_view text, const ProgramSetup& setup, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/NoseCompensation.h"
+#include "machining/program/ProgramSetup.h"
+
+#include <array>
+
+namespace handwheel {
+
+// The lathe that a program drives: its modal state, its offsets and where the tool is. Writes the tool path.
+//
+// Lengths are mm, radii not diameters, whatever the program uses. Points are (r, z) in the coordinates of the program:
+// those of the active system (G54...), shifted by G92 and the offset of the tool.
+class ProgramMachine {
+ public:
+  static constexpr double kInch = 25.4;
+  static constexpr int kSystems = 9;  // G54 to G59, G59.1 to G59.3
+  enum class FeedMode { PerMinute, PerRevolution, InverseTime };
+
+  struct Modal {
+    bool isInch = false;
+    bool isDiameter = false;
+    bool isIncremental = false;  // G91 of LinuxCNC
+    bool isArcAbsolute = false;  // G90.1
+    bool isDrillPlane = false;   // G17: only straight moves and drilling
+    bool returnsToStart = true;  // G98 of LinuxCNC: a drilling cycle ends where it began
+    FeedMode feedMode = FeedMode::PerMinute;
+    double feed = 0.0;  // mm/min, mm per revolution or 1/min
+    int motion = -1;    // the G code of motion times 10; -1 none
+    bool isSurfaceSpeed = false;
+    double spindle = 0.0;      // r/min or m/min
+    double mostSpindle = 0.0;  // r/min; 0: none
+    int spin = 0;              // 1 M3, -1 M4
+    int tool = 0, selectedTool = 0;
+    bool hasFlood = false, hasMist = false;
+  };
+
+  ProgramMachine(const ProgramSetup& setup, ToolPath& path);
+
+  Modal modal;
+
+  // mm in one unit of the program.
+  double unit() const { return modal.isInch ? kInch : 1.0; }
+  double radius(double x) const { return unit() * (modal.isDiameter ? 0.5 * x : x); }
+
+  const ProfilePoint& at() const { return m_at; }  // as programmed, without compensation
+  bool isCompensated() const { return m_compensation.isOn(); }
+
+  // Moves. A feed without speed or feed rate is refused (ProgramRefusal).
+  void rapid(const ProfilePoint& to, const ProgramPlace& place) { straight(ToolMove::Kind::Rapid, to, place); }
+  void feed(const ProfilePoint& to, const ProgramPlace& place) { straight(ToolMove::Kind::Feed, to, place); }
+  void arc(int turn, const ProfilePoint& to, const ProfilePoint& centre, const ProgramPlace& place);
+  // A pass of a thread. pitch: mm along the move for each revolution.
+  void thread(const ProfilePoint& to, double pitch, const ProgramPlace& place);
+  void dwell(double seconds, const ProgramPlace& place);
+
+  // side: 1 left, -1 right of the contour. radius: mm; 0 switches nothing on.
+  void compensate(int side, double radius, const ProfilePoint& tip, const ProgramPlace& place);
+  void endCompensation();
+  // Takes the centre of the nose to be here, for the next corner.
+  void placeNose(const ProfilePoint& centre) { m_compensation.placeNose(planePoint(centre)); }
+
+  // In the coordinates of the program: a point of the machine's own system, its zero being the reference.
+  ProfilePoint fromMachine(const ProfilePoint& p) const { return p - m_systems[m_system] - m_shift - m_toolOffset; }
+  ProfilePoint toMachine(const ProfilePoint& p) const { return p + m_systems[m_system] + m_shift + m_toolOffset; }
+  std::array<ProfilePoint, 2> home{ProfilePoint(0, 0), ProfilePoint(0, 0)};  // of G28 and G30, in machine coordinates
+
+  void selectSystem(int index);
+  int system() const { return m_system; }
+  const ProfilePoint& systemOffset(int index) const { return m_systems[index]; }
+  void setSystem(int index, const ProfilePoint& offset);
+  const ProfilePoint& shift() const { return m_shift; }
+  void setShift(const ProfilePoint& shift);  // G92, G52; the tool stays where it is
+  void changeTool(int number);
+  const ProfilePoint& toolOffset() const { return m_toolOffset; }
+  void setToolOffset(const ProfilePoint& offset);
+  void addTime(double seconds) { m_path.time += seconds; }
+
+ private:
+  void straight(ToolMove::Kind kind, const ProfilePoint& to, const ProgramPlace& place);
+  ToolMove moveOf(ToolMove::Kind kind, double length, const ProgramPlace& place) const;
+  void go(const NoseCompensation::Step& step);    // through compensation
+  void emit(const NoseCompensation::Step& step);  // the path of the tip
+  ProfilePoint partPoint(const ProfilePoint& p) const { return p + m_systems[m_system] + m_shift + m_setup.reference; }
+
+  const ProgramSetup& m_setup;
+  ToolPath& m_path;
+  NoseCompensation m_compensation;
+  std::array<ProfilePoint, kSystems> m_systems;
+  int m_system = 0;
+  ProfilePoint m_shift{0, 0}, m_toolOffset{0, 0};
+  ProfilePoint m_at{0, 0};       // programmed
+  ProfilePoint m_tip{0, 0};      // where the tip is, in the same coordinates
+  bool m_needsStraight = false;  // the move after compensation
+};
+
+}  // namespace handwheel

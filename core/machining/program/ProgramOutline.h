@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/ProgramScanner.h"
+#include "machining/program/ProgramSetup.h"
+
+#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace handwheel {
+
+// The structure of a program, read before it runs: its lines, O words, loops and line numbers. It refers to the text.
+class ProgramOutline {
+ public:
+  static constexpr std::size_t kMostBytes = std::size_t{64} << 20, kMostLines = 2'000'000, kLongestLine = 4096;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  enum class Keyword {
+    Sub,
+    EndSub,
+    Call,
+    Return,
+    If,
+    ElseIf,
+    Else,
+    EndIf,
+    While,
+    EndWhile,
+    Do,
+    DoWhile,
+    Repeat,
+    EndRepeat,
+    Break,
+    Continue,
+    Program,  // a program number of Fanuc
+    FanucWhile,
+    FanucEnd
+  };
+
+  // A line with an O word, or a loop of Fanuc. Lines count from 0 here.
+  struct Statement {
+    Keyword keyword;
+    std::string label;
+    std::size_t rest = 0;        // byte behind the keyword
+    std::uint32_t head = kNone;  // first line of the loop or condition
+    std::uint32_t next = kNone;  // of a condition: its next branch
+    std::uint32_t end = kNone;   // its last line
+  };
+
+  // Throws ProgramRefusal, also for what is too large.
+  ProgramOutline(std::string_view text, ProgramDialect dialect);
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(m_lines.size()); }
+  std::string_view line(std::uint32_t i) const { return m_lines[i]; }
+  const Statement* statement(std::uint32_t i) const;
+
+  // The line that begins a subprogram, or kNone.
+  std::uint32_t subprogram(const std::string& label) const;
+  // The first line after `from` with this N number, or else the first of all; kNone.
+  std::uint32_t numbered(int n, std::uint32_t from) const;
+
+ private:
+  void split(std::string_view text);
+  void readLine(std::uint32_t i, ProgramDialect dialect);
+  void readO(ProgramScanner& scanner, std::uint32_t i, ProgramDialect dialect);
+  void readFanucLoop(std::uint32_t i);
+  void link();
+  void close(std::uint32_t i, Statement& statement);
+  Statement& add(std::uint32_t i, Keyword keyword, std::string label, std::size_t rest);
+
+  std::vector<std::string_view> m_lines;
+  std::map<std::uint32_t, Statement> m_statements;
+  std::map<std::string, std::uint32_t> m_subs;
+  std::unordered_map<int, std::vector<std::uint32_t>> m_numbered;
+  std::map<std::string, std::vector<std::uint32_t>> m_open;  // while linking: by label
+};
+
+}  // namespace handwheel

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "machining/program/ContourCycle.h"
+#include "machining/program/ProgramBlock.h"
+#include "machining/program/ProgramMachine.h"
+#include "machining/program/ProgramOutline.h"
+
+namespace handwheel {
+
+// A run of a program: what both dialects share. Its parts throw ProgramRefusal.
+class ProgramRun {
+ public:
+  ProgramRun(std::string_view text, const ProgramSetup& setup, Progress progress);
+  virtual ~ProgramRun() = default;
+  ProgramRun(const ProgramRun&) = delete;
+  ProgramRun& operator=(const ProgramRun&) = delete;
+
+  ToolPath run();
+
+ protected:
+  static constexpr std::size_t kDeepest = 100;  // calls in calls
+  static constexpr std::uint32_t kNone = ProgramOutline::kNone;
+
+  struct Cancelled {};
+
+  struct Frame {
+    std::uint32_t returnTo = 0;
+    std::uint32_t begin = 0;  // its first line
+    int repeats = 0;          // of the whole subprogram that are still to come
+    bool hasOwnVariables = true;
+    std::map<std::uint32_t, int> loops;  // how often a repeat is still to run
+    std::optional<ProgramMachine::Modal> saved;
+    bool restores = false;  // saved, on return
+  };
+
+  // One line that is not empty and not skipped.
+  virtual void readLine(std::uint32_t i, ProgramScanner& scanner) = 0;
+  virtual std::optional<ProgramValue> systemVariable(int) const { return {}; }
+  virtual std::optional<double> systemVariable(const std::string&) const { return {}; }
+
+  void runTo(std::uint32_t end);
+  // Runs a subprogram to its end, or the lines up to `end`, while a block is executed; goes on behind the block.
+  void runInside(std::uint32_t begin, const ProgramPlace& place);
+  void runLines(std::uint32_t begin, std::uint32_t end);
+  void call(std::uint32_t begin, const std::vector<ProgramValue>& arguments, int repeats, bool hasOwnVariables,
+            const ProgramPlace& place);
+  void returnFromCall();
+  ProgramValue valueIn(ProgramScanner& scanner) {
+    return ProgramExpression(scanner, m_variables, m_setup.dialect).value();
+  }
+
+  // A block, whose words count as understood once they are asked for.
+  void begin(const ProgramBlock& block);
+  const ProgramWord* word(char letter);
+  bool has(char letter) const { return m_block->has(letter); }
+  double number(char letter, double otherwise);
+  double needed(char letter, const ProgramWord& code, const char* meaning);
+  int whole(const ProgramWord& word, int least, int most) const;
+  void refuseUnread() const;
+
+  // The angle and lengths of an arc: I, K or R.
+  PlanePoint arcCentre(const PlanePoint& from, const PlanePoint& to, int turn, bool isAbsolute,
+                       const ProgramPlace& place);
+  void setSpindle(double speed);
+  bool runCommonM(int code, const ProgramWord& m);
+  void note(const ProgramPlace& place, std::string text);
+  CycleOutput cycleOutput(const ProgramPlace& place, double unit);
+
+  const ProgramSetup& m_setup;
+  Progress m_progress;
+  ToolPath m_path;
+  ProgramOutline m_outline;
+  ProgramVariables m_variables;
+  ProgramMachine m_machine;
+  std::vector<Frame> m_frames;
+  std::uint32_t m_next = 0;  // line
+  bool m_isDone = false;
+  std::vector<ContourSegment>* m_contour = nullptr;  // moves are collected here instead of made
+  PlanePoint m_contourEnd;
+
+ private:
+  void step();
+  const ProgramBlock* m_block = nullptr;
+  std::uint32_t m_read = 0;  // letters of the block, as bits
+};
+
+}  // namespace handwheel

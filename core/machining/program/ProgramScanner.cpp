@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramScanner.h"
+
+#include "base/NumberText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kLongestName = 80;
+
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+char capital(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+bool isLetter(char c) {
+  return capital(c) >= 'A' && capital(c) <= 'Z';
+}
+
+}  // namespace
+
+void ProgramScanner::skip() {
+  while (m_at < m_text.size()) {
+    if (isBlank(m_text[m_at])) {
+      ++m_at;
+    } else if (m_text[m_at] == ';') {
+      m_at = m_text.size();
+    } else if (m_text[m_at] == '(') {
+      const std::size_t end = m_text.find(')', m_at);
+      if (end == std::string_view::npos)
+        refuse({m_line, static_cast<std::uint32_t>(m_at + 1)}, "(", "the comment does not end in this line",
+               "Close the comment with ).");
+      m_at = end + 1;
+    } else {
+      return;
+    }
+  }
+}
+
+char ProgramScanner::peek() {
+  skip();
+  return m_at < m_text.size() ? capital(m_text[m_at]) : '\0';
+}
+
+bool ProgramScanner::takeIf(char c) {
+  if (peek() != c) return false;
+  ++m_at;
+  return true;
+}
+
+bool ProgramScanner::takeIf(std::string_view word) {
+  skip();
+  if (m_text.size() - m_at < word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if (capital(m_text[m_at + i]) != word[i]) return false;
+  m_at += word.size();
+  return true;
+}
+
+bool ProgramScanner::nextIsLetter() {
+  return isLetter(peek());
+}
+
+bool ProgramScanner::nextIsNumber() {
+  return isDigit(peek()) || peek() == '.';
+}
+
+double ProgramScanner::number() {
+  const ProgramPlace begin = place();
+  const std::size_t from = m_at;
+  while (m_at < m_text.size() && (isDigit(m_text[m_at]) || m_text[m_at] == '.')) ++m_at;
+  double value = 0.0;
+  ErrorCode why;
+  const std::string_view word = m_text.substr(from, m_at - from);
+  if (word.empty() || word == "." || !parseDecimal(word, value, why) || !std::isfinite(value))
+    refuse(begin, word.empty() ? token() : std::string(word), "a number is expected here",
+           "Write a number such as 12.5.");
+  return value;
+}
+
+std::string ProgramScanner::name() {
+  const ProgramPlace begin = place();
+  expect('<', "Write the name in angle brackets.");
+  std::string text;
+  for (; m_at < m_text.size() && m_text[m_at] != '>'; ++m_at) {
+    const char c = m_text[m_at];
+    if (!isBlank(c)) text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  if (m_at == m_text.size() || text.empty() || text.size() > kLongestName)
+    refuse(begin, "<" + text, "this is not a name", "A name has 1 to 80 characters and ends with >.");
+  ++m_at;
+  return text;
+}
+
+void ProgramScanner::expect(char c, const char* remedy) {
+  if (takeIf(c)) return;
+  const std::string found = token();
+  refuse(place(), found.empty() ? "end of the line" : found, std::string("'") + c + "' is expected here", remedy);
+}
+
+ProgramPlace ProgramScanner::place() {
+  skip();
+  return {m_line, static_cast<std::uint32_t>(m_at + 1)};
+}
+
+std::string ProgramScanner::token() {
+  skip();
+  std::size_t end = m_at;
+  if (end < m_text.size()) ++end;
+  while (end < m_text.size() && (isDigit(m_text[end]) || m_text[end] == '.')) ++end;
+  return std::string(m_text.substr(m_at, end - m_at));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramSetup.h"
+
+#include "base/NumberText.h"
+#include "machining/program/ProgramErrors.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kMostTools = 1000;
+constexpr const char* kToolRemedy = "Write a line as T1 P1 X0 Z0 D0.8 Q2.";
+
+// Reads the next word of a tool line; false at its end.
+bool nextWord(std::string_view line, std::size_t& at, char& letter, double& number, const ProgramPlace& start) {
+  while (at < line.size() && (line[at] == ' ' || line[at] == '\t' || line[at] == '\r')) ++at;
+  if (at == line.size() || line[at] == ';') return false;
+  const std::size_t begin = at;
+  letter = line[at++];
+  while (at < line.size() && (isDigit(line[at]) || line[at] == '+' || line[at] == '-' || line[at] == '.')) ++at;
+  ErrorCode why;
+  if (!parseDecimal(line.substr(begin + 1, at - begin - 1), number, why) || !std::isfinite(number) ||
+      std::abs(number) > 1e6)
+    refuse({start.line, static_cast<std::uint32_t>(begin + 1)}, std::string(line.substr(begin, at - begin + 1)),
+           "this is not a word of a tool table", kToolRemedy);
+  return true;
+}
+
+void readToolLine(std::string_view line, std::uint32_t number, std::map<int, ProgramTool>& tools) {
+  ProgramTool tool;
+  int name = -1;
+  std::size_t at = 0;
+  char letter = 0;
+  double value = 0.0;
+  bool isAny = false;
+  while (nextWord(line, at, letter, value, {number, 1})) {
+    isAny = true;
+    switch (letter) {
+      case 'T':
+      case 't':
+        name = static_cast<int>(value);
+        break;
+      case 'D':
+      case 'd':
+        tool.noseRadius = 0.5 * std::abs(value);
+        break;
+      case 'X':
+      case 'x':
+        tool.offset.x() = value;
+        break;
+      case 'Z':
+      case 'z':
+        tool.offset.y() = value;
+        break;
+      case 'Q':
+      case 'q':
+        tool.orientation = static_cast<int>(value);
+        break;
+      default:
+        break;  // pocket, angles of the edges
+    }
+  }
+  if (!isAny) return;
+  if (name < 0 || tools.size() >= kMostTools)
+    refuse({number, 1}, "T", name < 0 ? "the line has no tool number" : "there are too many tools", kToolRemedy);
+  tools[name] = tool;
+}
+
+}  // namespace
+
+ProfilePoint tipDirection(ProgramDialect dialect, int orientation) {
+  // Where LinuxCNC's numbers put the point; Fanuc counts 1 to 4 and 5 to 8 from the other side (system A, tool behind).
+  static const ProfilePoint kLinuxCnc[10] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1},
+                                             {0, 1}, {-1, 0}, {0, -1},  {1, 0},  {0, 0}};
+  static const ProfilePoint kFanuc[10] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
+                                          {0, 1}, {1, 0}, {0, -1}, {-1, 0},  {0, 0}};
+  if (orientation < 0 || orientation > 9) return {0, 0};
+  return dialect == ProgramDialect::Fanuc ? kFanuc[orientation] : kLinuxCnc[orientation];
+}
+
+int outsideOrientation(ProgramDialect dialect) {
+  return dialect == ProgramDialect::Fanuc ? 3 : 2;
+}
+
+const ProgramTool& ProgramSetup::tool(int number) const {
+  const auto found = tools.find(number);
+  return found == tools.end() ? standard : found->second;
+}
+
+Result<std::map<int, ProgramTool>> readToolTable(std::string_view text) {
+  std::map<int, ProgramTool> tools;
+  try {
+    for (std::uint32_t line = 1; !text.empty(); ++line) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      readToolLine(text.substr(0, end), line, tools);
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  } catch (const ProgramRefusal& refusal) {
+    return refusal.error;
+  }
+  return tools;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "nurbs/BezierArc.h"
+
+#include <map>
+#include <string_view>
+
+namespace handwheel {
+
+enum class ProgramDialect { LinuxCnc, Fanuc };
+
+// A tool as the table of a machine has it.
+struct ProgramTool {
+  double noseRadius = 0.0;    // mm; 0: an ideal point
+  int orientation = 0;        // 0…9, in the numbers of the dialect
+  ProfilePoint offset{0, 0};  // mm, (r, z), of the tip
+};
+
+// From the centre of the nose to the point that a program controls, in radii of the nose: (r, z), each -1, 0 or 1.
+// Orientations outside 0…9 are as 0.
+ProfilePoint tipDirection(ProgramDialect dialect, int orientation);
+// The orientation of a tool that turns the outside towards the chuck.
+int outsideOrientation(ProgramDialect dialect);
+
+// The machine on which a program runs.
+struct ProgramSetup {
+  ProgramDialect dialect = ProgramDialect::LinuxCnc;
+  std::map<int, ProgramTool> tools;  // by number
+  ProgramTool standard;              // what any other number has
+  ProfilePoint reference{0, 0};      // mm, (r, z): machine zero, in the coordinates of the part
+  double rapidSpeed = 5000.0;        // mm/min
+  double toolChange = 2.0;           // s
+  std::uint64_t mostBlocks = 5'000'000;
+  std::size_t mostMoves = 2'000'000;
+  bool skipsMarked = false;  // blocks that begin with '/'
+
+  const ProgramTool& tool(int number) const;
+};
+
+// The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Error: Refused.
+Result<std::map<int, ProgramTool>> readToolTable(std::string_view text);
+
+}  // namespace handwheel

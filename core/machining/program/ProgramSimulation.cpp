@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramSimulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kTouch = 1e-3;       // mm: a rapid that takes less only touches
+constexpr double kOnAxis = 1e-6;      // mm
+constexpr double kPiece = 1.0;        // mm, of a straight move, for its forces
+constexpr int kMostPieces = 16;       // of a straight move
+constexpr int kMostArcPieces = 4096;  // of an arc
+constexpr std::size_t kPassPoints = 100'000;
+
+int piecesOf(const ToolMove& move) {
+  if (move.turn == 0) return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), 1, kMostPieces);
+  const double radius = std::max((move.from - move.centre).norm(), 1e-9);
+  const double step = 2.0 * std::acos(std::max(0.0, 1.0 - ProgramSimulation::kChord / radius));
+  return std::clamp(static_cast<int>(std::ceil(std::abs(sweepOf(move)) / std::max(step, 1e-6))), 1, kMostArcPieces);
+}
+
+}  // namespace
+
+ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
+                                     const CuttingForceModel* model)
+    : m_part(std::move(part)), m_path(path), m_setup(setup), m_model(model), m_largest(0.0) {
+  for (std::size_t i = 0; i < m_part.size(); ++i) m_largest = std::max(m_largest, m_part.radius(i));
+}
+
+TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
+  const ProgramTool& tool = m_setup.tool(move.tool);
+  TurningPass shape;
+  shape.noseRadius = tool.noseRadius;
+  const bool isDrilling = move.turn == 0 && move.kind != ToolMove::Kind::Rapid && std::abs(move.from.x()) <= kOnAxis &&
+                          std::abs(move.to.x()) <= kOnAxis;
+  const bool isBoring = tipDirection(m_setup.dialect, tool.orientation).x() > 0.0;
+  if (isDrilling || isBoring) shape.side = TurningSide::Bore;
+  return shape;
+}
+
+bool ProgramSimulation::reachesChuck(const ToolMove& move, double nose) const {
+  const double face = -m_part.length() - kTouch;
+  const double lowest = std::min(move.from.y(), move.to.y()) - nose;
+  const double reach = m_largest + std::max(m_largest, 40.0);  // mm: jaws and body
+  return lowest < face && std::min(move.from.x(), move.to.x()) - nose < reach;
+}
+
+void ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& move) {
+  if (m_collisionCount > 0 && m_lastCollision == move.line) return;  // of one line one
+  m_lastCollision = move.line;
+  if (++m_collisionCount <= kMostCollisions) m_collisions.push_back({kind, move.line, move.to});
+}
+
+ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape, const ProfilePoint& a,
+                                                       const ProfilePoint& b) {
+  Removal removal;
+  const TurnedProfile before = m_part;  // shares its pages
+  const TurnedProfile::Range changed = cut(m_part, shape, a, b);
+  for (std::size_t i = changed.first; i < changed.last; ++i) {
+    const double depth = before.radius(i) - before.inner(i) - (m_part.radius(i) - m_part.inner(i));
+    if (!(depth > 0.0)) continue;
+    removal.area += depth * m_part.spacing();
+    removal.depth = std::max(removal.depth, depth);
+    removal.radius = std::max(removal.radius, shape.side == TurningSide::Bore ? m_part.inner(i) : before.radius(i));
+  }
+  m_changed.extend(changed);
+  return removal;
+}
+
+void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin,
+                               double end) {
+  const bool goesOn = !m_passes.empty() && m_passes.back().noseRadius == shape.noseRadius &&
+                      m_passes.back().side == shape.side && m_passes.back().path.back() == a &&
+                      m_passes.back().path.size() < kPassPoints;
+  if (!goesOn) {
+    m_passes.push_back(shape);
+    m_passes.back().path.push_back(a);
+    m_passes.back().times.push_back(begin);
+  }
+  m_passes.back().path.push_back(b);
+  m_passes.back().times.push_back(std::max(end, m_passes.back().times.back()));
+}
+
+void ProgramSimulation::meet(const ToolMove& move, const Removal& removal, double seconds, double length) {
+  if (!m_model) return;
+  SpindleSetting spindle;
+  spindle.speed = move.isSurfaceSpeed ? move.mostSpindle : move.spindle;
+  spindle.surfaceSpeed = move.isSurfaceSpeed ? move.spindle : 0.0;
+  const bool isSame = m_meter && m_spindle.speed == spindle.speed && m_spindle.surfaceSpeed == spindle.surfaceSpeed;
+  if (!isSame) {
+    m_peaks = peaks();
+    m_spindle = spindle;
+    m_meter.emplace(*m_model, spindle, m_part.spacing());
+  }
+  m_meter->add(length, seconds, removal.area, removal.radius);
+}
+
+ForcePeaks ProgramSimulation::peaks() {
+  if (!m_meter) return m_peaks;
+  const ForcePeaks more = m_meter->finish();
+  ForcePeaks all = more.force > m_peaks.force ? more : m_peaks;
+  all.power = std::max(more.power, m_peaks.power);
+  all.torque = std::max(more.torque, m_peaks.torque);
+  all.isOutsideModel = more.isOutsideModel || m_peaks.isOutsideModel;
+  m_peaks = all;
+  m_meter.reset();
+  return all;
+}
+
+bool ProgramSimulation::step() {
+  if (m_next >= m_path.moves.size()) return false;
+  const ToolMove& move = m_path.moves[m_next++];
+  m_time += move.time;
+  if (move.kind == ToolMove::Kind::Dwell) return true;
+  const TurningPass shape = shapeOf(move);
+  if (reachesChuck(move, shape.noseRadius)) collide(ProgramCollision::Kind::Chuck, move);
+  const ProgramTool& tool = m_setup.tool(move.tool);
+  const ProfilePoint toCentre = -shape.noseRadius * tipDirection(m_setup.dialect, tool.orientation);
+  const ProfilePoint up(0.0, m_part.length());
+  const double reach = m_largest + shape.noseRadius;
+  const int pieces = piecesOf(move);
+  const double length = lengthOf(move) / pieces, seconds = move.time / pieces;
+  double deepest = 0.0;
+  for (int i = 0; i < pieces; ++i) {
+    const ProfilePoint a = pointOn(move, static_cast<double>(i) / pieces) + toCentre + up;
+    const ProfilePoint b = pointOn(move, static_cast<double>(i + 1) / pieces) + toCentre + up;
+    Removal removal;
+    if (std::min(a.x(), b.x()) <= reach && !samplesBelow(a, b, shape.noseRadius).isEmpty())
+      removal = cutPiece(shape, a, b);
+    if (removal.area > 0.0) {
+      const double end = m_time - move.time + seconds * (i + 1);
+      record(shape, a, b, end - seconds, end);
+    }
+    meet(move, removal, seconds, length);
+    deepest = std::max(deepest, removal.depth);
+  }
+  if (move.kind == ToolMove::Kind::Rapid && deepest > kTouch) collide(ProgramCollision::Kind::RapidInMaterial, move);
+  return true;
+}
+
+TurnedProfile::Range ProgramSimulation::samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const {
+  return m_part.samplesUnder(a, b, std::max(nose, m_part.spacing()));
+}
+
+bool ProgramSimulation::run(Progress progress) {
+  constexpr std::size_t kLook = 64;  // moves between two looks at the cancel flag
+  while (step()) {
+    if (m_next % kLook != 0) continue;
+    if (progress.cancelled()) return false;
+    progress.set(static_cast<double>(m_next) / static_cast<double>(m_path.moves.size()));
+  }
+  return !progress.cancelled();
+}
+
+}  // namespace handwheel

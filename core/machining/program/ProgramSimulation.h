@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurningPass.h"
+#include "machining/force/ForcePeaks.h"
+#include "machining/program/ProgramSetup.h"
+#include "machining/program/ToolPath.h"
+
+#include <optional>
+#include <utility>
+
+namespace handwheel {
+
+// What a program did that no machine survives.
+struct ProgramCollision {
+  enum class Kind {
+    RapidInMaterial,  // a rapid move through the part
+    Chuck,            // the tip beyond the face of the chuck
+  };
+  Kind kind = Kind::RapidInMaterial;
+  std::uint32_t line = 0;
+  ProfilePoint at{0, 0};  // mm, (r, z) of the part, where the move ends
+};
+
+// Cuts a part along the tool path of a program, move by move.
+//
+// The upper end of the part is z = 0 of the program; it is gripped at the lower end, where the chuck begins. A tool
+// cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
+// the outside, or the axis for a tool whose tip points outwards. A feed along the axis drills, with the nose for a
+// drill. A rapid move cuts, too, and is a collision where it does. Cost: O(samples below the moves). One thread.
+class ProgramSimulation {
+ public:
+  static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
+  static constexpr double kChord = 1e-4;                // mm, of an arc
+
+  // setup: for the tools. model: of the forces; may be null. Path, setup and model must outlive it.
+  ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
+                    const CuttingForceModel* model = nullptr);
+
+  // The next move; false after the last. Changed samples are added to changed().
+  bool step();
+  // All that are left. Returns false when cancelled.
+  bool run(Progress progress);
+
+  std::size_t done() const { return m_next; }  // moves
+  const TurnedProfile& part() const { return m_part; }
+  TurnedProfile::Range takeChanged() { return std::exchange(m_changed, {}); }
+  double time() const { return m_time; }  // s
+
+  const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
+  std::size_t collisionCount() const { return m_collisionCount; }
+  // The largest force and power so far; zero without a model.
+  ForcePeaks peaks();
+  // The moves that cut, as passes that give the same part again.
+  std::vector<TurningPass> takePasses() { return std::move(m_passes); }
+
+ private:
+  struct Removal {
+    double area = 0.0, depth = 0.0, radius = 0.0;  // mm², mm, mm
+  };
+  TurningPass shapeOf(const ToolMove& move) const;
+  TurnedProfile::Range samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const;
+  Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
+  void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end);
+  void meet(const ToolMove& move, const Removal& removal, double seconds, double length);
+  void collide(ProgramCollision::Kind kind, const ToolMove& move);
+  bool reachesChuck(const ToolMove& move, double nose) const;
+
+  TurnedProfile m_part;
+  const ToolPath& m_path;
+  const ProgramSetup& m_setup;
+  const CuttingForceModel* m_model;
+  double m_largest;  // mm, radius of the part at first
+  std::size_t m_next = 0;
+  double m_time = 0.0;
+  TurnedProfile::Range m_changed;
+  std::vector<ProgramCollision> m_collisions;
+  std::size_t m_collisionCount = 0;
+  std::uint32_t m_lastCollision = 0;  // line
+  std::vector<TurningPass> m_passes;
+  std::optional<ForcePeakMeter> m_meter;
+  SpindleSetting m_spindle;
+  ForcePeaks m_peaks;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramVariables.h"
+
+namespace handwheel {
+
+namespace {
+
+constexpr const char* kFewer = "Use fewer variables.";
+
+bool isGlobalName(const std::string& name) {
+  return name.starts_with('_');
+}
+
+}  // namespace
+
+void ProgramVariables::setSystem(System numbers, NamedSystem names) {
+  m_system = std::move(numbers);
+  m_namedSystem = std::move(names);
+}
+
+ProgramValue ProgramVariables::get(int number) const {
+  if (m_system)
+    if (const std::optional<ProgramValue> value = m_system(number)) return *value;
+  const auto& values = number <= m_localCount ? m_frames.back().numbers : m_global;
+  const auto found = values.find(number);
+  return found == values.end() ? ProgramValue{0.0, m_isVacant} : found->second;
+}
+
+void ProgramVariables::set(int number, ProgramValue value, const ProgramPlace& place) {
+  if (m_system && m_system(number))
+    refuse(place, "#" + std::to_string(number), "this variable belongs to the machine and can only be read",
+           "Use another number.");
+  auto& values = number <= m_localCount ? m_frames.back().numbers : m_global;
+  if (values.size() >= kMost) refuse(place, "#" + std::to_string(number), "there are too many variables", kFewer);
+  values[number] = value;
+}
+
+std::optional<double> ProgramVariables::get(const std::string& name) const {
+  if (m_namedSystem && isGlobalName(name))
+    if (const std::optional<double> value = m_namedSystem(name)) return value;
+  const auto& names = isGlobalName(name) ? m_globalNames : m_frames.back().names;
+  const auto found = names.find(name);
+  return found == names.end() ? std::nullopt : std::optional<double>(found->second);
+}
+
+void ProgramVariables::set(const std::string& name, double value, const ProgramPlace& place) {
+  if (m_namedSystem && isGlobalName(name) && m_namedSystem(name))
+    refuse(place, "#<" + name + ">", "this variable belongs to the machine and can only be read", "Use another name.");
+  auto& names = isGlobalName(name) ? m_globalNames : m_frames.back().names;
+  if (names.size() >= kMost) refuse(place, "#<" + name + ">", "there are too many variables", kFewer);
+  names[name] = value;
+}
+
+void ProgramVariables::enter(const std::vector<ProgramValue>& arguments) {
+  m_frames.emplace_back();
+  for (std::size_t i = 0; i < arguments.size(); ++i) m_frames.back().numbers[static_cast<int>(i) + 1] = arguments[i];
+}
+
+void ProgramVariables::leave() {
+  if (m_frames.size() > 1) m_frames.pop_back();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/ProgramErrors.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace handwheel {
+
+// The value of a variable. A vacant one counts as 0 in arithmetic; a word with it is as if it were not there (Fanuc).
+struct ProgramValue {
+  double number = 0.0;
+  bool isVacant = false;
+};
+
+// The variables of a lathe program: #number and #<name>. Numbers 1 to 33 and names without a leading underscore belong
+// to the subprogram that runs; all others to the program.
+class ProgramVariables {
+ public:
+  static constexpr int kLargest = 99'999;
+  static constexpr std::size_t kMost = 100'000;  // of each sort
+  using System = std::function<std::optional<ProgramValue>(int)>;
+  using NamedSystem = std::function<std::optional<double>(const std::string&)>;
+
+  // locals: how many numbers belong to a subprogram. isVacant: what was never set is vacant; otherwise it is 0.
+  ProgramVariables(int locals, bool isVacant) : m_localCount(locals), m_isVacant(isVacant), m_frames(1) {}
+  // What the machine says; asked first.
+  void setSystem(System numbers, NamedSystem names);
+
+  ProgramValue get(int number) const;
+  void set(int number, ProgramValue value, const ProgramPlace& place);
+  std::optional<double> get(const std::string& name) const;
+  void set(const std::string& name, double value, const ProgramPlace& place);
+
+  // Enters a subprogram with these values of #1, #2, ..., and leaves it.
+  void enter(const std::vector<ProgramValue>& arguments);
+  void leave();
+
+ private:
+  struct Frame {
+    std::unordered_map<int, ProgramValue> numbers;
+    std::map<std::string, double> names;
+  };
+
+  int m_localCount;
+  bool m_isVacant;
+  System m_system;
+  NamedSystem m_namedSystem;
+  std::unordered_map<int, ProgramValue> m_global;
+  std::map<std::string, double> m_globalNames;
+  std::vector<Frame> m_frames;
+};
+
+}  // namespace handwheel

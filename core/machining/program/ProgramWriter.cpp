@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramWriter.h"
+
+#include "base/NumberText.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kWritten = 1e-4;  // mm, of a coordinate
+constexpr double kSlowest = 1.0;   // mm/min
+
+// With four decimals and always a point: for Fanuc a number without one is in thousandths.
+std::string decimal(double value) {
+  const double rounded = std::round(value / kWritten) * kWritten;
+  std::array<char, 40> text{};
+  const int size = std::snprintf(text.data(), text.size(), "%.4f", rounded == 0.0 ? 0.0 : rounded);
+  std::string digits(text.data(), static_cast<std::size_t>(std::max(size, 0)));
+  while (digits.ends_with('0')) digits.pop_back();
+  return digits;
+}
+
+// The words of a program, with what is modal.
+class Writer {
+ public:
+  Writer(ProgramDialect dialect, const std::string& title) : m_isFanuc(dialect == ProgramDialect::Fanuc) {
+    std::string comment;
+    for (const char c : title)
+      if (c >= ' ' && c <= '~' && c != '(' && c != ')') comment += c;
+    m_text = m_isFanuc ? "%\nO0001 (" + comment + ")\nG21 G18 G40 G99\n"
+                       : "(" + comment + ")\nG21 G18 G40 G49 G90 G91.1 G7\n";
+  }
+
+  void add(const ToolMove& move) {
+    if (m_tool != move.tool) changeTool(move.tool);
+    setSpindle(move);
+    switch (move.kind) {
+      case ToolMove::Kind::Rapid:
+        line("G0" + place(move));
+        break;
+      case ToolMove::Kind::Dwell:
+        line(m_isFanuc ? "G4 U" + decimal(move.time) : "G4 P" + decimal(move.time));
+        break;
+      case ToolMove::Kind::Thread:
+        line((m_isFanuc ? "G32" : "G33") + place(move) +
+             (m_isFanuc ? " F" + decimal(lead(move)) : " K" + decimal(move.feed)));
+        m_feed = -1.0;
+        break;
+      case ToolMove::Kind::Feed:
+        feed(move);
+        break;
+    }
+    m_at = move.to;
+  }
+
+  std::string finish() {
+    line(m_isFanuc ? "M30\n%" : "M2");
+    return std::move(m_text);
+  }
+
+ private:
+  void line(const std::string& words) { m_text += words + "\n"; }
+
+  // The lead of Fanuc is measured along the longer axis.
+  static double lead(const ToolMove& move) {
+    const ProfilePoint along = move.to - move.from;
+    return along.norm() > 0.0 ? move.feed * along.cwiseAbs().maxCoeff() / along.norm() : move.feed;
+  }
+
+  void changeTool(int tool) {
+    m_tool = tool;
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), m_isFanuc ? "T%02d%02d" : "T%d M6 G43", tool % 100, tool % 100);
+    line(number.data());
+    m_spindle.clear();
+  }
+
+  void setSpindle(const ToolMove& move) {
+    if (move.spin == 0) return;
+    const std::string speed = roundedText(move.spindle, 6), most = roundedText(move.mostSpindle, 6);
+    std::string words;
+    if (!move.isSurfaceSpeed)
+      words = "G97 S" + speed;
+    else if (m_isFanuc)
+      words = (move.mostSpindle > 0.0 ? "G50 S" + most + "\n" : "") + "G96 S" + speed;
+    else
+      words = "G96 S" + speed + (move.mostSpindle > 0.0 ? " D" + most : "");
+    words += move.spin > 0 ? " M3" : " M4";
+    if (words == m_spindle) return;
+    m_spindle = words;
+    line(words);
+  }
+
+  void feed(const ToolMove& move) {
+    std::string words;
+    if (m_feedMode != (move.isPerRevolution ? 1 : 0)) {
+      m_feedMode = move.isPerRevolution ? 1 : 0;
+      m_feed = -1.0;
+      words = move.isPerRevolution ? (m_isFanuc ? "G99 " : "G95 ") : (m_isFanuc ? "G98 " : "G94 ");
+    }
+    words += move.turn == 0 ? "G1" : move.turn > 0 ? "G3" : "G2";
+    words += place(move);
+    if (move.turn != 0)
+      words += " I" + decimal(move.centre.x() - m_at.x()) + " K" + decimal(move.centre.y() - m_at.y());
+    if (move.feed != m_feed) words += " F" + decimal(std::max(move.feed, kWritten));
+    m_feed = move.feed;
+    line(words);
+  }
+
+  static std::string place(const ToolMove& move) {
+    return " X" + decimal(2.0 * move.to.x()) + " Z" + decimal(move.to.y());
+  }
+
+  bool m_isFanuc;
+  std::string m_text, m_spindle;
+  int m_tool = -1, m_feedMode = -1;
+  double m_feed = -1.0;
+  ProfilePoint m_at{0, 0};
+};
+
+// The points of a path that are needed to stay within the tolerance of all.
+std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double tolerance) {
+  std::vector<ProfilePoint> kept{path.front()};
+  std::size_t from = 0;
+  const auto fits = [&](std::size_t to) {
+    const ProfilePoint along = path[to] - path[from];
+    const double length = along.squaredNorm();
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const ProfilePoint off = path[i] - path[from];
+      const double t = length > 0.0 ? std::clamp(off.dot(along) / length, 0.0, 1.0) : 0.0;
+      if ((off - t * along).norm() > tolerance) return false;
+    }
+    return true;
+  };
+  constexpr std::size_t kLongest = 1000;  // points of one line: the cost of trying is its square
+  for (std::size_t to = 1; to < path.size(); ++to) {
+    if (to + 1 < path.size() && to + 1 - from < kLongest && fits(to + 1)) continue;
+    kept.push_back(path[to]);
+    from = to;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title) {
+  Writer writer(dialect, title);
+  for (const ToolMove& move : moves) writer.add(move);
+  return writer.finish();
+}
+
+std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double length,
+                              const PassProgram& how) {
+  std::vector<ToolMove> moves;
+  if (passes.empty()) return moves;
+  const double nose = passes.front().noseRadius;
+  const ProfilePoint toTip(-nose, -nose - length);
+  const double above = radius + how.clearance;
+  ToolMove move;
+  move.tool = 1;
+  move.spin = 1;
+  move.spindle = how.spindle;
+  move.from = move.to = {above, how.clearance};
+  const auto go = [&](ToolMove::Kind kind, const ProfilePoint& to) {
+    move.kind = kind;
+    move.from = move.to;
+    move.to = to;
+    moves.push_back(move);
+  };
+  go(ToolMove::Kind::Rapid, move.to);
+  for (const TurningPass& pass : passes) {
+    if (pass.path.empty()) continue;
+    const std::vector<ProfilePoint> path = thinned(pass.path, how.tolerance);
+    double way = 0.0;
+    for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
+    const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
+    move.feed = seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : 100.0;
+    const ProfilePoint first = path.front() + toTip;
+    go(ToolMove::Kind::Rapid, {above, move.to.y()});
+    go(ToolMove::Kind::Rapid, {above, first.y()});
+    for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point + toTip);
+    go(ToolMove::Kind::Feed, {std::max(above, move.to.x()), move.to.y()});
+  }
+  return moves;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "machining/program/ToolPath.h"
+#include "machining/target/TargetProfile.h"
+
+namespace handwheel {
+
+// How a target is roughed and finished from a bar. mm unless said.
+struct CycleSettings {
+  double depth = 1.5;       // of a level, on the radius
+  double allowance = 0.3;   // left for finishing
+  double nose = 0.4;        // radius of both tools
+  double roughFeed = 0.25;  // per revolution
+  double finishFeed = 0.08;
+  double speed = 150.0;       // m/min, of the surface
+  double mostSpindle = 2000;  // r/min
+  double clearance = 2.0;     // between moves and material
+  double overrun = 2.0;       // cut beyond the lower end of the target, for parting off
+  int roughTool = 1, finishTool = 2;
+};
+
+// The path of the tip that makes the outside of a target from a bar: levels from the bar inward, pockets by going down
+// at their right side; once along the contour with the allowance, then along the contour itself. The upper end of the
+// target is z = 0. The path of the nose is computed from lines and arcs, without samples (NoseCompensation).
+// Errors: Refused, where the nose does not fit or the target has an undercut.
+Result<std::vector<ToolMove>> roughAndFinish(const TargetProfile& target, double barRadius,
+                                             const CycleSettings& settings);
+
+}  // namespace handwheel

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/target/ProfileSegment.h"
+#include "nurbs/ProfileCurve.h"
+
+#include <span>
+
+namespace handwheel {
+
+// The rational curve of degree 2 over lines and circular arcs, each of which begins where the one before ends; exact.
+// Inner knots are double, so every joint is a pole and may be a sharp corner: the same as a double pole over single
+// knots, with one pole less. Arcs are parted where their tangent is parallel to an axis, so that no pole is outside of
+// the box of its arc, nor across the axis of the part. O(segments).
+ProfileNet netOf(std::span<const ProfileSegment> segments);
+
+}  // namespace handwheel

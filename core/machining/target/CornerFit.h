@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/target/ProfileSegment.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// Restores the corners of a profile that was sampled at equal steps of z: a line across a single step becomes the
+// corner in which its neighbours meet, or a flat face where it is a shoulder. spacing: mm, of the samples. O(segments).
+std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, double spacing);
+
+// The segment as long as it takes to end, or begin, at a point on its line or circle.
+ProfileSegment endedAt(const ProfileSegment& segment, const ProfilePoint& end);
+ProfileSegment begunAt(const ProfileSegment& segment, const ProfilePoint& start);
+
+}  // namespace handwheel

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace handwheel {
+
+// A group of a DXF file: a code, and the value on the line below it.
+struct DxfPair {
+  int code = 0;
+  std::string_view value;  // without blanks around it
+  std::uint64_t line = 0;  // of the value, from 1
+
+  // Errors: NumberMalformed, NumberNotFinite, with the line.
+  Result<double> number() const;
+  int whole() const;  // 0 where it is none
+  bool is(int wanted, std::string_view text) const { return code == wanted && value == text; }
+};
+
+// Takes the groups of a DXF file one after the other.
+class DxfPairs {
+ public:
+  explicit DxfPairs(std::string_view bytes) : m_rest(bytes) {}
+
+  // False at the end. Errors: ElementMalformed where a code is no number, or has no value.
+  Result<bool> next(DxfPair& pair);
+  std::size_t left() const { return m_rest.size(); }  // bytes
+
+ private:
+  std::string_view takeLine();
+
+  std::string_view m_rest;
+  std::uint64_t m_line = 0;
+};
+
+}  // namespace handwheel

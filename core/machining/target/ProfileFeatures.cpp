@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/ProfileFeatures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+// Whether two neighbours are pieces of one line or circle.
+bool isContinued(const ProfileSegment& a, const ProfileSegment& b, double tolerance) {
+  if (a.isArc() != b.isArc()) return false;
+  if (a.isArc()) {
+    return (a.bulge > 0.0) == (b.bulge > 0.0) && std::abs(a.radius() - b.radius()) <= tolerance &&
+           (a.centre() - b.centre()).norm() <= tolerance;
+  }
+  const ProfileSegment whole{a.from, b.to, 0.0};
+  return a.direction(1.0).dot(b.direction(0.0)) > 0.0 && (whole.nearest(a.to) - a.to).norm() <= tolerance;
+}
+
+ProfileSegment together(const ProfileSegment& a, const ProfileSegment& b) {
+  const double angle = a.angle() + b.angle();
+  return {a.from, b.to, a.isArc() ? std::tan(0.25 * angle) : 0.0};
+}
+
+ProfileFeature featureOf(const ProfileSegment& s, double tolerance) {
+  ProfileFeature feature;
+  const ProfilePoint along = s.to - s.from;
+  const bool isFace = !s.isArc() && std::abs(along.y()) <= tolerance;
+  const bool isUp = isFace ? along.x() > 0.0 : along.y() > 0.0;
+  feature.low = isUp ? s.from : s.to;
+  feature.high = isUp ? s.to : s.from;
+  // Material is on the left: the outside runs up, a bore down.
+  feature.isInner = !isFace && s.direction(0.5).y() < 0.0;
+  if (s.isArc()) {
+    feature.kind = ProfileFeature::Kind::Arc;
+    feature.value = s.radius();
+    feature.centre = s.centre();
+    feature.isConvex = s.bulge > 0.0;
+  } else if (isFace) {
+    feature.kind = ProfileFeature::Kind::FlatFace;
+  } else if (std::abs(along.x()) <= tolerance) {
+    feature.kind = ProfileFeature::Kind::Cylinder;
+    feature.value = s.from.x() + s.to.x();
+  } else {
+    feature.kind = ProfileFeature::Kind::Taper;
+    feature.value = std::atan2(std::abs(along.x()), std::abs(along.y()));
+  }
+  return feature;
+}
+
+}  // namespace
+
+std::vector<ProfileFeature> featuresOf(const TargetProfile& profile, double tolerance) {
+  std::vector<ProfileSegment> merged;
+  for (const ProfileSegment& s : profile.segments()) {
+    const bool isSame = !merged.empty() && isContinued(merged.back(), s, tolerance) &&
+                        std::abs(merged.back().angle() + s.angle()) < 1.99 * M_PI;
+    if (isSame) {
+      merged.back() = together(merged.back(), s);
+    } else {
+      merged.push_back(s);
+    }
+  }
+  // A closed outline may begin within a feature.
+  if (profile.isClosed() && merged.size() > 2 && isContinued(merged.back(), merged.front(), tolerance)) {
+    merged.front() = together(merged.back(), merged.front());
+    merged.pop_back();
+  }
+  std::vector<ProfileFeature> features;
+  features.reserve(merged.size());
+  for (const ProfileSegment& s : merged) features.push_back(featureOf(s, tolerance));
+  return features;
+}
+
+const char* nameOf(ProfileFeature::Kind kind) {
+  switch (kind) {
+    case ProfileFeature::Kind::Cylinder:
+      return "cylinder";
+    case ProfileFeature::Kind::Taper:
+      return "taper";
+    case ProfileFeature::Kind::FlatFace:
+      return "face";
+    case ProfileFeature::Kind::Arc:
+      break;
+  }
+  return "arc";
+}
+
+}  // namespace handwheel

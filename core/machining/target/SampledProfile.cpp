@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/SampledProfile.h"
+
+#include "machining/target/CornerFit.h"
+#include "machining/target/CurveFit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+// Exact lines and arcs are looked for first: with a wider tolerance a line would go on into the arc that it touches.
+constexpr double kExact = 1e-6;            // mm
+constexpr std::size_t kFewSegments = 400;  // of a part that people draw
+
+std::vector<ProfileSegment> fitted(const std::vector<ProfilePoint>& points, double tolerance, double spacing) {
+  std::vector<ProfileSegment> segments;
+  if (tolerance > kExact) segments = fitSegments(points, kExact);
+  if (segments.empty() || segments.size() > kFewSegments) segments = fitSegments(points, tolerance);
+  return sharpened(std::move(segments), spacing);
+}
+
+}  // namespace
+
+Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
+  std::vector<ProfilePoint> outside, inside;
+  for (std::size_t i = 0; i < part.size(); ++i) outside.emplace_back(part.radius(i), part.z(i));
+  std::vector<ProfileSegment> outline = fitted(outside, tolerance, part.spacing());
+  for (std::size_t i = part.size(); i-- > 0;) inside.emplace_back(part.inner(i), part.z(i));
+  const bool isBored = std::any_of(inside.begin(), inside.end(), [](const ProfilePoint& p) { return p.x() > 0.0; });
+  if (isBored) {
+    const auto bore = fitted(inside, tolerance, part.spacing());
+    outline.push_back({outline.back().to, bore.front().from, 0.0});
+    outline.insert(outline.end(), bore.begin(), bore.end());
+    outline.push_back({outline.back().to, outline.front().from, 0.0});
+  }
+  return TargetProfile::make(std::move(outline));
+}
+
+Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance) {
+  std::vector<ProfileSegment> outline;
+  for (const BezierArc& arc : curve.arcs()) {
+    if (arc.degree == 1) {
+      outline.push_back({arc.start(), arc.end(), 0.0});
+      continue;
+    }
+    const auto pieces = fitSegments([&](double t) { return arc.derivatives(t)[0]; }, std::min(tolerance, kExact));
+    outline.insert(outline.end(), pieces.begin(), pieces.end());
+  }
+  return TargetProfile::make(std::move(outline));
+}
+
+TurnedProfile sampled(const TargetProfile& target, double spacing) {
+  const StockCylinder stock{2.0 * target.largestRadius(), target.length(), 0.0};
+  TurnedProfile part(stock, spacing);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double z = std::min(target.lowerEnd() + part.z(i), target.upperEnd());
+    const auto extent = target.extentAt(z);
+    part.limitOuter(i, extent ? extent->outer : 0.0);
+    if (extent && extent->inner > 0.0) part.limitInner(i, extent->inner);
+  }
+  return part;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/ProfileSegment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace handwheel {
+
+namespace {
+
+double wedge(const ProfilePoint& a, const ProfilePoint& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+bool isOn(const ProfileSegment& segment, const ProfilePoint& p, double slack) {
+  return (segment.nearest(p) - p).norm() <= slack;
+}
+
+using Candidates = std::vector<ProfilePoint>;
+
+// The supporting line or circle of a segment.
+struct Support {
+  explicit Support(const ProfileSegment& segment) : isCircle(std::isfinite(segment.radius())) {
+    point = isCircle ? segment.centre() : segment.from;
+    radius = isCircle ? segment.radius() : 0.0;
+    if (!isCircle) along = (segment.to - segment.from).normalized();
+  }
+  bool isCircle;
+  ProfilePoint point{0, 0}, along{0, 0};
+  double radius;
+};
+
+void addLines(const Support& a, const Support& b, Candidates& found) {
+  const double sine = wedge(a.along, b.along);
+  if (std::abs(sine) > 1e-12) found.push_back(a.point + wedge(b.point - a.point, b.along) / sine * a.along);
+}
+
+void addLineCircle(const Support& line, const Support& circle, Candidates& found) {
+  const double foot = (circle.point - line.point).dot(line.along);
+  const ProfilePoint middle = line.point + foot * line.along;
+  const double off = (middle - circle.point).norm();
+  const double half = std::sqrt(std::max(0.0, (circle.radius - off) * (circle.radius + off)));
+  found.push_back(middle - half * line.along);
+  found.push_back(middle + half * line.along);
+}
+
+void addCircles(const Support& a, const Support& b, Candidates& found) {
+  const ProfilePoint between = b.point - a.point;
+  const double distance = between.norm();
+  if (!(distance > 1e-12 * (a.radius + b.radius))) return;  // concentric: only ends can tell
+  const double foot = 0.5 * (distance + (a.radius - b.radius) * (a.radius + b.radius) / distance);
+  const double half = std::sqrt(std::max(0.0, (a.radius - foot) * (a.radius + foot)));
+  const ProfilePoint along = between / distance, across(-along.y(), along.x());
+  found.push_back(a.point + foot * along - half * across);
+  found.push_back(a.point + foot * along + half * across);
+}
+
+// Where the curves behind two segments meet, and the ends of both, which tell of overlaps.
+Candidates candidates(const ProfileSegment& a, const ProfileSegment& b) {
+  Candidates found;
+  const Support s(a), t(b);
+  if (s.isCircle && t.isCircle) {
+    addCircles(s, t, found);
+  } else if (s.isCircle || t.isCircle) {
+    addLineCircle(s.isCircle ? t : s, s.isCircle ? s : t, found);
+  } else {
+    addLines(s, t, found);
+  }
+  for (const ProfilePoint& end : {a.from, a.to, b.from, b.to}) found.push_back(end);
+  return found;
+}
+
+}  // namespace
+
+std::optional<ProfilePoint> meeting(const ProfileSegment& a, const ProfileSegment& b, double slack) {
+  for (const ProfilePoint& p : candidates(a, b)) {
+    if (isOn(a, p, slack) && isOn(b, p, slack)) return p;
+  }
+  return std::nullopt;
+}
+
+std::optional<ProfilePoint> meetingBeside(const ProfileSegment& first, const ProfileSegment& next, double slack) {
+  // Curves that part with nearly one tangent stay within the slack of one another for about its root.
+  const double apart = std::max({first.length(), next.length(), 1.0});
+  const double near = std::max(10.0 * slack, 4.0 * std::sqrt(slack * apart));
+  const ProfilePoint shared = first.to;
+  for (const ProfilePoint& p : candidates(first, next)) {
+    const bool isNear = (p - shared).norm() <= near;
+    if (!isNear && isOn(first, p, slack) && isOn(next, p, slack)) return p;
+  }
+  // One that turns back along the other.
+  const double ahead = std::min({near * 2.0, first.length(), next.length()});
+  if (!(ahead > 0.0)) return std::nullopt;
+  const ProfilePoint back = first.at(1.0 - ahead / first.length());
+  const ProfilePoint on = next.at(ahead / next.length());
+  return (back - on).norm() <= slack ? std::optional<ProfilePoint>(shared) : std::nullopt;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "machining/target/ProfileSegment.h"
+
+#include <Eigen/Geometry>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// Collects the curves of an SVG drawing in mm: from user coordinates by a transformation.
+class SvgCurves {
+ public:
+  explicit SvgCurves(const Eigen::Affine2d& toMillimetres) : m_to(toMillimetres) {}
+
+  SvgCurves under(const Eigen::Affine2d& inner) const { return SvgCurves(m_to * inner); }
+  const Eigen::Affine2d& toMillimetres() const { return m_to; }
+
+  void line(const ProfilePoint& a, const ProfilePoint& b);
+  // Of an ellipse with half axes rx and ry along x and y after a rotation, by angles of its parameter.
+  void arc(const ProfilePoint& centre, double rx, double ry, double rotation, double from, double sweep);
+  void cubic(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c, const ProfilePoint& d);
+
+  std::vector<ProfileSegment>& found() { return m_found; }
+
+ private:
+  Eigen::Affine2d m_to;
+  std::vector<ProfileSegment> m_found;
+};
+
+// The curves of the attribute d of a path. What follows an error in it is left out, as SVG wants it; most: more curves
+// are refused. Errors: ElementMalformed {"path", what}, FileTooLarge {segments},
+// Cancelled.
+Status readSvgPath(std::string_view d, std::size_t most, SvgCurves& curves, Progress progress);
+
+// Takes the next number of a list that blanks and commas separate. False at its end, or where there is none.
+bool takeSvgNumber(std::string_view& text, double& number);
+
+// The attribute transform. Errors: ElementMalformed {"transform", what}.
+Result<Eigen::Affine2d> readSvgTransform(std::string_view text);
+
+}  // namespace handwheel

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/TargetProfile.h"
+
+#include "machining/target/OutlineChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+namespace {
+
+double crossed(const ProfilePoint& a, const ProfilePoint& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double volumeInside(const std::vector<ProfileSegment>& segments) {
+  double sum = 0.0;
+  for (const ProfileSegment& segment : segments) sum += segment.squareMoment();
+  return M_PI * sum;
+}
+
+ProfileBox boxOf(const std::vector<ProfileSegment>& segments) {
+  ProfileBox box;
+  for (const ProfileSegment& segment : segments) box.extend(segment.box());
+  return box;
+}
+
+// Extends the range of radii by the points of a segment at a height.
+void extendAt(const ProfileSegment& segment, double z, double& least, double& largest) {
+  const auto take = [&](double r) {
+    least = std::min(least, r);
+    largest = std::max(largest, r);
+  };
+  if (segment.from.y() == z) take(segment.from.x());
+  if (segment.to.y() == z) take(segment.to.x());
+  if (!std::isfinite(segment.radius())) {
+    const double rise = segment.to.y() - segment.from.y(), t = (z - segment.from.y()) / rise;
+    if (t > 0.0 && t < 1.0) take(segment.from.x() + t * (segment.to.x() - segment.from.x()));
+    return;
+  }
+  const ProfilePoint c = segment.centre();
+  const double radius = segment.radius(), up = z - c.y();
+  if (std::abs(up) > radius) return;
+  const double aside = std::sqrt((radius - up) * (radius + up));
+  for (const double r : {c.x() - aside, c.x() + aside}) {
+    const ProfilePoint p(r, z);
+    if ((segment.nearest(p) - p).norm() <= 1e-9 * std::max(1.0, radius)) take(r);
+  }
+}
+
+}  // namespace
+
+TargetProfile::TargetProfile(std::vector<ProfileSegment> sound, bool isClosed) {
+  const double volume = volumeInside(sound);
+  const ProfileBox box = boxOf(sound);
+  SegmentTree tree(sound);
+  m_outline = std::make_shared<const Outline>(Outline{std::move(sound), isClosed, box, volume, std::move(tree)});
+}
+
+Result<TargetProfile> TargetProfile::make(std::vector<ProfileSegment> segments) {
+  Result<CheckedOutline> outline = checkedOutline(std::move(segments));
+  if (!outline) return outline.error();
+  return TargetProfile(std::move(outline->segments), outline->isClosed);
+}
+
+// A point whose nearest one is a corner is outside where the material is less than half of what is around it. On the
+// axis the outline goes on as its mirror image.
+bool TargetProfile::isOutsideOfCorner(std::size_t segment, bool atEnd, const ProfilePoint& p) const {
+  const auto& all = m_outline->segments;
+  const std::size_t before = atEnd ? segment : segment + all.size() - 1, after = atEnd ? segment + 1 : segment;
+  const bool isOnAxis = !m_outline->isClosed && (after == all.size() || (!atEnd && segment == 0));
+  const ProfileSegment& in = all[before % all.size()];
+  const ProfileSegment& out = all[after % all.size()];
+  ProfilePoint arriving = in.direction(1.0), leaving = out.direction(0.0);
+  if (isOnAxis && !atEnd) arriving = {leaving.x(), -leaving.y()};
+  if (isOnAxis && atEnd) leaving = {arriving.x(), -arriving.y()};
+  const double turn = crossed(arriving, leaving);
+  if (std::abs(turn) > 1e-6) return turn > 0.0;
+  const ProfilePoint corner = atEnd ? all[segment].to : all[segment].from;
+  return crossed(arriving + leaving, p - corner) < 0.0;
+}
+
+double TargetProfile::distance(const ProfilePoint& p) const {
+  if (!p.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  const SegmentTree::Nearest near = m_outline->tree.nearest(m_outline->segments, p);
+  const ProfileSegment& segment = m_outline->segments[near.segment];
+  bool isOutside = false;
+  if (near.point == segment.from || near.point == segment.to) {
+    isOutside = isOutsideOfCorner(near.segment, near.point == segment.to, p);
+  } else if (std::isfinite(segment.radius())) {
+    const bool isBeyond = (p - segment.centre()).norm() > segment.radius();
+    isOutside = isBeyond == (segment.bulge > 0.0);
+  } else {
+    isOutside = crossed(segment.to - segment.from, p - segment.from) < 0.0;
+  }
+  return isOutside ? near.distance : -near.distance;
+}
+
+std::optional<TargetProfile::Extent> TargetProfile::extentAt(double z) const {
+  const Outline& outline = *m_outline;
+  if (!(z >= lowerEnd() && z <= upperEnd())) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  outline.tree.meeting(ProfileBox(ProfilePoint(outline.box.min().x(), z), ProfilePoint(outline.box.max().x(), z)),
+                       [&](std::size_t i) {
+                         extendAt(outline.segments[i], z, least, largest);
+                         return true;
+                       });
+  if (!(largest >= 0.0)) return std::nullopt;
+  const bool isAxisInside =
+      !outline.isClosed && z >= outline.segments.front().from.y() && z <= outline.segments.back().to.y();
+  return Extent{isAxisInside ? 0.0 : std::max(least, 0.0), largest};
+}
+
+TargetProfile TargetProfile::moved(double dz) const {
+  std::vector<ProfileSegment> all = m_outline->segments;
+  for (ProfileSegment& segment : all) {
+    segment.from.y() += dz;
+    segment.to.y() += dz;
+  }
+  return TargetProfile(std::move(all), m_outline->isClosed);
+}
+
+bool TargetProfile::operator==(const TargetProfile& other) const {
+  return m_outline == other.m_outline || m_outline->segments == other.m_outline->segments;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/scene/ForceSource.h"
+#include "machining/force/CuttingFeel.h"
+#include "simulation/turning/LatheSimulation.h"
+
+namespace handwheel {
+
+// The id of the force source.
+inline constexpr const char* kLatheSource = "lathe";
+
+// What of a lathe the hand feels, and how strongly. Stiffnesses are those in the scene.
+struct LatheTouch {
+  double stiffness = 0.5;    // N/mm, of the spring between the hand and the tool that it holds
+  double plane = 0.3;        // N/mm, of the work plane
+  double planeReach = 8.0;   // mm: further away it attracts no more
+  double forceShare = 0.01;  // of the cutting force, which is far beyond what a device can do
+  double mostForce = 4.0;    // N, of that
+  CuttingFeel feel;
+
+  bool operator==(const LatheTouch&) const = default;
+};
+
+// The force of a manual lathe. A plane through the axis, y = 0, attracts the hand; the tool that it holds in a gesture
+// is on a spring, since the slides go as fast as the machine lets them only; and while it cuts, the force of the
+// cutting law pushes it down, back and away from the axis. The tick allocates nothing and takes no lock.
+class LatheForce : public ForceSource {
+ public:
+  // law: never null. base: mm, z of the part's lower end in the scene.
+  LatheForce(std::shared_ptr<LatheChannel> channel, std::shared_ptr<const CuttingForceModel> law,
+             const LatheTouch& touch, double base);
+
+  ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
+  Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
+
+  // N, of the last tick: the cut, as the law has it, without the share.
+  const CutForces& cut() const { return m_cut; }
+
+ private:
+  double planeForce(double y) const noexcept;
+
+  std::shared_ptr<LatheChannel> m_channel;
+  std::shared_ptr<const CuttingForceModel> m_law;
+  LatheTouch m_touch;
+  double m_base;
+  LathePatch m_patch;
+  CutForces m_cut;
+  Vec3 m_tool = Vec3::Zero();  // mm: where the tool is
+  bool m_isHeld = false;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurnedSurface.h"
+#include "machining/TurningPass.h"
+#include "machining/lathe/LatheRecording.h"
+#include "simulation/Simulation.h"
+
+namespace handwheel {
+
+// What the servo loop knows of a lathe: where the tool is and what it cuts. mm and s.
+struct LathePatch {
+  ProfilePoint tip{0.0, 0.0};       // (r, z)
+  ProfilePoint velocity{0.0, 0.0};  // mm/s
+  double time = 0.0;                // s, of the input that it follows
+  double depth = 0.0;               // mm, of the cut; 0: nothing is cut
+  double feed = 0.0;                // mm in a turn
+  double surfaceSpeed = 0.0;        // m/min
+  double spindleSpeed = 0.0;        // r/min, signed
+  double angle = 0.0;               // turns of the spindle
+};
+
+// What a lathe exchanges with the servo loop and the window. Neither waits.
+struct LatheChannel : SimulationChannel<LathePatch> {
+  static constexpr std::size_t kWaiting = 4096;
+  SpscRing<LatheCommand> commands{kWaiting};  // from the window
+};
+
+// A lathe with its part at one moment of the simulation.
+struct LatheMoment : SimulationState {
+  LatheMoment(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
+  TurnedProfile profile;
+  TurnedSurface surface;
+  LatheState machine;
+  std::shared_ptr<const LatheTool> tool;  // in use; null: none
+  ProfilePoint tip{0.0, 0.0};             // mm, true place
+  double quillTip = 0.0;                  // mm
+  double depth = 0.0, feed = 0.0;         // of the cut, over the last samples: mm, mm in a turn
+  double surfaceSpeed = 0.0;              // m/min at the tip
+  bool isCutting = false;
+  bool isCut = false;     // material left since the simulation began
+  double sinceCut = 0.0;  // s since material left last
+  bool isFull = false;    // nothing more is recorded: the pass has to end
+  bool isHeld = false;    // the last move was held back: a crash, a limit, the part
+  double removed = 0.0;   // mm³, since the simulation began
+  std::shared_ptr<const std::vector<LatheCollision>> collisions;  // never null
+};
+
+// The simulation of a manual lathe: commands of the window and the hand at a device move it, material leaves. What was
+// cut since it began is one pass for each tool that cut.
+class LatheSimulation : public Simulation {
+ public:
+  static constexpr double kShownRate = 125.0;  // changes of the shown part in a second, at most
+
+  // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time.
+  LatheSimulation(LatheRun run, TurnedSurface surface, double base, std::shared_ptr<LatheChannel> channel);
+
+  // A device that acts places the tip; it lets go when its gesture ends. The hand is in the plane through the axis.
+  void step(double dt, std::span<const SimulationInput> inputs) override;
+  std::shared_ptr<const SimulationState> state() const override { return m_state; }
+
+  // Shows all that was cut so far, to be called after the last step.
+  void finish();
+  const std::vector<TurningPass>& passes() const { return m_passes; }
+  const LatheRecording& recording() const { return m_recording; }
+  const LatheRun& run() const { return m_run; }
+
+ private:
+  void takeCommands(std::span<const SimulationInput> inputs);
+  void record(const LatheStep& step);
+  void measure(const LatheStep& step, double dt);
+  void publish();
+
+  LatheRun m_run;
+  TurnedSurface m_surface;
+  double m_base;
+  std::shared_ptr<LatheChannel> m_channel;
+  LatheRecording m_recording;
+  std::vector<LatheCommand> m_commands;
+  std::vector<TurningPass> m_passes;
+  double m_begin = 0.0;  // s, of the first point of the last pass
+  TurnedProfile::Range m_changed;
+  double m_sincePublished = 0.0;  // s
+  bool m_isPlacing = false;       // a device acts
+  // Of the last few samples of the profile, with weights that fall along the way: mm², mm, turns of the spindle.
+  double m_area = 0.0, m_way = 0.0, m_turns = 0.0;
+  double m_wayClear = 0.0;  // mm since material left
+  LatheMoment m_now;
+  std::shared_ptr<const LatheMoment> m_state;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+#include "machining/force/CutWarnings.h"
+#include "machining/force/CuttingFeel.h"
+#include "machining/force/NetworkTraining.h"
+
+namespace handwheel {
+
+// The description of 'train': a model of cutting forces is trained on a table of cuts.
+const Operation& trainOperation();
+TrainingOptions trainingOptionsOf(const OperationValues& values);
+
+// The description of 'force': the forces of a cut by each law.
+const Operation& forceOperation();
+// What is missing, as a clause; empty where nothing is.
+std::string problemOfForceValues(const OperationValues& values);
+CutConditions cutOf(const OperationValues& values);
+CuttingEdge edgeOf(const OperationValues& values);
+ThrustSettings thrustOf(const OperationValues& values);
+
+// The work that is bent: null where it is not given.
+std::optional<SlenderWork> slenderWorkOf(const OperationValues& values);
+SpindleDrive driveOf(const OperationValues& values);
+
+}  // namespace handwheel

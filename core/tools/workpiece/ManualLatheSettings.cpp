@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The settings of ManualLatheTool: how the lathe is set up.
+#include "tools/ToolProperty.h"
+#include "tools/workpiece/ManualLatheTool.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+namespace {
+
+constexpr Limits kAngles{-90.0, 90.0};      // degrees
+constexpr Limits kLengths{0.0, 1e4};        // mm
+constexpr Limits kBacklashes{0.0, 2.0};     // mm
+constexpr Limits kDepthLimits{0.0, 100.0};  // mm
+
+void setBacklash(LatheSetup& lathe, double backlash) {
+  for (LatheDial& dial : lathe.dials) dial.backlash = backlash;
+}
+
+}  // namespace
+
+std::vector<Property> ManualLatheTool::settings() const {
+  const LatheSetup lathe = setup();
+  return {switchSetting("shows_diameter", QT_TRANSLATE_NOOP("Property", "Read-out in diameter"), lathe.showsDiameter),
+          numberSetting("depth_limit", QT_TRANSLATE_NOOP("Property", "Depth limit (0: none)"), lathe.depthLimit,
+                        Quantity::Length, kDepthLimits),
+          numberSetting("compound_angle", QT_TRANSLATE_NOOP("Property", "Compound slide angle (°)"),
+                        lathe.compoundAngle, Quantity::Number, kAngles),
+          numberSetting("backlash", QT_TRANSLATE_NOOP("Property", "Backlash"), lathe.dials[1].backlash,
+                        Quantity::Length, kBacklashes),
+          numberSetting("grip", QT_TRANSLATE_NOOP("Property", "Length in the jaws"), lathe.chuck.grip, Quantity::Length,
+                        kLengths),
+          switchSetting("grips_inside", QT_TRANSLATE_NOOP("Property", "Jaws grip inside"), lathe.chuck.gripsInside),
+          choiceSetting("fitting", QT_TRANSLATE_NOOP("Property", "In the tailstock"),
+                        static_cast<int>(lathe.tailstock.fitting),
+                        {QT_TRANSLATE_NOOP("Property", "Nothing"), QT_TRANSLATE_NOOP("Property", "Centre"),
+                         QT_TRANSLATE_NOOP("Property", "Drill")}),
+          numberSetting("tailstock", QT_TRANSLATE_NOOP("Property", "Tailstock at Z"), lathe.tailstock.place,
+                        Quantity::Length, kLengths)};
+}
+
+void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value) {
+  LatheSetup lathe = setup();
+  double backlash = lathe.dials[1].backlash;
+  bool isSet = false;
+  if (id == "shows_diameter") isSet = assignSwitch(lathe.showsDiameter, value);
+  if (id == "depth_limit") isSet = assignNumber(lathe.depthLimit, value, kDepthLimits);
+  if (id == "compound_angle") isSet = assignNumber(lathe.compoundAngle, value, kAngles);
+  if (id == "backlash") isSet = assignNumber(backlash, value, kBacklashes);
+  if (id == "grip") isSet = assignNumber(lathe.chuck.grip, value, kLengths);
+  if (id == "grips_inside") isSet = assignSwitch(lathe.chuck.gripsInside, value);
+  if (id == "fitting") isSet = assignChoice(lathe.tailstock.fitting, value, 3);
+  if (id == "tailstock") isSet = assignNumber(lathe.tailstock.place, value, kLengths);
+  if (!isSet) return;
+  if (id == "backlash") setBacklash(lathe, backlash);
+  if (lathe.tailstock.fitting == LatheFitting::Drill && lathe.tailstock.drill.empty())
+    lathe.tailstock.drill = "drill-10";
+  setUp(lathe, QCoreApplication::translate("Tool", "Set up the lathe"));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/LatheDisplay.h"
+#include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "simulation/SimulatedGesture.h"
+#include "simulation/turning/LatheSimulation.h"
+#include "tools/ToolKey.h"
+
+namespace handwheel {
+
+// Tool that works a part on a manual lathe. Keys and commands turn the handwheels and work the levers; the mouse drags
+// the tool in the plane through the axis, a haptic device holds it. What is cut until the tool has been clear for
+// kIdle is one undo step. A crash stops the lathe and is listed.
+class ManualLatheTool : public Tool {
+ public:
+  static constexpr double kRate = 500.0;  // steps of the simulation a second
+  static constexpr double kIdle = 0.8;    // s
+
+  // spacing: mm between the samples of a part that was not cut yet (turn.spacing).
+  ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing, LatheTools tools);
+
+  const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
+  double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
+  const LatheTools& tools() const { return m_tools; }
+  LatheSetup setup() const { return latheOf(m_document.workpiece()); }
+
+  // The lathe now; never null.
+  std::shared_ptr<const LatheMoment> moment() const;
+  // All crashes since the tool began, in order.
+  std::vector<LatheCollision> collisions() const;
+  // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
+  ProfilePoint readout() const;
+
+  // Works a lever or a wheel.
+  void command(const LatheCommand& command);
+  // Touches off: the read-out shows this value for the tool in use, X as diameter or radius; one undo step.
+  void touchOff(bool isX, double value);
+  // Sets the lathe up anew; one undo step. False: such a setup is impossible, and nothing was changed.
+  bool setUp(const LatheSetup& setup, const QString& text);
+  // Ends the pass if the tool has been clear for kIdle, or at once. Returns whether there was one. To be called now and
+  // then.
+  bool endPass(bool isAtOnce = false);
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "lathe"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  bool isLive() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  bool remembersSettings() const override { return false; }
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"simulation"}; }
+
+ private:
+  std::unique_ptr<Simulation> simulation() const;
+  void turn(LatheAxis axis, double divisions);
+  std::optional<Vec3> placeOf(const PointerEvent& event) const;
+  ToolReply press(const PointerEvent& event);
+  ToolReply release(bool isDevice);
+  void keep(const LatheMoment& moment);
+
+  WorkpieceDocument& m_document;
+  double m_spacing;
+  LatheTools m_tools;
+  std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
+  std::optional<LatheState> m_machine;       // with which the next simulation begins; none: at the beginning
+  std::vector<LatheCollision> m_collisions;  // of simulations before
+  bool m_isCommitting = false;
+  bool m_isDragging = false;   // by the mouse
+  Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip, in its drag
+  std::shared_ptr<const LatheDisplay> m_display;
+  std::shared_ptr<const LatheSetup> m_displayed;  // the setup that m_display is of
+  SimulatedGesture m_gesture;
+};
+
+}  // namespace handwheel

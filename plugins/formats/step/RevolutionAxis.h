@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <BRepAdaptor_Surface.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Ax1.hxx>
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// A face of a shape, with what decides whether it is of revolution.
+struct ExaminedFace {
+  TopoDS_Face face;
+  BRepAdaptor_Surface surface;
+  double u[2], v[2];  // bounds of its parameters
+  double area = 0.0;  // about
+  struct Sample {
+    gp_Pnt point;
+    gp_Dir normal;
+  };
+  std::vector<Sample> samples;
+};
+
+std::vector<ExaminedFace> examine(const TopoDS_Shape& shape);
+
+// Whether a face is of revolution about an axis: all its normals meet it (H. Pottmann, J. Wallner, "Computational Line
+// Geometry", 3.3.1).
+bool isOfRevolution(const ExaminedFace& face, const gp_Ax1& axis);
+
+// The axis about which the largest area is of revolution. It looks along the positive side of the coordinate axis that
+// it is nearest to, and its location is next to the origin.
+std::optional<gp_Ax1> axisOf(const std::vector<ExaminedFace>& faces);
+
+}  // namespace handwheel

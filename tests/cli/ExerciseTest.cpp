@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+const QString kShaft = QStringLiteral(SOURCE_SAMPLES "/exercises/shaft.exercise.json");
+
+nlohmann::json solutionOfShaft() {
+  QFile file(kShaft);
+  if (!file.open(QIODevice::ReadOnly)) qFatal("an exercise is missing");
+  return nlohmann::json::parse(file.readAll().toStdString())["solution"];
+}
+
+}  // namespace
+
+// A teacher's and a student's whole way on the command line.
+class ExerciseTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void fromTheDescriptionToTheMarks() {
+    const Bench bench;
+    const auto ran = [&](const QStringList& words) {
+      const Ran run = bench.run(words);
+      if (run.code != 0) qWarning("%s", run.err.constData());
+      return run.code;
+    };
+    QCOMPARE(ran({"exercise", kShaft, "-o", "shaft.handwheel"}), 0);
+    QCOMPARE(ran({"exercise", "shaft.handwheel", "--student", "-o", "task.handwheel"}), 0);
+    QCOMPARE(ran({"exercise", "shaft.handwheel", "--solution", "-o", "model.handwheel"}), 0);
+    QCOMPARE(ran({"exercise", "task.handwheel", "--stock", "-o", "bar.handwheel"}), 0);
+    QCOMPARE(ran({"exercise", "task.handwheel", "--hand-in", "model.handwheel", "--name", "Ada", "--minutes", "10",
+                  "-o", "ada.handwheel"}),
+             0);
+    QCOMPARE(ran({"exercise", "task.handwheel", "--hand-in", "bar.handwheel", "--name", "=Bob", "-o", "bob.handwheel"}),
+             0);
+    const Ran marked = bench.run({"mark", "shaft.handwheel", "bob.handwheel", "ada.handwheel", "--json", "--csv",
+                                  "class.csv", "--report", "class.html", "--sort", "-Points"});
+    QVERIFY2(marked.code == 0, marked.err);
+    const nlohmann::json json = nlohmann::json::parse(marked.out.toStdString());
+    QCOMPARE(json["submissions"].size(), std::size_t{2});
+    const nlohmann::json& ada = json["submissions"][0];
+    QCOMPARE(ada["student"].get<std::string>(), std::string("Ada"));
+    QVERIFY2(ada["points"] == ada["of"] && ada["of"] == json["of"], marked.out);
+    QCOMPARE(ada["seconds"].get<double>(), 600.0);
+    QVERIFY(json["submissions"][1]["points"].get<double>() < ada["points"].get<double>());
+    for (const nlohmann::json& mark : ada["marks"]) QVERIFY(!mark["reason"].get<std::string>().empty());
+    const QByteArray csv = bench.content("class.csv");
+    QVERIFY2(csv.count('\n') == 3 && csv.contains("'=Bob"), csv);
+    const QByteArray html = bench.content("class.html");
+    QVERIFY(html.contains("Ada") && html.contains("=Bob") && html.contains("data:image/png;base64,"));
+    // The same files give the same marks.
+    QCOMPARE(
+        bench.run({"mark", "shaft.handwheel", "bob.handwheel", "ada.handwheel", "--json", "--sort", "-Points"}).out,
+        marked.out);
+    QCOMPARE(ran({"mark", "shaft.handwheel", "ada.handwheel", "--report", "class.pdf"}), 0);
+    QVERIFY(bench.content("class.pdf").startsWith("%PDF"));
+  }
+
+  void theStudentsFileHasNoAnswers() {
+    const Bench bench;
+    QCOMPARE(bench.run({"exercise", kShaft, "--student", "-o", "task.handwheel"}).code, 0);
+    const Ran inspected = bench.run({"inspect", "task.handwheel", "--json"});
+    QVERIFY2(inspected.code == 0, inspected.err);
+    const nlohmann::json json = nlohmann::json::parse(inspected.out.toStdString());
+    QVERIFY2(inspected.out.contains("\"points\"") && !inspected.out.contains("\"force\""), inspected.out);
+    const Ran refused = bench.run({"mark", "task.handwheel", "task.handwheel"});
+    QVERIFY2(refused.code == 1 && refused.err.contains("no marking scheme"), refused.err);
+    const Ran fixed = bench.run({"set", "task.handwheel", "title=x", "-o", "x.handwheel"});
+    QVERIFY2(fixed.code == 1 && fixed.err.contains("cannot be changed"), fixed.err);
+  }
+
+  void workIsDescribedToo() {
+    const Bench bench;
+    nlohmann::json work = solutionOfShaft();
+    for (nlohmann::json& pass : work["passes"]) pass["feed"] = 0.8;
+    bench.put("work.json", QByteArray::fromStdString(work.dump()));
+    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "work.json", "--name", "Cleo", "-o", "cleo.handwheel"}).code,
+             0);
+    const Ran marked = bench.run({"mark", kShaft, "cleo.handwheel"});
+    QVERIFY2(marked.code == 0 && marked.out.contains("Cleo") && marked.out.contains("above the upper limit"),
+             marked.out);
+  }
+
+  void whatCannotBeMarked() {
+    const Bench bench;
+    bench.put("junk.handwheel", "not a file of ours");
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(
+        bench.run({"exercise", QStringLiteral(SOURCE_SAMPLES "/exercises/bush.exercise.json"), "-o", "bush.handwheel"})
+            .code,
+        0);
+    QCOMPARE(bench.run({"exercise", "bush.handwheel", "--stock", "-o", "stock.handwheel"}).code, 0);
+    QCOMPARE(
+        bench.run({"exercise", "bush.handwheel", "--hand-in", "stock.handwheel", "--name", "A", "-o", "a.handwheel"})
+            .code,
+        0);
+    const Ran marked =
+        bench.run({"mark", kShaft, "junk.handwheel", "bar.handwheel", "a.handwheel", "none.handwheel", "--json"});
+    QCOMPARE(marked.code, 2);
+    const nlohmann::json json = nlohmann::json::parse(marked.out.toStdString());
+    for (const nlohmann::json& each : json["submissions"]) QVERIFY(each["problem"].is_string());
+    QVERIFY(json["submissions"][2]["problem"].get<std::string>().find("another exercise") != std::string::npos);
+
+    QCOMPARE(bench.run({"exercise", "bush.handwheel", "--hand-in", "bar.handwheel", "--name", "A", "-o", "x.handwheel"})
+                 .code,
+             1);
+    QCOMPARE(bench.run({"exercise", "bush.handwheel", "--hand-in", "stock.handwheel", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", "bush.handwheel", "--student", "--stock", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", "bar.handwheel", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", "bush.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"mark", kShaft}).code, 1);
+    QCOMPARE(bench.run({"mark", kShaft, "a.handwheel", "--report", "x.doc"}).code, 1);
+    QCOMPARE(bench.run({"mark", kShaft, "a.handwheel", "--sort", "Shoe size"}).code, 1);
+    QVERIFY(!bench.names().contains("x.handwheel"));
+  }
+};
+
+HANDWHEEL_TEST(ExerciseTest)
+#include "ExerciseTest.moc"

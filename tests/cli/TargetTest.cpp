@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+// A shaft of 40 and 24 mm with a shoulder at 30 mm, of 80 mm: the half section in user units of 1 mm.
+const QByteArray kShaft =
+    "<svg width=\"100mm\" height=\"30mm\" viewBox=\"0 0 100 30\"><path d=\"M 0 25 V 5 H 30 V 13 H 80 V 25\"/>"
+    "<line id=\"axis\" x1=\"-5\" y1=\"25\" x2=\"95\" y2=\"25\"/></svg>";
+
+nlohmann::json parsed(const Ran& ran) {
+  return nlohmann::json::parse(ran.out.toStdString());
+}
+
+}  // namespace
+
+// 'handwheel target': what a part is to become.
+class TargetTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void listsDimensions() {
+    const Bench bench;
+    bench.put("shaft.svg", kShaft);
+    const Ran ran = bench.run({"target", "shaft.svg"});
+    QVERIFY2(ran.code == 0, ran.err);
+    QVERIFY2(ran.out.contains("cylinder Ø40, Z 0 to 30, length 30"), ran.out);
+    QVERIFY2(ran.out.contains("cylinder Ø24, Z 30 to 80, length 50"), ran.out);
+    const nlohmann::json json = parsed(bench.run({"target", "shaft.svg", "--json"}));
+    QVERIFY(std::abs(json["volume"].get<double>() / (M_PI * (400.0 * 30.0 + 144.0 * 50.0)) - 1.0) < 1e-9);
+    QCOMPARE(json["dimensions"].size(), std::size_t{5});
+  }
+
+  // To every format and back, with the same dimensions.
+  void convertsDrawings() {
+    const Bench bench;
+    bench.put("shaft.svg", kShaft);
+    const nlohmann::json expected = parsed(bench.run({"target", "shaft.svg", "--json"}));
+    for (const char* out : {"a.dxf", "a.svg", "a.handwheel"}) {
+      const Ran written = bench.run({"target", "shaft.svg", "-o", out});
+      QVERIFY2(written.code == 0, written.err);
+      const nlohmann::json back = parsed(bench.run({"target", out, "--json"}));
+      QVERIFY2(std::abs(back["volume"].get<double>() / expected["volume"].get<double>() - 1.0) < 1e-9, out);
+      QCOMPARE(back["dimensions"].size(), expected["dimensions"].size());
+    }
+    QCOMPARE(bench.run({"target", "shaft.svg", "-o", "a.pdf"}).code, 0);
+    QVERIFY(bench.content("a.pdf").startsWith("%PDF-"));
+  }
+
+  void measuresAWorkpiece() {
+    const Bench bench;
+    bench.put("shaft.svg", kShaft);
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);  // 50 x 100 mm
+    const Ran ran = bench.run({"target", "shaft.svg", "--of", "bar.handwheel", "-o", "with.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    // The furthest is the rim beyond the upper end of the shaft, which stays where it is drawn: within the bar.
+    const double over = parsed(ran)["deviation"]["largest_over"]["distance"].get<double>();
+    QVERIFY(std::abs(over - std::hypot(25.0 - 12.0, 20.0)) < 1e-6);
+    const Ran inspected = bench.run({"inspect", "with.handwheel"});
+    QVERIFY2(inspected.out.contains("cylinder Ø50, Z 0 to 100, length 100"), inspected.out);
+    QVERIFY2(inspected.out.contains("target shaft.svg: "), inspected.out);
+  }
+
+  void exportsWorkpieces() {
+    const Bench bench;
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    for (const char* out : {"bar.dxf", "bar.svg", "bar.pdf"}) {
+      const Ran ran = bench.run({"convert", "bar.handwheel", out});
+      QVERIFY2(ran.code == 0, ran.err);
+    }
+    QVERIFY(bench.content("bar.dxf").contains("LINE"));
+  }
+
+  void refuses() {
+    const Bench bench;
+    bench.put("text.dxf", "hello");
+    bench.put("binary.dxf", "AutoCAD Binary DXF\r\n");
+    bench.put("open.svg", "<svg><path d=\"M 0 0 L 5 5\"/></svg>");
+    for (const auto& [file, words] : {std::pair{"text.dxf", "text.dxf"},
+                                      {"binary.dxf", "binary DXF file"},
+                                      {"open.svg", "where the axis is"},
+                                      {"none.step", "there is no such file"}}) {
+      const Ran ran = bench.run({"target", file});
+      QCOMPARE(ran.code, 1);
+      QVERIFY2(ran.err.toLower().contains(QByteArray(words).toLower()), ran.err);
+    }
+  }
+};
+
+HANDWHEEL_TEST(TargetTest)
+#include "TargetTest.moc"

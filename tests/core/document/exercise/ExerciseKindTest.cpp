@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/exercise/ExerciseKind.h"
+
+#include "TestClass.h"
+#include "TurningExercises.h"
+#include "document/Container.h"
+#include "document/container/UnknownPart.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ExerciseJson.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const ExerciseKind& kindUnderTest() {
+  static const ExerciseKind kKind(turningOnly());
+  return kKind;
+}
+
+std::shared_ptr<const ExerciseSnapshot> savedAndLoaded(const ExerciseSnapshot& exercise, std::vector<Error>& damage) {
+  Container container;
+  kindUnderTest().save(exercise, container);
+  const auto bytes = writeContainer(container, Compression::Fast);
+  if (!bytes) return nullptr;
+  const auto read = readContainer(*bytes);
+  if (!read) return nullptr;
+  const auto loaded = kindUnderTest().load(read->container, damage, {});
+  return loaded ? std::static_pointer_cast<const ExerciseSnapshot>(loaded.value()) : nullptr;
+}
+
+Container savedAs(const ExerciseSnapshot& exercise) {
+  Container container;
+  kindUnderTest().save(exercise, container);
+  return container;
+}
+
+bool isSame(const Container& a, const Container& b) {
+  return *a.manifest == *b.manifest && a.blobs == b.blobs;
+}
+
+std::string anyText() {
+  static const char* const kTexts[] = {"", "⌀20", "\"a\"; b", "line\nline", "Größe", "a|b"};
+  return kTexts[*rc::gen::inRange<std::size_t>(0, std::size(kTexts))];
+}
+
+double anyNumber() {
+  return *rc::gen::inRange(-1'000'000, 1'000'001) / 1024.0;
+}
+
+Exercise anyExercise() {
+  Exercise exercise;
+  exercise.title = anyText();
+  exercise.text = anyText();
+  exercise.allowedSeconds = std::abs(anyNumber());
+  const int criteria = *rc::gen::inRange(0, 6), steps = *rc::gen::inRange(0, 4);
+  for (int i = 0; i < criteria; ++i) {
+    MarkingCriterion c;
+    c.id = "c" + std::to_string(i);
+    c.name = anyText();
+    c.figure = *rc::gen::element<std::string>("diameter", "time", "force", "unheard-of");
+    for (int k = *rc::gen::inRange(0, 5); k > 0; --k) c.arguments.push_back(anyNumber());
+    if (*rc::gen::arbitrary<bool>()) c.nominal = anyNumber();
+    if (*rc::gen::arbitrary<bool>()) c.lower = anyNumber();
+    if (*rc::gen::arbitrary<bool>()) c.upper = c.lower.value_or(0.0) + std::abs(anyNumber());
+    c.tolerance = c.lower || c.upper ? anyText() : "";
+    c.points = std::abs(anyNumber());
+    c.slack = std::abs(anyNumber());
+    c.isHidden = *rc::gen::arbitrary<bool>();
+    exercise.criteria.push_back(c);
+  }
+  for (int i = 0; i < steps; ++i) {
+    ExerciseStep step{anyText(), anyText(), {anyText(), anyText()}, {}};
+    if (criteria > 0) step.criteria.push_back("c" + std::to_string(*rc::gen::inRange(0, criteria)));
+    exercise.steps.push_back(step);
+  }
+  return exercise;
+}
+
+}  // namespace
+
+// Exercises in files: whole ones come back the same, damaged ones as far as they can.
+class ExerciseKindTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void comesBackTheSame() {
+    QVERIFY(rc::check("what is saved is loaded", [] {
+      ExerciseSnapshot exercise = *exerciseFrom(kindUnderTest(), shoulderDescription());
+      exercise.exercise = anyExercise();
+      exercise.isForStudents = *rc::gen::arbitrary<bool>();
+      if (*rc::gen::arbitrary<bool>())
+        exercise.attempt = Attempt{anyText(), "2026-01-01T00:00:00Z", "", 12.5, {0, 2}, {true, false}};
+      std::vector<Error> damage;
+      const auto loaded = savedAndLoaded(exercise, damage);
+      RC_ASSERT(loaded && damage.empty());
+      RC_ASSERT(toJson(loaded->exercise) == toJson(exercise.exercise));
+      RC_ASSERT(loaded->attempt == exercise.attempt && loaded->isForStudents == exercise.isForStudents);
+      RC_ASSERT(loaded->key == exercise.key);
+      RC_ASSERT(isSame(savedAs(*loaded), savedAs(exercise)));
+    }));
+  }
+
+  void solutionAndWorkAreDocumentsWithin() {
+    Json description = shoulderDescription();
+    description["solution"] = shoulderWork();
+    ExerciseSnapshot exercise = *exerciseFrom(kindUnderTest(), description);
+    exercise.work = workFrom(exercise, shoulderWork(31.0, 0.2, 60.0, 2));
+    std::vector<Error> damage;
+    const auto loaded = savedAndLoaded(exercise, damage);
+    QVERIFY(loaded && damage.empty() && loaded->solution && loaded->work);
+    const auto profileIn = [](const SnapshotPointer& work) {
+      return static_cast<const WorkpieceSnapshot&>(*work).part->profile;
+    };
+    QVERIFY(profileIn(loaded->solution) == profileIn(exercise.solution));
+    QVERIFY(profileIn(loaded->work) == profileIn(exercise.work));
+    QVERIFY(!(profileIn(loaded->work) == profileIn(loaded->solution)));
+    // A blob that is lost costs the part, not the exercise: passes give it back.
+    Container container = savedAs(exercise);
+    container.blobs.erase("exercise/work/workpiece/radii/0000");
+    const auto mended = kindUnderTest().load(container, damage, {});
+    QVERIFY(mended && !damage.empty());
+    QVERIFY(profileIn(static_cast<const ExerciseSnapshot&>(**mended).work) == profileIn(exercise.work));
+  }
+
+  // Nothing of the answers is in the bytes of a student's copy.
+  void aStudentsCopyHasNoAnswers() {
+    Json description = shoulderDescription();
+    description["solution"] = shoulderWork();
+    const ExerciseSnapshot copy = forStudents(*exerciseFrom(kindUnderTest(), description));
+    const Container container = savedAs(copy);
+    QVERIFY(container.blobs.empty());
+    const Json& document = (*container.manifest)["document"];
+    QVERIFY(document["solution"].is_null() && document["work"].is_null() && document["for_students"].get<bool>());
+    for (const Json& c : document["criteria"]) {
+      QVERIFY(c["points"] == 0.0 && c["slack"] == 0.0 && c["hidden"] == false);
+      QVERIFY(c["id"] != "force");
+    }
+    QVERIFY(hasNoAnswers(copy.exercise));
+  }
+
+  void damagedFiles() {
+    const Container whole = savedAs(*exerciseFrom(kindUnderTest(), shoulderDescription()));
+    const auto damageOf = [&](const Json& patch) {
+      Container container = whole;
+      (*container.manifest)["document"].merge_patch(patch);
+      std::vector<Error> damage;
+      const auto loaded = kindUnderTest().load(container, damage, {});
+      if (!loaded) return std::size_t{0};
+      // It is saved and loaded without loss.
+      std::vector<Error> none;
+      const auto again = savedAndLoaded(static_cast<const ExerciseSnapshot&>(**loaded), none);
+      return again && none.empty() ? damage.size() : std::size_t{0};
+    };
+    QVERIFY(damageOf({{"task", 3}}) > 0);
+    QVERIFY(damageOf({{"task", {{"diameter", -1}}}}) > 0);
+    QVERIFY(damageOf({{"task", {{"diameter", "x"}}}}) > 0);
+    QVERIFY(damageOf({{"task", {{"material", "kryptonite"}}}}) > 0);
+    QVERIFY(damageOf({{"task", {{"target", {{"outer", {1, 2}}}}}}}) > 0);
+    QVERIFY(damageOf({{"task", {{"tools", {3, {{"nose_radius", -1}}}}}}}) > 0);
+    QVERIFY(damageOf({{"criteria", {3, Json::object()}}}) > 0);
+    QVERIFY(damageOf({{"criteria", Json::array({{{"id", "a b"}}})}}) > 0);
+    QVERIFY(damageOf({{"steps", Json::array({{{"criteria", {"none"}}}})}}) > 0);
+    QVERIFY(damageOf({{"allowed_seconds", -5}}) > 0);
+    QVERIFY(damageOf({{"attempt", {{"seconds", -5}}}}) > 0);
+    QVERIFY(damageOf({{"work", 7}}) > 0);
+    QVERIFY(damageOf({{"key", std::string(1000, 'x')}}) > 0);
+    // A number of rows that no teacher writes.
+    QVERIFY(damageOf({{"steps", Json::array()}, {"criteria", std::vector<Json>(100'000, {{"id", "a"}})}}) > 0);
+
+    std::vector<Error> damage;
+    Container other = whole;
+    (*other.manifest)["document"]["subject"] = "knitting";
+    const auto unknown = kindUnderTest().load(other, damage, {});
+    QVERIFY(!unknown && unknown.error().code == ExerciseError::SubjectUnknown);
+    other.manifest->erase("document");
+    QVERIFY(!kindUnderTest().load(other, damage, {}));
+  }
+
+  void descriptions() {
+    Json description = shoulderDescription();
+    const auto exercise = exerciseFrom(kindUnderTest(), description);
+    QCOMPARE(exercise->exercise.points(), 25.0);
+    const MarkingCriterion& d = exercise->exercise.criteria[0];
+    QVERIFY(d.upper == 30.0 && std::abs(*d.lower - 29.916) < 1e-12);  // h10 of 30 mm
+    QCOMPARE(exercise->exercise.criteria[2].upper.value(), 3.2);      // N8
+    QVERIFY(!exercise->key.empty());
+    QVERIFY(!kindUnderTest().fromDescription(Json(), {}));
+    QVERIFY(!kindUnderTest().fromDescription({{"subject", "turning"}}, {}));  // no task
+    description["criteria"][0]["points"] = -1;
+    QVERIFY(!kindUnderTest().fromDescription(description, {}));
+    description = shoulderDescription();
+    description["solution"] = {{"passes", {{{"points", {{1, "x"}}}}}}};
+    QVERIFY(!kindUnderTest().fromDescription(description, {}));
+    // What it writes is taken again.
+    const Json written = ExerciseKind::description(*exercise);
+    QVERIFY(toJson(exerciseFrom(kindUnderTest(), written)->exercise) == toJson(exercise->exercise));
+  }
+
+  void blankOnesAreSaved() {
+    const auto blank = std::static_pointer_cast<const ExerciseSnapshot>(kindUnderTest().blank());
+    std::vector<Error> damage;
+    QVERIFY(savedAndLoaded(*blank, damage) && damage.empty());
+    QVERIFY(!kindUnderTest().display(*blank).parts.empty());
+    QVERIFY(kindUnderTest().describe(*blank)["points"] == 0.0);
+  }
+};
+
+HANDWHEEL_TEST(ExerciseKindTest)
+#include "ExerciseKindTest.moc"

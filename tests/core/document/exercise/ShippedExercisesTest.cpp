@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
+#include "TurningExercises.h"
+#include "base/JsonText.h"
+#include "document/FileBytes.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+#include <QDir>
+#include <QtTest>
+#include <set>
+
+using namespace handwheel;
+using namespace handwheel::test;
+using Json = nlohmann::json;
+
+namespace {
+
+using Names = std::set<std::string>;
+
+Json descriptionIn(const QString& path) {
+  const Result<std::string> text = readFileBytes(path.toStdString());
+  Result<Json> json = text ? parseJson(*text, "exercise") : Result<Json>(text.error());
+  return json ? *json : Json();
+}
+
+Names lostMarks(const Marking& marking) {
+  Names lost;
+  for (const Mark& mark : marking.marks) {
+    if (mark.points < mark.of) lost.insert(mark.criterion);
+  }
+  return lost;
+}
+
+std::string reasons(const Marking& marking) {
+  std::string text;
+  for (const Mark& mark : marking.marks) {
+    if (mark.points < mark.of)
+      text += mark.criterion + ": " + mark.reason.inEnglish() + " (" + mark.remark.inEnglish() + ")\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+// The exercises that the program ships: the model solution gets all points, and each fault loses the marks that it is
+// to lose, and no others.
+class ShippedExercisesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void each_data() {
+    QTest::addColumn<QString>("path");
+    const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
+    const QStringList names = folder.entryList({"*.exercise.json"});
+    QCOMPARE(names.size(), 8);
+    for (const QString& name : names) QTest::addRow("%s", qPrintable(name)) << folder.filePath(name);
+  }
+  void each() {
+    QFETCH(QString, path);
+    Json description = descriptionIn(path);
+    QVERIFY(description.is_object());
+    description.erase("for_students");
+    const ExerciseKind kind(turningOnly());
+    const auto exercise = exerciseFrom(kind, description);
+    QVERIFY(exercise->solution && exercise->exercise.points() > 0.0 && exercise->exercise.steps.size() >= 2);
+    const Attempt attempt{"Model", {}, {}, 600.0, {}, {}};
+    const Marking solved = markWork(*exercise, *exercise->solution, attempt);
+    QVERIFY2(lostMarks(solved).empty(), reasons(solved).c_str());
+    QCOMPARE(solved.points, exercise->exercise.points());
+
+    QVERIFY(description["faults"].size() >= 3);
+    for (const Json& fault : description["faults"]) {
+      const Marking marked =
+          markWork(*exercise, *workFrom(*exercise, description["solution"].patch(fault["patch"])), attempt);
+      const Names expected = fault["loses"].get<Names>();
+      QVERIFY2(lostMarks(marked) == expected, (fault["name"].get<std::string>() + "\n" + reasons(marked)).c_str());
+    }
+  }
+
+  // It is hollow: the wall is thin all around, and the stem is solid.
+  void theGlassIsAGlass() {
+    const ExerciseKind kind(turningOnly());
+    const auto exercise =
+        exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/wine-glass.exercise.json")));
+    const TurnedProfile& glass = static_cast<const WorkpieceSnapshot&>(*exercise->solution).part->profile;
+    const auto at = [&](double z) { return static_cast<std::size_t>(z / glass.spacing() + 0.5); };
+    for (double z = 84.0; z < 107.0; z += 1.0) {
+      const double wall = glass.radius(at(z)) - glass.inner(at(z));
+      QVERIFY2(wall > 1.5 && wall < 3.0, QByteArray::number(z));
+      QVERIFY(glass.inner(at(z)) > 20.0);
+    }
+    QVERIFY(glass.inner(at(55.0)) == 0.0 && glass.radius(at(55.0)) < 4.2);
+    QVERIFY(glass.radius(at(31.0)) > 25.0);
+  }
+};
+
+HANDWHEEL_TEST(ShippedExercisesTest)
+#include "ShippedExercisesTest.moc"

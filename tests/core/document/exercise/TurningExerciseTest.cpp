@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
+#include "TurningExercises.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/exercise/TurningFigures.h"
+#include "machining/force/WorkMaterials.h"
+
+#include <QtTest>
+#include <cmath>
+#include <set>
+
+using namespace handwheel;
+using namespace handwheel::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const ExerciseKind& turningKind() {
+  static const ExerciseKind kKind(turningOnly());
+  return kKind;
+}
+
+std::shared_ptr<const ExerciseSnapshot> shoulder() {
+  static const auto kExercise = exerciseFrom(turningKind(), shoulderDescription());
+  return kExercise;
+}
+
+Marking marked(const Json& work, const Attempt& attempt = {"Bob", {}, {}, 300.0, {}, {}}) {
+  return markWork(*shoulder(), *workFrom(*shoulder(), work), attempt);
+}
+
+// The criteria that did not get all of their points.
+std::set<std::string> lostIn(const Marking& marking) {
+  std::set<std::string> lost;
+  for (const Mark& mark : marking.marks) {
+    if (mark.points < mark.of) lost.insert(mark.criterion);
+  }
+  return lost;
+}
+
+using Names = std::set<std::string>;
+
+}  // namespace
+
+// Work on an exercise of turning is measured and marked.
+class TurningExerciseTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void goodWorkGetsAllPoints() {
+    const Marking marking = marked(shoulderWork());
+    for (const Mark& mark : marking.marks)
+      QVERIFY2(mark.points == mark.of, (mark.criterion + ": " + mark.reason.inEnglish()).c_str());
+    QCOMPARE(marking.points, 25.0);
+    QVERIFY(std::abs(*marking.find("d")->value - 29.95) < 1e-9);
+    QVERIFY(std::abs(*marking.find("l")->value - 40.0) < 0.05);
+    QVERIFY(std::abs(*marking.find("ra")->value - 1000.0 * 0.04 / (32 * 0.8)) < 1e-6);
+  }
+
+  // Each fault loses its own marks and no others.
+  void eachFaultLosesItsMarks() {
+    const Marking small = marked(shoulderWork(29.9));
+    QCOMPARE(lostIn(small), Names{"d"});
+    QVERIFY(std::abs(small.find("d")->points - 8.4) < 1e-9);  // 0.016 beyond, of 0.1
+    QCOMPARE(lostIn(marked(shoulderWork(30.2))), Names{"d"});
+    QCOMPARE(lostIn(marked(shoulderWork(29.95, 0.4))), Names{"ra"});
+    QCOMPARE(lostIn(marked(shoulderWork(29.95, 0.2, 61.0))), Names{"l"});
+    QCOMPARE(lostIn(marked(shoulderWork(29.95, 0.2, 60.0, 1))), Names{"force"});
+    Json rammed = shoulderWork();
+    rammed["passes"].push_back({{"nose_radius", 0.8}, {"feed", 0.5}, {"points", {{20.3, 50}, {20.3, 20}}}});
+    const Marking crashed = marked(rammed);
+    QCOMPARE(lostIn(crashed), Names{"crash"});
+    QCOMPARE(crashed.find("crash")->points, 2.0);
+    QCOMPARE(lostIn(marked(shoulderWork(), {"Bob", {}, {}, 900.0, {}, {}})), Names{"time"});
+  }
+
+  void nothingDone() {
+    const Marking marking = marked({{"passes", Json::array()}});
+    QCOMPARE(lostIn(marking), (Names{"d", "l", "ra", "crash", "force"}));  // no marks for care alone
+    QVERIFY(marking.find("d")->verdict == Verdict::TooLarge);
+    QVERIFY(marking.find("l")->verdict == Verdict::NotMeasured);
+    QVERIFY(!marking.find("l")->remark.inEnglish().empty());
+  }
+
+  // The peak is that of Kienzle's law for a groove as wide as the cut.
+  void forceAndPower() {
+    const TurningTask& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
+    const auto snapshot = workFrom(*shoulder(), work);
+    const MeasuredPart part(task, static_cast<const WorkpieceSnapshot&>(*snapshot), {});
+    double force = 0.0, power = 0.0;
+    for (const auto& load : part.loads()) force = std::max(force, load.force), power = std::max(power, load.power);
+    // 2 mm deep at 0.3 mm: Fc = 1500 · 2 · 0.3^(1 - 0.22); Pc = Fc v / 60000 at ⌀40 and 600 r/min. The end of the nose
+    // makes the cut up to a fiftieth wider.
+    const double expected = 1500.0 * 2.0 * std::pow(0.3, 0.78), speed = M_PI * 40.0 * 600.0 / 1000.0;
+    QVERIFY2(force > 0.999 * expected && force < 1.05 * expected, QByteArray::number(force));
+    QVERIFY2(power > 0.999 * expected * speed / 60000 && power < 1.05 * expected * speed / 60000,
+             QByteArray::number(power));
+  }
+
+  // A file whose part is not what its passes cut is found out.
+  void aPartThatWasChangedInTheFile() {
+    WorkpieceSnapshot forged = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork(31.0)));
+    const auto honest = workFrom(*shoulder(), shoulderWork());
+    TurnedPart part = *forged.part;
+    part.profile = static_cast<const WorkpieceSnapshot&>(*honest).part->profile;
+    forged.part = std::make_shared<const TurnedPart>(part);
+    const Marking marking = markWork(*shoulder(), forged, {});
+    QCOMPARE(marking.points, 1.0);  // the time
+    QVERIFY(marking.find("d")->remark.inEnglish().find("passes") != std::string::npos);
+  }
+
+  void workOfAnotherBar() {
+    Json other = shoulderDescription();
+    other["task"]["diameter"] = 50;
+    const auto exercise = exerciseFrom(turningKind(), other);
+    QVERIFY(shoulder()->subject->checkWork(*shoulder()->task, *workFrom(*shoulder(), shoulderWork())));
+    const Status refused =
+        shoulder()->subject->checkWork(*shoulder()->task, *exercise->subject->start(*exercise->task));
+    QVERIFY(!refused && refused.error().code == ExerciseError::OtherWork);
+  }
+
+  // Marking is the same every time, and by itself.
+  void isDeterministic() {
+    const auto work = workFrom(*shoulder(), shoulderWork(29.9, 0.35));
+    const Marking first = markWork(*shoulder(), *work, {}), second = markWork(*shoulder(), *work, {});
+    for (std::size_t i = 0; i < first.marks.size(); ++i) {
+      QVERIFY(first.marks[i].value == second.marks[i].value && first.marks[i].points == second.marks[i].points);
+      QVERIFY(first.marks[i].reason == second.marks[i].reason && first.marks[i].remark == second.marks[i].remark);
+    }
+  }
+
+  // A teacher turns the target.
+  void theTargetOfASolution() {
+    const auto work = workFrom(*shoulder(), shoulderWork());
+    const auto task = shoulder()->subject->withTarget(*shoulder()->task, *work);
+    QVERIFY(task.hasValue());
+    const TurningTask& turning = static_cast<const TurningTask&>(**task);
+    const TurnedProfile& profile = static_cast<const WorkpieceSnapshot&>(*work).part->profile;
+    QVERIFY(turning.target && deviationFrom(*turning.target, profile, {-1, 101}).largest() < 0.01);
+    QVERIFY(turning.target->outer().size() < 2'000);
+  }
+
+  void everyFigureIsMeasuredOrSaysWhyNot() {
+    Json description = shoulderDescription();
+    Json criteria = Json::array();
+    for (const FigureType& type : turningFigureTypes()) {
+      std::vector<double> arguments;
+      for (std::size_t i = 0; i < type.arguments.size(); ++i) arguments.push_back(i % 2 == 0 ? 10.0 : 90.0);
+      criteria.push_back({{"id", type.id}, {"figure", type.id}, {"arguments", arguments}, {"points", 1}});
+      criteria.push_back({{"id", type.id + "-none"}, {"figure", type.id}, {"points", 1}});
+    }
+    criteria.push_back({{"id", "odd"}, {"figure", "odd"}, {"points", 1}});
+    description["criteria"] = criteria;
+    description["steps"] = Json::array();
+    const auto exercise = exerciseFrom(turningKind(), description);
+    for (const Json& work : {shoulderWork(), Json{{"passes", Json::array()}}}) {
+      for (const Mark& mark : markWork(*exercise, *workFrom(*exercise, work), {}).marks)
+        QVERIFY2(mark.value || !mark.remark.inEnglish().empty(), mark.criterion.c_str());
+    }
+  }
+
+  void detailsForAReport() {
+    const auto work = workFrom(*shoulder(), shoulderWork());
+    const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
+    QCOMPARE(details.curves.size(), std::size_t{4});
+    for (const ReportCurve& curve : details.curves) QVERIFY(!curve.series.empty() && !curve.series[0].points.empty());
+    QVERIFY(details.events.empty() && details.seconds > 0.0);
+    const ReportDetails none =
+        shoulder()->subject->details(*shoulder()->task, *shoulder()->subject->start(*shoulder()->task), {});
+    QCOMPARE(none.curves.size(), std::size_t{1});
+  }
+};
+
+HANDWHEEL_TEST(TurningExerciseTest)
+#include "TurningExerciseTest.moc"

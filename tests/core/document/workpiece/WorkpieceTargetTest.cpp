@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/TargetImport.h"
+
+#include "TestClass.h"
+#include "document/DocumentErrors.h"
+#include "document/workpiece/DrawingExport.h"
+#include "document/workpiece/TargetBlobs.h"
+#include "document/workpiece/TargetEdit.h"
+#include "document/workpiece/TargetReport.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceKind.h"
+#include "machining/target/DrawingWriter.h"
+#include "machining/target/TargetErrors.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+TargetProfile steppedShaft() {
+  return TargetProfile::make({{{0, 0}, {20, 0}, 0.0},
+                              {{20, 0}, {20, 30}, 0.0},
+                              {{20, 30}, {15, 30}, 0.0},
+                              arcAround({15, 33}, 3, -M_PI / 2, -M_PI),
+                              {{12, 33}, {12, 80}, 0.0}})
+      .value();
+}
+
+WorkpieceSnapshot withTarget() {
+  WorkpieceSnapshot workpiece;
+  workpiece.target = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{steppedShaft(), "Welle 轴.step"});
+  return workpiece;
+}
+
+}  // namespace
+
+class WorkpieceTargetTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void savedIsLoaded() {
+    Container container;
+    m_kind.save(withTarget(), container);
+    *container.manifest = nlohmann::json::parse(container.manifest->dump());
+    std::vector<Error> damage;
+    const auto back = m_kind.load(container, damage, {});
+    QVERIFY(back.hasValue() && damage.empty());
+    const auto& workpiece = static_cast<const WorkpieceSnapshot&>(**back);
+    QVERIFY(workpiece.target && workpiece.target->profile == steppedShaft());
+    QCOMPARE(workpiece.target->source, std::string("Welle 轴.step"));
+    // Without one there is none.
+    Container bare;
+    m_kind.save(WorkpieceSnapshot(), bare);
+    QVERIFY(!readTarget((*bare.manifest)["document"], bare, damage) && damage.empty());
+  }
+
+  void hostileTargets() {
+    Container sound;
+    m_kind.save(withTarget(), sound);
+    for (const char* text : {"7", "[]", "{}", R"({"segments": -1})", R"({"segments": 1e300})", R"({"segments": 4})",
+                             R"({"segments": 99999})", R"({"segments": 18446744073709551615})"}) {
+      Container container = sound;
+      (*container.manifest)["document"]["target"] = nlohmann::json::parse(text);
+      std::vector<Error> damage;
+      const auto loaded = m_kind.load(container, damage, {});
+      QVERIFY(loaded.hasValue());
+      QVERIFY2(damage.size() <= 1, text);
+      const auto& workpiece = static_cast<const WorkpieceSnapshot&>(**loaded);
+      if (!damage.empty()) QVERIFY(!workpiece.target);
+    }
+  }
+
+  void undone() {
+    WorkpieceKind kind;
+    const auto document = kind.make(DocumentKinds::blank(kind));
+    auto& workpiece = static_cast<WorkpieceDocument&>(*document);
+    TargetEdit edit(withTarget().target);
+    edit.exchange(*document);
+    QVERIFY(workpiece.workpiece().target != nullptr);
+    edit.exchange(*document);
+    QVERIFY(workpiece.workpiece().target == nullptr);
+  }
+
+  void drawingsAreReadBack() {
+    const TargetProfile shaft = steppedShaft();
+    for (const char* name : {"shaft.dxf", "shaft.SVG"}) {
+      const auto path = at(name);
+      QVERIFY(exportDrawing(shaft, {}, path, {}).hasValue());
+      const auto imported = importTarget(path, UnturnedFaces::Refuse);
+      QVERIFY(imported.hasValue());
+      QVERIFY(distanceBetween(imported->profile, shaft) < 1e-6);
+      QCOMPARE(imported->source, std::string(name));
+      QVERIFY(imported->notes.empty());
+    }
+  }
+
+  void aDrawingAsPdf() {
+    const auto path = at("shaft.pdf");
+    WorkpieceSnapshot workpiece;
+    workpiece.material = "C45";
+    QVERIFY(m_kind.exportTo(workpiece, path, {}).hasValue());
+    QFile file(QString::fromStdString(path.string()));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    QVERIFY(bytes.startsWith("%PDF-") && bytes.contains("%%EOF"));
+    // A4 across, in points.
+    QVERIFY(bytes.contains("/MediaBox [0 0 842") || bytes.contains("/MediaBox [0 0 841"));
+  }
+
+  void ofOurOwnFiles() {
+    const auto path = at("own.handwheel");
+    const OpenedFile blank = DocumentKinds::blank(m_kind);
+    QVERIFY(saveDocument(m_kind, blank.file, withTarget(), path).hasValue());
+    const auto byTarget = importTarget(path, UnturnedFaces::Refuse);
+    QVERIFY(byTarget.hasValue() && byTarget->profile == steppedShaft());
+    QVERIFY(saveDocument(m_kind, blank.file, WorkpieceSnapshot(), path).hasValue());
+    const auto byPart = importTarget(path, UnturnedFaces::Refuse);
+    QVERIFY(byPart.hasValue());
+    QVERIFY(std::abs(byPart->profile.volume() / StockCylinder().volume() - 1.0) < 1e-9);
+  }
+
+  void refusesOthers() {
+    const auto path = at("nothing.dxf");
+    QVERIFY(writeText(path, "hello"));
+    QCOMPARE(importTarget(path, UnturnedFaces::Refuse).error().code, ErrorCode(DocumentError::FormatUnknown));
+    QCOMPARE(importTarget(at("missing.step"), UnturnedFaces::Refuse).error().code, ErrorCode(ErrorCode::FileMissing));
+    QVERIFY(writeText(path, "AutoCAD Binary DXF\r\n"));
+    const Error error = importTarget(path, UnturnedFaces::Refuse).error();
+    QCOMPARE(error.code, ErrorCode(TargetError::BinaryDrawing));
+    QCOMPARE(error.subject, path.string());
+  }
+
+  // Its upper end is that of the bar, unless it is within the bar.
+  void placed() {
+    const StockCylinder stock{50.0, 100.0, 10.0};
+    const auto moved = placedTarget({steppedShaft(), "x", {}}, stock);
+    QCOMPARE(moved->profile.upperEnd(), 110.0);
+    const auto kept = placedTarget({steppedShaft().moved(20.0), "x", {}}, stock);
+    QCOMPARE(kept->profile.lowerEnd(), 20.0);
+  }
+
+  void deviationOfABar() {
+    WorkpieceSnapshot workpiece = withTarget();
+    workpiece.stock = {44.0, 80.0, 0.0};
+    const TargetDeviation d = deviationOf(workpiece);
+    QVERIFY(std::abs(d.largestOver.distance - 10.0) < 1e-6);  // 22 against 12
+    QCOMPARE(d.largestUnder.distance, 0.0);
+  }
+
+  void describesDimensions() {
+    const auto described = m_kind.describe(withTarget());
+    QCOMPARE(described["dimensions"].size(), std::size_t{3});  // two faces and the bar
+    QCOMPARE(described["dimensions"][1]["diameter"].get<double>(), 50.0);
+    QCOMPARE(described["dimensions"][1]["text"].get<std::string>(),
+             std::string("cylinder Ø50, Z 0 to 100, length 100"));
+    QVERIFY(described["target"]["deviation"]["largest_over"]["distance"].get<double>() > 0.0);
+  }
+
+ private:
+  std::filesystem::path at(const char* name) const { return m_folder.filePath(name).toStdString(); }
+  static bool writeText(const std::filesystem::path& path, const char* text) {
+    QFile file(QString::fromStdString(path.string()));
+    return file.open(QIODevice::WriteOnly) && file.write(text) > 0;
+  }
+
+  QTemporaryDir m_folder;
+  WorkpieceKind m_kind;
+};
+
+HANDWHEEL_TEST_RUN(WorkpieceTargetTest, handwheel::test::runTest<QGuiApplication, WorkpieceTargetTest>)
+#include "WorkpieceTargetTest.moc"

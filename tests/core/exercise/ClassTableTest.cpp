@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exercise/ClassTable.h"
+
+#include "TestClass.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+Exercise task() {
+  Exercise exercise;
+  MarkingCriterion diameter;
+  diameter.id = "d";
+  diameter.name = "Diameter \"front\", 20";
+  diameter.upper = 20.0;
+  diameter.points = 8.0;
+  MarkingCriterion time = diameter;
+  time.id = "t";
+  time.name = "Time";
+  time.points = 2.0;
+  exercise.criteria = {diameter, time};
+  return exercise;
+}
+
+ClassRow row(const char* student, double diameter, double time, double seconds = 90.0) {
+  ClassRow each;
+  each.file = std::string(student) + ".handwheel";
+  each.attempt.student = student;
+  each.attempt.handedIn = "2026-11-23T08:15:00Z";
+  each.attempt.seconds = seconds;
+  each.attempt.hints = {1, 2};
+  each.marking = markFigures(task(), {{"d", diameter, {}}, {"t", time, {}}});
+  return each;
+}
+
+ClassTable fourStudents() {
+  ClassTable table(task());
+  table.add(row("Ada", 20.0, 30.0));
+  table.add(row("=Bob", 19.0, 10.0, 600.0));
+  table.add(row("Cleo, the 2nd", 30.0, 30.0));
+  ClassRow unread = row("", 0, 0);
+  unread.marking = {};
+  unread.problem = "the file is damaged";
+  table.add(unread);
+  return table;
+}
+
+std::string students(const ClassTable& table) {
+  std::string all;
+  for (std::size_t i = 0; i < table.rows().size(); ++i) all += table.cell(i, ClassTable::Student) + "|";
+  return all;
+}
+
+}  // namespace
+
+class ClassTableTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cells() {
+    const ClassTable table = fourStudents();
+    QCOMPARE(table.columns(), std::size_t{ClassTable::FirstCriterion} + 2);
+    QCOMPARE(table.cell(0, ClassTable::Points), std::string("8"));
+    QCOMPARE(table.cell(0, ClassTable::Percent), std::string("80"));
+    QCOMPARE(table.cell(0, ClassTable::Minutes), std::string("1.5"));
+    QCOMPARE(table.cell(0, ClassTable::Hints), std::string("3"));
+    QCOMPARE(table.cell(1, ClassTable::FirstCriterion + 1), std::string("2"));
+    QCOMPARE(table.heading(ClassTable::FirstCriterion), task().criteria[0].name);
+    QCOMPARE(table.cell(3, ClassTable::Points), std::string("the file is damaged"));
+    QCOMPARE(table.cell(3, ClassTable::Percent), std::string());
+  }
+
+  void sortsByValueAndByName() {
+    ClassTable table = fourStudents();
+    table.sort(ClassTable::Points, true);
+    QCOMPARE(students(table), std::string("=Bob|Ada|Cleo, the 2nd||"));
+    table.sort(ClassTable::Points, false);
+    QCOMPARE(students(table), std::string("Cleo, the 2nd|Ada|=Bob||"));  // what was not marked stays last
+    table.sort(ClassTable::Student, false);
+    QCOMPARE(students(table), std::string("=Bob|Ada|Cleo, the 2nd||"));
+    table.sort(ClassTable::Minutes, true);
+    QCOMPARE(students(table).substr(0, 5), std::string("=Bob|"));
+    table.sort(ClassTable::FirstCriterion + 1, true);
+    QCOMPARE(students(table).substr(0, 5), std::string("=Bob|"));
+  }
+
+  // As RFC 4180 says; no field is a formula to a spreadsheet.
+  void csv() {
+    ClassTable table(task());
+    table.add(row("=Bob", 19.0, 10.0));
+    table.add(row("Cleo, \"the 2nd\"", 30.0, 30.0));
+    QCOMPARE(
+        QByteArray::fromStdString(table.csv()),
+        QByteArray(
+            "Student,File,Handed in,Minutes,Hints,Points,Percent,\"Diameter \"\"front\"\", 20\",Time\r\n"
+            "'=Bob,'=Bob.handwheel,2026-11-23T08:15:00Z,1.5,3,10,100,8,2\r\n"
+            "\"Cleo, \"\"the 2nd\"\"\",\"Cleo, \"\"the 2nd\"\".handwheel\",2026-11-23T08:15:00Z,1.5,3,0,0,0,0\r\n"));
+    QCOMPARE(ClassTable(Exercise()).csv(), std::string("Student,File,Handed in,Minutes,Hints,Points,Percent\r\n"));
+  }
+};
+
+HANDWHEEL_TEST(ClassTableTest)
+#include "ClassTableTest.moc"

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exercise/Marking.h"
+
+#include "TestClass.h"
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+using namespace handwheel;
+
+namespace {
+
+MarkingCriterion within(double lower, double upper, double points, double slack) {
+  MarkingCriterion c;
+  c.id = "d1";
+  c.lower = lower;
+  c.upper = upper;
+  c.points = points;
+  c.slack = slack;
+  return c;
+}
+
+Exercise only(const MarkingCriterion& criterion) {
+  Exercise exercise;
+  exercise.criteria = {criterion};
+  return exercise;
+}
+
+Mark markOf(const MarkingCriterion& criterion, std::optional<double> value) {
+  return markFigures(only(criterion), {{"d1", value, {}}}, {"mm"}).marks[0];
+}
+
+double hundredth(int low, int high) {
+  return *rc::gen::inRange(100 * low, 100 * high) / 100.0;
+}
+
+}  // namespace
+
+class MarkingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theReasonOfEachMark() {
+    const MarkingCriterion c = within(19.9, 20.0, 10.0, 0.2);
+    QCOMPARE(markOf(c, 19.95).points, 10.0);
+    QCOMPARE(markOf(c, 19.95).reason.inEnglish(), std::string("19.95 mm is within 19.9 and 20 mm"));
+    const Mark small = markOf(c, 19.85);
+    QVERIFY(small.verdict == Verdict::TooSmall);
+    QCOMPARE(small.points, 7.5);
+    QCOMPARE(small.reason.inEnglish(), std::string("19.85 mm is 0.05 mm below the lower limit, 19.9 mm"));
+    const Mark large = markOf(c, 20.3);
+    QVERIFY(large.verdict == Verdict::TooLarge);
+    QCOMPARE(large.points, 0.0);
+    QCOMPARE(large.reason.inEnglish(), std::string("20.3 mm is 0.3 mm above the upper limit, 20 mm"));
+    const Mark none = markOf(c, std::nullopt);
+    QVERIFY(none.verdict == Verdict::NotMeasured && none.points == 0.0 && !none.reason.inEnglish().empty());
+    for (const double odd : {std::nan(""), std::numeric_limits<double>::infinity()})
+      QVERIFY(markOf(c, odd).verdict == Verdict::NotMeasured);
+    MarkingCriterion none1 = c;
+    none1.lower.reset();
+    QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm is not above 20 mm"));
+    none1.upper.reset();
+    QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm, without a limit"));
+    QCOMPARE((ExerciseText{"100%, %2 of %1 %3", {"a", "b"}}).inEnglish(), std::string("100%, b of a "));
+  }
+
+  // At the limit itself all points, without slack none beyond it.
+  void limitsBelong() {
+    const MarkingCriterion c = within(1.0, 2.0, 3.0, 0.0);
+    QCOMPARE(markOf(c, 1.0).points, 3.0);
+    QCOMPARE(markOf(c, 2.0).points, 3.0);
+    QCOMPARE(markOf(c, 2.0 + 1e-12).points, 3.0);  // of rounding
+    QCOMPARE(markOf(c, 2.0 + 1e-6).points, 0.0);
+  }
+
+  void marksFollowTheScheme() {
+    QVERIFY(rc::check("points fall from all to none over the slack", [] {
+      const double lower = hundredth(-50, 50), width = hundredth(0, 20), slack = hundredth(1, 20);
+      const MarkingCriterion c = within(lower, lower + width, hundredth(0, 100), slack);
+      const double beyond = *rc::gen::inRange(-300, 301) / 100.0 * slack;
+      const double value = (beyond < 0 ? lower : lower + width) + beyond;
+      const double share = std::max(0.0, 1.0 - std::abs(beyond) / slack);
+      const Mark mark = markOf(c, value);
+      RC_ASSERT(std::abs(mark.points - c.points * share) <= 0.005 + 1e-9);
+      RC_ASSERT(mark.points >= 0.0 && mark.points <= mark.of);
+      RC_ASSERT((mark.verdict == Verdict::Met) == (beyond == 0.0));
+    }));
+    QVERIFY(rc::check("the sum is that of the marks as they are shown, and the same every time", [] {
+      Exercise exercise;
+      std::vector<Figure> figures;
+      const int count = *rc::gen::inRange(0, 30);
+      for (int i = 0; i < count; ++i) {
+        MarkingCriterion c = within(0.0, 1.0, hundredth(0, 20), 1.0);
+        c.id = std::to_string(i);
+        exercise.criteria.push_back(c);
+        if (i % 3 != 0) figures.push_back({c.id, hundredth(-1, 3), {}});
+      }
+      const Marking marking = markFigures(exercise, figures), again = markFigures(exercise, figures);
+      long sum = 0;
+      for (const Mark& mark : marking.marks) sum += std::lround(100.0 * mark.points);
+      RC_ASSERT(std::lround(100.0 * marking.points) == sum);
+      RC_ASSERT(marking.points == again.points && marking.marks.size() == exercise.criteria.size());
+      for (std::size_t i = 0; i < marking.marks.size(); i += 3)
+        RC_ASSERT(marking.marks[i].verdict == Verdict::NotMeasured);
+    }));
+  }
+};
+
+HANDWHEEL_TEST(MarkingTest)
+#include "MarkingTest.moc"

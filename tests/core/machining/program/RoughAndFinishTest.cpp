@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/RoughAndFinish.h"
+
+#include "TestClass.h"
+#include "machining/program/ProgramInterpreter.h"
+#include "machining/program/ProgramSimulation.h"
+#include "machining/program/ProgramWriter.h"
+#include "machining/target/TargetDeviation.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr double kBarRadius = 20.0, kBarLength = 100.0, kFine = 0.013;  // mm
+
+ProfileSegment arcOf(const ProfilePoint& a, const ProfilePoint& m, const ProfilePoint& b) {
+  return *arcThrough(a, m, b);
+}
+
+TargetProfile targetOf(const QString& name) {
+  std::vector<ProfileSegment> s;
+  if (name == "shaft") {
+    s = {{{18, -60}, {18, -40}},
+         {{18, -40}, {15, -40}},
+         {{15, -40}, {15, -20}},
+         {{15, -20}, {10, -15}},
+         {{10, -15}, {10, 0}}};
+  } else if (name == "ball") {
+    s = {arcOf({0, -30}, {15, -15}, {0, 0})};
+  } else {  // a stem between two bells, as of a glass
+    s = {{{18, -60}, {18, -55}},
+         arcOf({18, -55}, {18 - 4 * (1 - std::sqrt(0.5)), -55 + 4 * std::sqrt(0.5)}, {14, -51}),
+         {{14, -51}, {6, -45}},
+         {{6, -45}, {6, -30}},
+         arcOf({6, -30}, {11, -24}, {14, -20}),
+         {{14, -20}, {16, 0}}};
+  }
+  return TargetProfile::make(s).value();
+}
+
+ProgramSetup setupFor(ProgramDialect dialect, double nose) {
+  ProgramSetup setup;
+  setup.dialect = dialect;
+  setup.standard = {nose, outsideOrientation(dialect), {0, 0}};
+  setup.reference = {120.0, 100.0};
+  return setup;
+}
+
+}  // namespace
+
+// Cycles for a target, and the programs that are written of them.
+class RoughAndFinishTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Nothing collides; no more than 0.001 mm is cut too deep; outside of inner corners no more than 0.002 mm is left.
+  void makesTheTarget_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("isFanuc");
+    for (const char* const name : {"shaft", "ball", "glass"}) {
+      QTest::addRow("%s, LinuxCNC", name) << QString(name) << false;
+      QTest::addRow("%s, Fanuc", name) << QString(name) << true;
+    }
+  }
+  void makesTheTarget() {
+    QFETCH(QString, name);
+    QFETCH(bool, isFanuc);
+    const TargetProfile target = targetOf(name);
+    const CycleSettings settings;
+    const auto moves = roughAndFinish(target, kBarRadius, settings);
+    QVERIFY(bool(moves));
+    const ProgramDialect dialect = isFanuc ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
+    const ProgramSetup setup = setupFor(dialect, settings.nose);
+    const auto path = runProgram(programText(*moves, dialect, "test"), setup);
+    QVERIFY(bool(path));
+    ProgramSimulation simulation(TurnedProfile({2.0 * kBarRadius, kBarLength, 0.0}, kFine), *path, setup);
+    QVERIFY(simulation.run({}));
+    QCOMPARE(simulation.collisionCount(), std::size_t{0});
+    const double base = target.upperEnd() - kBarLength;
+    const TargetDeviation deviation = deviationFrom(target, simulation.part(), base);
+    std::size_t left = 0, all = 0;
+    for (std::size_t i = 0; i < simulation.part().size(); ++i) {
+      const double z = simulation.part().z(i) + base;
+      if (z < target.lowerEnd() + 2 * kFine || z > target.upperEnd() - 2 * kFine) continue;
+      QVERIFY2(deviation.outer[i] > -1e-3, qPrintable(QString("z %1: %2").arg(z).arg(deviation.outer[i])));
+      QVERIFY(deviation.outer[i] < 0.2);  // (√2 - 1)·r in a square corner
+      left += deviation.outer[i] > 0.002;
+      ++all;
+    }
+    QVERIFY2(left * 50 < all, qPrintable(QString("%1 of %2").arg(left).arg(all)));
+  }
+
+  void refusesWhatCannotBeTurned() {
+    CycleSettings settings;
+    QVERIFY(!roughAndFinish(targetOf("shaft"), 17.0, settings));
+    settings.nose = 0.8;  // a groove of 1 mm
+    const auto groove = TargetProfile::make({{{15, -60}, {15, -40}},
+                                             {{15, -40}, {10, -40}},
+                                             {{10, -40}, {10, -39}},
+                                             {{10, -39}, {15, -39}},
+                                             {{15, -39}, {15, 0}}});
+    QVERIFY(bool(groove) && !roughAndFinish(*groove, kBarRadius, settings));
+    settings = {};
+    settings.depth = 0.0;
+    QVERIFY(!roughAndFinish(targetOf("shaft"), kBarRadius, settings));
+  }
+
+  // Arcs, threads, dwells and both feeds are read as they were written.
+  void writtenMovesAreReadBack_data() {
+    QTest::addColumn<bool>("isFanuc");
+    QTest::newRow("LinuxCNC") << false;
+    QTest::newRow("Fanuc") << true;
+  }
+  void writtenMovesAreReadBack() {
+    QFETCH(bool, isFanuc);
+    const ProgramDialect dialect = isFanuc ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
+    const char* const program =
+        "G21 G18 G8\nT3 M6\nG97 S400 M3\nG0 X25 Z4\nG94 F120\nG1 X20.1234 Z-3\nG2 X24 Z-6.8766 R3.8766\nG95 F0.15\nG3 "
+        "X27 Z-9.8766 R3\nG4 P0.75\nG33 Z-20 K1.5\nG0 X40\nG96 D1800 S120\nG1 X5 Z-21\n";
+    const auto before = runProgram(program, setupFor(ProgramDialect::LinuxCnc, 0.0));
+    QVERIFY(bool(before));
+    const auto after = runProgram(programText(before->moves, dialect, "a (b)"), setupFor(dialect, 0.0));
+    QVERIFY(bool(after));
+    QCOMPARE(after->moves.size(), before->moves.size());
+    for (std::size_t i = 0; i < after->moves.size(); ++i) {
+      const ToolMove &a = before->moves[i], &b = after->moves[i];
+      QCOMPARE(int(a.kind), int(b.kind));
+      QCOMPARE(int(a.turn), int(b.turn));
+      QVERIFY((a.to - b.to).norm() < 1e-4);
+      if (a.turn != 0) QVERIFY((a.centre - b.centre).norm() < 2e-4);
+      QVERIFY(std::abs(a.time - b.time) < 1e-3 * (1.0 + a.time));
+      QCOMPARE(a.tool, b.tool);
+      QVERIFY(a.isSurfaceSpeed == b.isSurfaceSpeed && std::abs(a.spindle - b.spindle) < 1e-3);
+    }
+  }
+
+  // A recorded pass, written and simulated, leaves the same part.
+  void aRecordedPassIsRepeated() {
+    TurningPass pass;
+    pass.noseRadius = 1.0;
+    for (int i = 0; i <= 400; ++i) {
+      pass.path.emplace_back(18.0 + 1.5 * std::sin(0.02 * i), 90.0 - 0.2 * i);
+      pass.times.push_back(0.05 * i);
+    }
+    TurnedProfile expected({2.0 * kBarRadius, kBarLength, 0.0}, 0.05);
+    const TurnedProfile bar = expected;
+    cut(expected, pass);
+    const std::vector<TurningPass> passes{pass};
+    const std::vector<ToolMove> moves = movesOf(passes, kBarRadius, kBarLength, {});
+    QVERIFY(moves.size() < 300);  // thinned
+    const ProgramSetup setup = setupFor(ProgramDialect::Fanuc, 1.0);
+    const auto path = runProgram(programText(moves, ProgramDialect::Fanuc, "pass"), setup);
+    QVERIFY(bool(path));
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    QCOMPARE(simulation.collisionCount(), std::size_t{0});
+    for (std::size_t i = 0; i < bar.size(); ++i) {
+      // Where the pass begins and ends the tool comes from above.
+      if (std::abs(bar.z(i) - 90.0) < 1.1 || std::abs(bar.z(i) - 10.0) < 1.1) continue;
+      QVERIFY(std::abs(simulation.part().radius(i) - expected.radius(i)) < 2e-3);
+    }
+  }
+
+  // Of an ideal point: the volume between two cylinders and a cone, by formula.
+  void aPointCutsItsPath() {
+    const auto path = runProgram("G21 G8 F100 S100 M3\nG0 X22 Z1\nX15\nG1 Z-20\nX20 Z-40\nG0 X30\n",
+                                 setupFor(ProgramDialect::LinuxCnc, 0.0));
+    QVERIFY(bool(path));
+    const TurnedProfile bar({40.0, 100.0, 0.0}, 0.05);
+    const ProgramSetup setup = setupFor(ProgramDialect::LinuxCnc, 0.0);
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    const double frustum = M_PI / 3.0 * 20.0 * (225.0 + 300.0 + 400.0);
+    const double expected = M_PI * 400.0 * 40.0 - M_PI * 225.0 * 20.0 - frustum;
+    QVERIFY(std::abs((bar.volume() - simulation.part().volume()) / expected - 1.0) < 1e-3);
+    // The passes that it gives repeat it, bit for bit.
+    TurnedProfile again = bar;
+    for (const TurningPass& pass : simulation.takePasses()) cut(again, pass);
+    QVERIFY(again == simulation.part());
+  }
+};
+
+HANDWHEEL_TEST(RoughAndFinishTest)
+#include "RoughAndFinishTest.moc"

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/SampledProfile.h"
+
+#include "AnyProfile.h"
+#include "TestClass.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using test::anyShaft;
+
+namespace {
+
+TargetProfile profileThrough(const std::vector<ProfilePoint>& points) {
+  std::vector<ProfileSegment> all;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) all.push_back({points[i], points[i + 1], 0.0});
+  return TargetProfile::make(std::move(all)).value();
+}
+
+}  // namespace
+
+class SampledProfileTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Off the samples by a third of a step, so that no corner is a sample.
+  void cornersBetweenSamples() {
+    const double off = 0.0067;
+    const TargetProfile shaft = profileThrough({{0, 0},
+                                                {10, 0},
+                                                {10, 20 + off},
+                                                {14, 24 + off},
+                                                {14, 40},
+                                                {20, 46},
+                                                {20, 60},
+                                                {18, 62 + off},
+                                                {18, 70},
+                                                {0, 70}});
+    const auto back = sectionOf(sampled(shaft, 0.02), 1e-3);
+    QVERIFY(back.hasValue());
+    QCOMPARE(back->segments().size(), shaft.segments().size());
+    for (std::size_t i = 0; i < shaft.segments().size(); ++i)
+      QVERIFY((back->segments()[i].to - shaft.segments()[i].to).norm() < 1e-6);
+  }
+
+  void shouldersWithinASample() {
+    const TargetProfile shaft = profileThrough({{0, 0}, {20, 0}, {20, 30.0}, {15, 30.0}, {15, 50}, {0, 50}});
+    const auto back = sectionOf(sampled(shaft, 0.02), 1e-3);
+    QVERIFY(back.hasValue());
+    QCOMPARE(back->segments().size(), std::size_t{5});
+    QCOMPARE(back->segments()[2].from.y(), back->segments()[2].to.y());  // flat
+    QVERIFY(std::abs(back->segments()[2].from.y() - 30.0) <= 0.02);
+    QCOMPARE(back->segments()[1].to.x(), 20.0);
+    QCOMPARE(back->segments()[3].to.x(), 15.0);
+  }
+
+  // What a round nose leaves: a cylinder, a quarter of a circle, a wall where the circle is steepest.
+  void aPassOfARoundNose() {
+    TurnedProfile part(StockCylinder{40.0, 60.0, 0.0}, 0.02);
+    part.cut({15.0 + 2.0, 30.0}, {15.0 + 2.0, 70.0}, 2.0);
+    const auto back = sectionOf(part, 1e-3);
+    QVERIFY(back.hasValue());
+    QCOMPARE(back->segments().size(), std::size_t{6});
+    const ProfileSegment arc = back->segments()[3];
+    QVERIFY(arc.isArc());
+    QVERIFY(std::abs(arc.radius() - 2.0) < 1e-6);
+    QVERIFY((arc.centre() - ProfilePoint(17.0, 30.0)).norm() < 1e-6);
+    const ProfileSegment wall = back->segments()[2];
+    QVERIFY(std::abs(wall.from.y() - 28.0) < 1e-6 && std::abs(wall.to.y() - 28.0) < 1e-6);
+  }
+
+  void boresAreFound() {
+    const TargetProfile bush = profileThrough({{0, 0}, {20, 0}, {20, 40}, {8, 40}, {8, 15}, {0, 15}});
+    const auto back = sectionOf(sampled(bush, 0.02), 1e-3);
+    QVERIFY(back.hasValue() && !back->isClosed());
+    QVERIFY(std::abs(back->volume() / bush.volume() - 1.0) < 1e-3);
+    const TargetProfile tube = profileThrough({{8, 0}, {20, 0}, {20, 40}, {8, 40}, {8, 0}});
+    const auto open = sectionOf(sampled(tube, 0.02), 1e-3);
+    QVERIFY(open.hasValue() && open->isClosed());
+    QCOMPARE(open->segments().size(), std::size_t{4});
+    QVERIFY(std::abs(open->volume() / tube.volume() - 1.0) < 1e-9);
+  }
+
+  void anyShaftComesBack() {
+    QVERIFY(rc::check("its samples are near the section, and the volume is that of the shaft", [] {
+      const auto shaft = TargetProfile::make(anyShaft());
+      RC_PRE(shaft.hasValue());
+      const TurnedProfile part = sampled(*shaft, 0.05);
+      const auto back = sectionOf(part, 5e-3);
+      RC_ASSERT(back.hasValue());
+      for (std::size_t i = 0; i < part.size(); i += 7)
+        RC_ASSERT(std::abs(back->distance({part.radius(i), part.z(i)})) < 0.06);
+      // Each shoulder is off by a sample at most, and the rest by the tolerance.
+      double radius = 0.0, length = 0.0;
+      for (const ProfileSegment& segment : shaft->segments()) {
+        radius = std::max({radius, segment.from.x(), segment.to.x()});
+        length += (segment.to - segment.from).norm();
+      }
+      const double shoulders = static_cast<double>(shaft->segments().size());
+      const double slack = M_PI * radius * (radius * 0.05 * shoulders + 2.0 * 5e-3 * length);
+      RC_ASSERT(std::abs(back->volume() - shaft->volume()) < slack);
+      RC_ASSERT(back->segments().size() < 4 * shaft->segments().size() + 20);
+    }));
+  }
+
+  void ofACurve() {
+    ProfileNet net{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, 1, 1, 1, 1}};
+    net.weights[1] = net.weights[3] = std::sqrt(0.5);
+    const auto ball = sectionOf(ProfileCurve::make(net).value(), 1e-3);
+    QVERIFY(ball.hasValue());
+    QCOMPARE(ball->segments().size(), std::size_t{2});
+    QVERIFY(std::abs(ball->volume() - 4.0 / 3.0 * M_PI * 125.0) < 1e-6);
+  }
+
+  void partedMaterialIsRefused() {
+    QVERIFY(!sectionOf(TurnedProfile::fromRadii({5, 5, 0, 5, 5}, 4.0), 1e-3).hasValue());
+    QVERIFY(!sectionOf(TurnedProfile::fromRadii({0, 0, 0}, 4.0), 1e-3).hasValue());
+  }
+};
+
+HANDWHEEL_TEST(SampledProfileTest)
+#include "SampledProfileTest.moc"

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/TargetProfile.h"
+
+#include "AnyProfile.h"
+#include "TestClass.h"
+#include "machining/target/TargetErrors.h"
+
+#include <QtTest>
+#include <limits>
+
+using namespace handwheel;
+using test::anyShaft;
+using test::evenly;
+
+namespace {
+
+using Segments = std::vector<ProfileSegment>;
+
+Segments through(const std::vector<ProfilePoint>& points) {
+  Segments all;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) all.push_back({points[i], points[i + 1], 0.0});
+  return all;
+}
+
+Segments turnedRound(Segments all) {
+  std::reverse(all.begin(), all.end());
+  for (ProfileSegment& s : all) s = s.reversed();
+  return all;
+}
+
+ErrorCode refusal(Segments segments) {
+  const auto made = TargetProfile::make(std::move(segments));
+  return made ? ErrorCode() : made.error().code;
+}
+
+// Whether a point is in the material, by the crossings of a ray outwards with densely sampled chords.
+bool isInside(const TargetProfile& profile, const ProfilePoint& p) {
+  int crossings = 0;
+  for (const ProfileSegment& s : profile.segments()) {
+    const int pieces = s.isArc() ? 500 : 1;
+    for (int i = 0; i < pieces; ++i) {
+      const ProfilePoint a = s.at(double(i) / pieces), b = s.at(double(i + 1) / pieces);
+      if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+      const double r = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+      crossings += r > p.x() ? 1 : 0;
+    }
+  }
+  return crossings % 2 == 1;
+}
+
+}  // namespace
+
+class TargetProfileTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aCylinder() {
+    // As an open line, with its ends, closed along the axis, and the other way round: the same.
+    const Segments open = through({{20, 0}, {20, 100}});
+    const Segments whole = through({{0, 0}, {20, 0}, {20, 100}, {0, 100}, {0, 0}});
+    for (const Segments& given : {open, whole, turnedRound(open), turnedRound(whole)}) {
+      const auto made = TargetProfile::make(given);
+      QVERIFY(made.hasValue());
+      QVERIFY(!made->isClosed());
+      QCOMPARE(made->segments().size(), std::size_t{3});
+      QVERIFY(std::abs(made->volume() - M_PI * 400.0 * 100.0) < 1e-6);
+      QCOMPARE(made->largestRadius(), 20.0);
+      QCOMPARE(made->length(), 100.0);
+      QCOMPARE(made->distance({25.0, 50.0}), 5.0);
+      QCOMPARE(made->distance({15.0, 50.0}), -5.0);
+      QCOMPARE(made->distance({0.0, 99.0}), -1.0);
+      QCOMPARE(made->distance({23.0, 104.0}), 5.0);
+      QCOMPARE(made->distance({0.0, -2.0}), 2.0);
+    }
+  }
+
+  void aBoredBush() {
+    const Segments ring = through({{5, 0}, {20, 0}, {20, 30}, {5, 30}, {5, 0}});
+    for (const Segments& given : {ring, turnedRound(ring), through({{20, 0}, {20, 30}, {5, 30}, {5, 0}})}) {
+      const auto made = TargetProfile::make(given);
+      QVERIFY(made.hasValue());
+      QVERIFY(made->isClosed());
+      QVERIFY(std::abs(made->volume() - M_PI * (400.0 - 25.0) * 30.0) < 1e-9);
+      QCOMPARE(made->distance({0.0, 15.0}), 5.0);
+      QCOMPARE(made->extentAt(15.0)->inner, 5.0);
+      QCOMPARE(made->extentAt(15.0)->outer, 20.0);
+    }
+    // A blind bore begins on the axis.
+    const auto blind = TargetProfile::make(through({{0, 0}, {20, 0}, {20, 30}, {5, 30}, {5, 10}, {0, 10}}));
+    QVERIFY(blind.hasValue() && !blind->isClosed());
+    QVERIFY(std::abs(blind->volume() - M_PI * (400.0 * 30.0 - 25.0 * 20.0)) < 1e-9);
+    QCOMPARE(blind->extentAt(5.0)->inner, 0.0);
+    QCOMPARE(blind->extentAt(20.0)->inner, 5.0);
+    QCOMPARE(blind->distance({0.0, 12.0}), 2.0);
+    QCOMPARE(blind->distance({0.0, 9.0}), -1.0);
+  }
+
+  void aBall() {
+    const auto ball = TargetProfile::make({arcAround({0, 7}, 5.0, -M_PI / 2, M_PI / 2)});
+    QVERIFY(ball.hasValue());
+    QVERIFY(std::abs(ball->volume() - 4.0 / 3.0 * M_PI * 125.0) < 1e-9);
+    for (const ProfilePoint& p : {ProfilePoint(0, 7), ProfilePoint(3, 5), ProfilePoint(9, 7), ProfilePoint(0, 14)})
+      QVERIFY(std::abs(ball->distance(p) - ((p - ProfilePoint(0, 7)).norm() - 5.0)) < 1e-9);
+  }
+
+  void refuses() {
+    QCOMPARE(refusal({}), ErrorCode(TargetError::NoArea));
+    QCOMPARE(refusal(through({{0, 0}, {0, 10}})), ErrorCode(TargetError::NoArea));
+    QCOMPARE(refusal(through({{0, 0}, {5, 0}, {0, 0}})), ErrorCode(TargetError::NoArea));
+    QCOMPARE(refusal(through({{5, 0}, {-5, 10}})), ErrorCode(TargetError::CrossesAxis));
+    QCOMPARE(refusal({arcAround({3, 0}, 4.0, M_PI / 2, 1.5 * M_PI)}), ErrorCode(TargetError::CrossesAxis));
+    QCOMPARE(refusal(through({{5, 0}, {0, 10}, {5, 20}})), ErrorCode(TargetError::TouchesAxis));
+    QCOMPARE(refusal({{{5, 0}, {5, 10}, 0.0}, {{5, 11}, {5, 20}, 0.0}}), ErrorCode(TargetError::NotJoined));
+    QCOMPARE(refusal(through({{0, 0}, {10, 0}, {10, 20}, {5, 20}, {15, 10}, {0, 10}})),
+             ErrorCode(TargetError::CrossesItself));
+    QCOMPARE(refusal(through({{0, 0}, {10, 0}, {10, 20}, {10, 10}, {0, 10}})), ErrorCode(TargetError::CrossesItself));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {nan, HUGE_VAL, 1e300, -1e7})
+      QCOMPARE(refusal({{{5, 0}, {5, bad}, 0.0}}), ErrorCode(ErrorCode::ValueOutOfRange));
+    QCOMPARE(refusal(Segments(TargetProfile::kMostSegments + 1)), ErrorCode(ErrorCode::FileTooLarge));
+  }
+
+  void distancesByDefinition() {
+    QVERIFY(rc::check("the least distance of sampled points, with the sign of the ray test", [] {
+      const auto made = TargetProfile::make(anyShaft());
+      RC_PRE(made.hasValue());
+      const ProfilePoint p(evenly(0.0, 40.0), evenly(-10.0, made->upperEnd() + 10.0));
+      double least = HUGE_VAL;
+      for (const ProfileSegment& s : made->segments())
+        for (int i = 0; i <= 500; ++i) least = std::min(least, (s.at(i / 500.0) - p).norm());
+      const double found = made->distance(p);
+      RC_ASSERT(std::abs(std::abs(found) - least) < 0.1);
+      if (least > 0.1) RC_ASSERT((found < 0.0) == isInside(*made, p));
+    }));
+  }
+
+  void eitherDirectionIsTheSame() {
+    QVERIFY(rc::check("a shaft and its reverse, and its reflection in volume", [] {
+      const Segments given = anyShaft();
+      const auto made = TargetProfile::make(given), back = TargetProfile::make(turnedRound(given));
+      RC_ASSERT(made.hasValue() == back.hasValue());
+      RC_PRE(made.hasValue());
+      RC_ASSERT(std::abs(made->volume() - back->volume()) < 1e-9 * made->volume());
+      RC_ASSERT(made->volume() > 0.0);
+      const TargetProfile up = made->moved(3.0);
+      const ProfilePoint p(evenly(0.0, 40.0), evenly(-10.0, 100.0));
+      RC_ASSERT(std::abs(up.distance(p + ProfilePoint(0, 3)) - made->distance(p)) < 1e-9);
+    }));
+  }
+
+  void extentsByDistance() {
+    QVERIFY(rc::check("the ends of an extent are on the surface", [] {
+      const auto made = TargetProfile::make(anyShaft());
+      RC_PRE(made.hasValue());
+      const double z = evenly(0.0, made->upperEnd());
+      const auto extent = made->extentAt(z);
+      RC_ASSERT(extent.has_value());
+      RC_ASSERT(extent->inner == 0.0);
+      RC_ASSERT(std::abs(made->distance({extent->outer, z})) < 1e-7);
+      RC_ASSERT(made->distance({extent->outer + 0.01, z}) > 0.0);
+    }));
+  }
+
+  // A profile as long as is allowed is made and asked in a moment.
+  void manySegments() {
+    std::vector<ProfilePoint> points;
+    for (int i = 0; i < 99'000; ++i) points.emplace_back(20.0 + (i % 2) * 0.5, 0.01 * i);
+    const auto made = TargetProfile::make(through(points));
+    QVERIFY(made.hasValue());
+    for (int i = 0; i < 100'000; ++i) (void)made->distance({30.0, 0.0099 * i});
+    QVERIFY(std::abs(made->distance({25.0, 500.01}) - 4.5) < 0.01);
+  }
+
+  void notANumber() {
+    const auto made = TargetProfile::make(through({{20, 0}, {20, 100}}));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(std::isnan(made->distance({nan, 0.0})) && std::isnan(made->distance({0.0, HUGE_VAL})));
+    QVERIFY(!made->extentAt(nan) && !made->extentAt(-1.0) && !made->extentAt(101.0));
+  }
+};
+
+HANDWHEEL_TEST(TargetProfileTest)
+#include "TargetProfileTest.moc"

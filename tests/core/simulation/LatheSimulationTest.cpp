@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/turning/LatheSimulation.h"
+
+#include "TestClass.h"
+#include "haptics/scene/SceneForces.h"
+#include "machining/force/TrainedForceModel.h"
+#include "machining/lathe/LatheJson.h"
+#include "simulation/SimulationLoop.h"
+#include "simulation/turning/LatheForce.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+using LatheDo = LatheCommand::Kind;
+
+constexpr StockCylinder kRod{40.0, 100.0, 0.0};
+constexpr double kLower = 7.0, kServoTick = 0.001;
+
+// A law with numbers that a test can calculate with.
+class PlainLaw : public CuttingForceModel {
+ public:
+  CutForces at(const CutConditions& cut) const noexcept override {
+    return {2000.0 * cut.depth * cut.feed, 800.0 * cut.depth * cut.feed, 400.0 * cut.depth * cut.feed};
+  }
+  bool covers(const CutConditions&) const noexcept override { return true; }
+};
+
+struct LatheBench {
+  std::shared_ptr<LatheChannel> channel = std::make_shared<LatheChannel>();
+  VirtualClock clock;
+  Service service{"simulation"};
+  TurnedProfile rod{kRod, 0.05};
+  LatheSetup setup = defaultLatheSetup(kRod);
+  LatheTools tools = shippedLatheTools();
+  SimulationLoop loop{make(), 1000.0, channel->inputs, clock, service};
+
+  std::unique_ptr<Simulation> make() {
+    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    return std::make_unique<LatheSimulation>(LatheRun(setup, tools, rod, LatheMachine::initialState(setup, kRod)),
+                                             TurnedSurface(rod, 0.05), kLower, channel);
+  }
+  void send(LatheDo kind, double value, double other = 0.0, LatheAxis axis = LatheAxis::Carriage) {
+    channel->commands.push({kind, axis, value, other});
+  }
+  void run(double seconds) { loop.runSteps(static_cast<std::uint64_t>(std::lround(seconds / loop.dt()))); }
+  // The first pass: 2 mm off by the feed.
+  void turnDown() {
+    send(LatheDo::Spindle, 1.0);
+    send(LatheDo::Place, 18.0, 102.0);
+    run(2.0);
+    send(LatheDo::Feed, -0.2);
+    run(8.0);
+  }
+  const LatheMoment& moment() { return static_cast<const LatheMoment&>(*(m_held = loop.state())); }
+
+ private:
+  std::shared_ptr<const SimulationState> m_held;
+};
+
+}  // namespace
+
+class LatheSimulationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The part after the live run, after its passes, and after its recording is the same, bit for bit.
+  void repeatedBitForBit() {
+    LatheBench bench;
+    bench.turnDown();
+    bench.send(LatheDo::Feed, 0.0);
+    bench.send(LatheDo::Place, 30.0, 110.0);
+    bench.run(1.0);
+    bench.send(LatheDo::Tool, 3.0);  // parting
+    bench.send(LatheDo::Place, 21.0, 60.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Feed, -0.05, 0.0, LatheAxis::Cross);
+    bench.run(5.0);
+    const auto taken = bench.loop.take();
+    auto& lathe = static_cast<LatheSimulation&>(*taken);
+    lathe.finish();
+    const auto& last = static_cast<const LatheMoment&>(*lathe.state());
+    QVERIFY(last.isCut && last.collisions->empty());
+    QVERIFY(last.profile == lathe.run().profile());
+    QCOMPARE(lathe.passes().size(), std::size_t{2});
+    TurnedProfile byPasses = bench.rod;
+    for (const TurningPass& pass : lathe.passes()) {
+      QVERIFY(pass.path.size() == pass.times.size() && std::is_sorted(pass.times.begin(), pass.times.end()));
+      cut(byPasses, pass);
+    }
+    QVERIFY(byPasses == last.profile);
+    const LatheRun again = replay(lathe.recording(), bench.tools);
+    QVERIFY(again.profile() == last.profile);
+    QVERIFY(again.machine().state() == lathe.run().machine().state());
+    // The volume that was counted is that of the parts.
+    QVERIFY(std::abs((bench.rod.volume() - last.profile.volume()) / last.removed - 1.0) < 0.005);
+  }
+
+  void saysWhatIsCut() {
+    LatheBench bench;
+    bench.turnDown();
+    const LatheMoment& now = bench.moment();
+    QVERIFY(now.isCutting);
+    QVERIFY(std::abs(now.depth - 2.0) < 0.2);
+    QVERIFY(std::abs(now.feed - 0.2) < 1e-6);
+    QVERIFY(std::abs(now.surfaceSpeed - M_PI * 38.0 * 0.6) < 0.5);  // at the mean diameter
+    const LathePatch patch = bench.channel->patch.read();
+    QVERIFY(std::abs(patch.velocity.y() + 0.2 * 10.0) < 1e-6);
+    bench.send(LatheDo::Feed, 0.0);
+    bench.run(1.0);
+    QVERIFY(!bench.moment().isCutting && bench.moment().sinceCut > 0.9);
+  }
+
+  void crashesAreHandedOver() {
+    LatheBench bench;
+    bench.send(LatheDo::Place, 19.0, 102.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Turn, -10.0);
+    bench.run(1.0);
+    QCOMPARE(bench.moment().collisions->size(), std::size_t{1});
+    QVERIFY(bench.moment().collisions->front().cause == CrashCause::SpindleAtRest);
+    QVERIFY(bench.moment().profile == bench.rod);
+  }
+
+  // A device that acts places the tool; the plane attracts it within its reach, without a step at the border.
+  void aDeviceHoldsTheTool() {
+    LatheBench bench;
+    LatheTouch touch;
+    ForceSources sources;
+    sources.push_back(std::make_unique<LatheForce>(bench.channel, std::make_shared<PlainLaw>(), touch, kLower));
+    SceneForces forces(std::move(sources));
+    TipState tip;
+    const auto tick = [&](const Vec3& place, bool isHeld) {
+      tip.position = place;
+      tip.buttons = isHeld ? 1u : 0u;
+      ForceOut out;
+      out.proxy = place;
+      forces.tick(tip, out);
+      tip.isRestart = false;
+      tip.time += kServoTick;
+      bench.loop.runSteps(1);
+      return out;
+    };
+    QVERIFY(std::abs(tick({30, 2.0, 100}, false).force.y() + 0.3 * 2.0) < 1e-9);
+    QVERIFY(std::abs(tick({30, -6.0, 100}, false).force.y() - 0.3 * 2.0) < 1e-9);
+    QVERIFY(tick({30, 8.1, 100}, false).force.norm() < 1e-12);
+    double before = tick({30, -9.0, 100}, false).force.y();
+    for (double y = -9.0; y < 9.0; y += 0.01) {
+      const double now = tick({30, y, 100}, false).force.y();
+      QVERIFY(std::abs(now - before) <= 0.3 * 0.01 + 1e-9);
+      before = now;
+    }
+    bench.loop.setGesture(1);
+    bench.channel->inputs->setDeviceGesture(1);
+    const ProfilePoint start = bench.channel->patch.read().tip;
+    for (int i = 0; i < 3000; ++i) tick({start.x() - 5.0, 0.0, start.y() + kLower - 10.0}, true);
+    QVERIFY((bench.channel->patch.read().tip - (start - ProfilePoint(5.0, 10.0))).norm() < 1e-6);
+    // Held back by material, the spring pulls the hand.
+    bench.send(LatheDo::Spindle, 1.0);
+    for (int i = 0; i < 500; ++i) tick({30.0, 0.0, 95.0 + kLower}, true);
+    ForceOut out;
+    for (int i = 0; i < 150; ++i) out = tick({19.0, 0.0, 95.0 + kLower}, true);
+    QVERIFY(out.isContact);
+    QVERIFY(out.force.x() > 0.05);
+    QVERIFY(out.force.y() < 0.0);  // the work pushes the edge down
+    QVERIFY(out.force.allFinite());
+    const double nan = std::nan("");
+    QVERIFY(tick({nan, 0.0, 90.0}, true).force.allFinite());
+    QVERIFY(bench.moment().tip.allFinite());
+  }
+
+  // The bar of the tick with the network that ships: 20 µs, here with room for a slow machine.
+  void theTickIsShort() {
+    LatheBench bench;
+    bench.turnDown();
+    bench.loop.setGesture(1);
+    bench.channel->inputs->setDeviceGesture(1);
+    LatheForce force(bench.channel, std::make_shared<TrainedForceModel>(shippedForceModel()), {}, kLower);
+    LathePatch patch = bench.channel->patch.read();
+    patch.depth = 1.0, patch.feed = 0.2, patch.surfaceSpeed = 90.0, patch.spindleSpeed = 600.0;
+    std::vector<double> times;
+    double sum = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+      TipState tip;
+      tip.isRestart = i == 0;
+      tip.position = Vec3(20.0 + 1e-4 * i, 0.1, 60.0);
+      tip.buttons = 1u;
+      patch.depth = 0.5 + 1e-5 * i;
+      bench.channel->patch.write(patch);
+      SimulationInput taken;
+      bench.channel->inputs->pop(taken);
+      const auto begin = std::chrono::steady_clock::now();
+      ForceOut out;
+      force.advance(tip, out);
+      sum += force.force(tip, 1.0, 1.0).norm();
+      times.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+    }
+    QVERIFY(sum > 0.0 && force.cut().cutting > 0.0);
+    std::sort(times.begin(), times.end());
+    qInfo("tick while cutting: median %.2f us, p99 %.2f us", times[times.size() / 2], times[times.size() * 99 / 100]);
+  }
+};
+
+HANDWHEEL_TEST(LatheSimulationTest)
+#include "LatheSimulationTest.moc"

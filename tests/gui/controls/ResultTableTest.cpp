@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/ResultTable.h"
+
+#include "ControlPictures.h"
+#include "ControlsTestMain.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QVBoxLayout>
+#include <limits>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+using CellState = ResultCell::State;
+
+ResultModel::Row student(const QString& name, double points, const QString& file) {
+  return {{name}, {QString::number(points), points, points < 50 ? CellState::Bad : CellState::Good, "of 100"}, {file}};
+}
+
+std::vector<ResultModel::Row> someClass() {
+  return {student("Cem", 9, "shaft10.handwheel"),
+          student("Anna", 100, "shaft2.handwheel"),
+          {{"Zoë"}, {QString(), std::numeric_limits<double>::quiet_NaN()}, {"shaft1.handwheel"}},
+          student("Ben", 71.5, "=cmd|' /C calc'!A1"),
+          {{"Dora"}}};
+}
+
+struct ResultBench {
+  ResultBench() {
+    table.setTable({"Student", "Points", "File"}, someClass());
+    window.resize(420, 240);
+    (new QVBoxLayout(&window))->addWidget(&table);
+    window.show();
+    window.activateWindow();
+    if (!QTest::qWaitForWindowActive(&window)) qFatal("the table does not appear");
+    table.setFocus();
+  }
+  QString column(int column) {
+    QStringList texts;
+    for (int row = 0; row < table.model()->rowCount(); ++row)
+      texts << table.model()->index(row, column).data().toString();
+    return texts.join(' ');
+  }
+  QWidget window;
+  ResultTable table{&window};
+};
+
+}  // namespace
+
+class ResultTableTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }  // that of C does not know numbers in texts
+  void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
+  void sorts();
+  void equalRowsStay();
+  void selectionFollowsItsRow();
+  void menuSorts();
+  void copies();
+  void activates();
+  void empty();
+  void pictures();
+};
+
+// Numbers by value, "2" before "10" in texts, what is empty last.
+void ResultTableTest::sorts() {
+  ResultBench bench;
+  QCOMPARE(bench.column(0), QString("Cem Anna Zoë Ben Dora"));
+  bench.table.sortByColumn(1, Qt::AscendingOrder);
+  QCOMPARE(bench.column(0), QString("Cem Ben Anna Zoë Dora"));
+  bench.table.sortByColumn(1, Qt::DescendingOrder);
+  QCOMPARE(bench.column(0), QString("Anna Ben Cem Zoë Dora"));
+  bench.table.sortByColumn(2, Qt::AscendingOrder);
+  QVERIFY(bench.column(0).indexOf("Zoë") < bench.column(0).indexOf("Anna"));
+  QVERIFY(bench.column(0).indexOf("Anna") < bench.column(0).indexOf("Cem"));
+  QVERIFY(bench.column(0).endsWith("Dora"));
+  const QHeaderView* header = bench.table.header();
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, {header->sectionViewportPosition(0) + 10, 8});
+  QCOMPARE(bench.column(0), QString("Anna Ben Cem Dora Zoë"));
+  bench.table.setTable({"Student", "Points", "File"}, {{{"b"}}, {{"a"}}});
+  QCOMPARE(bench.column(0), QString("a b"));  // the order stays
+}
+
+void ResultTableTest::equalRowsStay() {
+  ResultModel model;
+  std::vector<ResultModel::Row> rows;
+  for (int i = 0; i < 100; ++i) rows.push_back({{QString::number(i % 3), i % 3}, {QString::number(i)}});
+  model.setTable({"a", "b"}, rows);
+  for (auto direction : {Qt::DescendingOrder, Qt::AscendingOrder}) {
+    model.sort(0, direction);
+    for (int row = 1; row < 100; ++row) {
+      const bool isSame = rows[model.source(row)][0].number == rows[model.source(row - 1)][0].number;
+      QVERIFY(!isSame || model.source(row) > model.source(row - 1));
+    }
+  }
+}
+
+void ResultTableTest::selectionFollowsItsRow() {
+  ResultBench bench;
+  bench.table.setCurrentIndex(bench.table.model()->index(1, 0));
+  bench.table.sortByColumn(0, Qt::DescendingOrder);
+  QCOMPARE(bench.table.currentIndex().data().toString(), QString("Anna"));
+}
+
+void ResultTableTest::menuSorts() {
+  ResultBench bench;
+  for (const char* wanted : {"Cem Ben Anna Zoë Dora", "Anna Ben Cem Zoë Dora"}) {
+    QContextMenuEvent event(QContextMenuEvent::Keyboard, {10, 10}, bench.table.mapToGlobal(QPoint(10, 10)));
+    QApplication::sendEvent(bench.table.viewport(), &event);
+    auto* menu = bench.table.findChild<QMenu*>("resultMenu");
+    QVERIFY(menu);
+    QCOMPARE(menu->actions().size(), 5);  // copy, a line, three columns
+    menu->actions().at(3)->trigger();
+    menu->close();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCOMPARE(bench.column(0), QString::fromUtf8(wanted));
+  }
+}
+
+void ResultTableTest::copies() {
+  ResultBench bench;
+  bench.table.sortByColumn(0, Qt::AscendingOrder);
+  bench.table.selectionModel()->select(bench.table.model()->index(1, 0),
+                                       QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  QTest::keyClick(&bench.table, Qt::Key_C, Qt::ControlModifier);
+  QCOMPARE(QGuiApplication::clipboard()->text(), QString("Student\tPoints\tFile\nBen\t71.5\t'=cmd|' /C calc'!A1"));
+  bench.table.clearSelection();
+  QCOMPARE(bench.table.copyText().count('\n'), 5);
+  bench.table.setTable({"a\tb"}, {{{"one\ttwo\nthree"}}, {{"-5", -5.0}}});
+  QCOMPARE(bench.table.copyText(), QString("a b\n-5\none two three"));
+}
+
+void ResultTableTest::activates() {
+  ResultBench bench;
+  QSignalSpy rows(&bench.table, &ResultTable::rowActivated);
+  bench.table.sortByColumn(0, Qt::AscendingOrder);
+  bench.table.setCurrentIndex(bench.table.model()->index(0, 0));
+  QTest::keyClick(&bench.table, Qt::Key_Return);
+  QCOMPARE(rows.size(), 1);
+  QCOMPARE(rows[0][0].value<std::size_t>(), std::size_t(1));  // Anna
+}
+
+void ResultTableTest::empty() {
+  ResultTable table;
+  QCOMPARE(table.copyText(), QString());
+  table.setTable({}, {{{"of no column"}}, {}});
+  table.sortByColumn(3, Qt::AscendingOrder);
+  table.setTable({"a", "b"}, {});
+  QCOMPARE(table.copyText(), QString("a\tb"));
+  table.grab();
+}
+
+void ResultTableTest::pictures() {
+  ResultBench bench;
+  lookAt(bench.window, "results");
+}
+
+HANDWHEEL_CONTROLS_TEST(ResultTableTest)
+#include "ResultTableTest.moc"

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sound/MachineVoice.h"
+
+#include <QObject>
+#include <QString>
+#include <memory>
+
+class QAudioSink;
+
+namespace handwheel {
+
+class SoundStream;
+
+// What plays the sound of a machine on its default output. Lives on a thread that may wait for devices; all calls
+// there. Without a device it does nothing.
+class SoundPlayer : public QObject {
+  Q_OBJECT
+
+ public:
+  SoundPlayer();
+  ~SoundPlayer() override;
+
+  void start(double volume);
+  void stop();
+  void setVolume(double volume);  // 0 to 1, as loudness is heard
+  void setState(const MachineSoundState& state);
+
+ signals:
+  void deviceChanged(const QString& device);  // empty: none
+
+ private:
+  std::unique_ptr<SoundStream> m_stream;
+  std::unique_ptr<QAudioSink> m_sink;  // reads the stream
+};
+
+}  // namespace handwheel

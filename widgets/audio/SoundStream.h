@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sound/MachineVoice.h"
+
+#include <QIODevice>
+#include <vector>
+
+namespace handwheel {
+
+// The samples of a machine's sound as a device that audio outputs read from. When nobody has told it a state for
+// kPatience of played sound it fades to silence, so that a machine that stands still is not heard for ever. One thread.
+class SoundStream : public QIODevice {
+  Q_OBJECT
+
+ public:
+  enum class Format { Float, Int16 };       // in the order of the processor's bytes
+  static constexpr double kPatience = 0.5;  // s
+
+  // channels: 1 to 8, all with the same sound.
+  SoundStream(double sampleRate, int channels, Format format, QObject* parent = nullptr);
+
+  void setState(const MachineSoundState& state);
+
+  bool isSequential() const override { return true; }
+  qint64 bytesAvailable() const override;
+
+ protected:
+  qint64 readData(char* data, qint64 most) override;
+  qint64 writeData(const char*, qint64) override { return -1; }
+
+ private:
+  qint64 bytesPerFrame() const;
+
+  MachineVoice m_voice;
+  int m_channels;
+  Format m_format;
+  std::vector<float> m_samples;
+  double m_untold = 0.0;  // s, of sound since the last state
+};
+
+}  // namespace handwheel

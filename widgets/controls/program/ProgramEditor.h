@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "controls/program/ProgramMarks.h"
+
+#include <QPlainTextEdit>
+#include <functional>
+#include <vector>
+
+namespace handwheel {
+
+class ProgramHighlighter;
+class ProgramMargin;
+class ProgramSearchBar;
+
+// An editor of machine programs with line numbers, coloured words, marks and search. Marks stand in the margin, under
+// the words and in tool tips; F8 and Shift+F8 go to the next and the last one, Ctrl+F searches, F3 and Shift+F3 go on.
+// Tab leaves the editor. Only what is shown is coloured: 100,000 lines open at once. Lines and columns count from 1.
+// Window thread.
+class ProgramEditor : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  using Mark = ProgramMark;
+
+  explicit ProgramEditor(QWidget* parent = nullptr);
+
+  // Replaces all marks. They move with their lines while the program is edited, until the next call.
+  void setMarks(std::vector<Mark> marks);
+  // The executed line, scrolled into view; 0: none. The cursor stays where it is.
+  void setCurrentLine(int line);
+  int currentLine() const { return m_currentLine; }
+  // Puts the cursor to a place and shows it. What is beyond the program's end is its end.
+  void goTo(int line, int column = 1);
+  // Goes to the next mark from the cursor, or the last one before it; around the ends. False when there are none.
+  bool goToMark(bool backwards = false);
+  // Selects the next place of a text, around the ends. Without regard to case. False when there is none.
+  bool findText(const QString& text, bool backwards = false);
+
+  // What is said about a line, a line for each mark; empty when nothing is.
+  QString markText(const QTextBlock& line) const;
+  // Calls visit(line, place in the viewport) for each line that is shown, from the top.
+  void forEachShownLine(const std::function<void(const QTextBlock&, const QRectF&)>& visit) const;
+  void scrollByWheel(QWheelEvent* event) { wheelEvent(event); }
+
+  QSize sizeHint() const override;
+
+ signals:
+  void cursorLineChanged(int line);
+
+ protected:
+  bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+
+ private:
+  void layOut();
+  void colourShown();
+  void showLines();
+
+  ProgramHighlighter* m_highlighter;
+  ProgramMargin* m_margin;
+  ProgramSearchBar* m_search;
+  int m_currentLine = 0;
+  int m_cursorLine = 1;
+};
+
+}  // namespace handwheel

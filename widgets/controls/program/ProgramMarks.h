@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "theme/Theme.h"
+
+#include <QString>
+#include <QTextBlock>
+#include <vector>
+
+class QTextDocument;
+
+namespace handwheel {
+
+// A remark about a place in a program: an error, a warning, a note. Lines and columns count from 1.
+struct ProgramMark {
+  enum class Severity { Note, Warning, Error };
+  int line = 1;
+  int column = 0;  // 0: the whole line
+  Severity severity = Severity::Error;
+  QString text;
+  bool operator==(const ProgramMark&) const = default;
+};
+
+// The marks of a document, kept at its lines, with which they move while it is edited. Those of lines that the document
+// does not have go to its last one. Cost: all lines once.
+void setProgramMarks(QTextDocument& document, std::vector<ProgramMark> marks);
+
+// The marks of a line; empty when there are none.
+const std::vector<ProgramMark>& programMarks(const QTextBlock& line);
+
+// The worst of a line that has marks.
+ProgramMark::Severity worstOf(const std::vector<ProgramMark>& marks);
+
+QColor severityColour(ProgramMark::Severity severity, const ThemeColours& colours);
+
+}  // namespace handwheel

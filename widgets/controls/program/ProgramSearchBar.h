@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+
+namespace handwheel {
+
+class ProgramEditor;
+
+// The line below a program that searches in it while one types. Enter goes on, Shift+Enter back, Esc closes it.
+class ProgramSearchBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProgramSearchBar(ProgramEditor* editor);
+
+  // Shows it with a text, or with the last one.
+  void start(const QString& text);
+  // To the next place of the text, or the one before.
+  void go(bool backwards);
+
+ signals:
+  void closed();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void searchFromSelection();
+  void showFound(bool isFound);
+
+  ProgramEditor* m_editor;
+  QLineEdit* m_text;
+  QLabel* m_state;
+};
+
+}  // namespace handwheel

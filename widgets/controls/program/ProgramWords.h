@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringView>
+#include <vector>
+
+namespace handwheel {
+
+// A word of a line of a machine program, for its colour. Only what the letters say: whether a machine takes the word is
+// decided by its interpreter.
+struct EditorWord {
+  enum class Kind {
+    Comment,      // ( … ) to its end or that of the line, ; …
+    Preparatory,  // G and its number
+    Machine,      // M, T, S, F, D, H and their numbers
+    Axis,         // X Y Z A B C U V W I J K R E L P Q
+    Number,       // the number of an axis word, or alone
+    LineNumber,   // N and its number
+    Subprogram,   // O and its number or name
+    Variable,     // #1, #<name>
+    Keyword,      // IF, WHILE, SIN, EQ
+    Unknown,      // a character that no program has
+  };
+  int start = 0;
+  int length = 0;
+  Kind kind = Kind::Unknown;
+  bool operator==(const EditorWord&) const = default;
+};
+
+// The words of a line, in order, without blanks and signs of calculation. Any thread; cost in proportion to the line.
+std::vector<EditorWord> programWords(QStringView line);
+
+}  // namespace handwheel

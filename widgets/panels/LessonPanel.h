@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+class QFrame;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace handwheel {
+
+// A step of a lesson, in the words of its author.
+struct LessonStep {
+  enum class State { Open, Done, Failed };
+  QString title;
+  QString text;       // what to do; plain text
+  QString hint = {};  // shown when one asks; empty: none
+  State state = State::Open;
+  bool byHand = false;  // done when the person says so; else the program finds out
+};
+
+// Leads through the steps of a lesson, with hints on demand and the time. The current step is the first
+// that is open, until the person chooses another one. It shows what it is given; whose lesson it is sets the states.
+class LessonPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LessonPanel(QWidget* parent = nullptr);
+
+  // Begins a lesson: no hint is shown.
+  void setLesson(const QString& title, std::vector<LessonStep> steps);
+  void setStepState(std::size_t step, LessonStep::State state);
+  // Seconds since the beginning, and those allowed; 0: as many as one likes. Less than zero counts as zero.
+  void setTime(double elapsed, double allowed);
+
+  std::size_t steps() const { return m_steps.size(); }
+  int shownStep() const { return m_shown; }  // -1: none
+  bool isHintShown() const;
+
+ signals:
+  void stepShown(int step);
+  void hintShown(int step);  // the first time for each step
+  void stepDone(int step);   // the person says so, of a step by hand
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showStep(int step);
+  void showStates();
+  int current() const;
+  void showHint();
+
+  std::vector<LessonStep> m_steps;
+  std::vector<bool> m_hinted;
+  int m_shown = -1;
+  QLabel* m_title;
+  QLabel* m_progress;
+  QLabel* m_time;
+  QListWidget* m_list;
+  QLabel* m_text;
+  QFrame* m_hintCard;
+  QLabel* m_hint;
+  QPushButton* m_askHint;
+  QPushButton* m_done;
+};
+
+// "4:05", "1:04:05"; whole seconds, rounded down.
+QString clockText(double seconds);
+
+}  // namespace handwheel

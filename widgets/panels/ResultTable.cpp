@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/ResultTable.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QMenu>
+#include <QShortcut>
+#include <algorithm>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+// A tab or the end of a line would begin another cell. Files of students come from anywhere.
+QString forSpreadsheet(const QModelIndex& cell, bool isNumber) {
+  QString text = cell.data().toString().simplified();
+  constexpr QStringView kFormula = u"=+-@";
+  if (!isNumber && !text.isEmpty() && kFormula.contains(text.front())) text.prepend(QLatin1Char('\''));
+  return text;
+}
+
+}  // namespace
+
+ResultTable::ResultTable(QWidget* parent) : QTreeView(parent), m_model(new ResultModel(this)) {
+  setObjectName(QStringLiteral("resultTable"));
+  setAccessibleName(tr("Results"));
+  setModel(m_model);
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setSelectionMode(ExtendedSelection);
+  setSortingEnabled(true);
+  header()->setSortIndicatorClearable(true);
+  header()->setSortIndicator(-1, Qt::AscendingOrder);
+  header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  auto* key = new QShortcut(QKeySequence::Copy, this, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(key, &QShortcut::activated, this, &ResultTable::copy);
+  connect(this, &QTreeView::activated, this,
+          [this](const QModelIndex& index) { emit rowActivated(m_model->source(index.row())); });
+}
+
+void ResultTable::setTable(QStringList headings, std::vector<ResultModel::Row> rows) {
+  m_model->setTable(std::move(headings), std::move(rows));
+  for (int column = 0; column < m_model->columnCount(); ++column) resizeColumnToContents(column);
+}
+
+void ResultTable::copy() {
+  QGuiApplication::clipboard()->setText(copyText());
+}
+
+// What the mouse does with the headings, for the keyboard, too. A second choice of a column turns its order.
+void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setObjectName(QStringLiteral("resultMenu"));
+  menu->addAction(tr("Copy"), QKeySequence(QKeySequence::Copy), this, &ResultTable::copy);
+  menu->addSeparator();
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    const bool isUp =
+        header()->sortIndicatorSection() == column && header()->sortIndicatorOrder() == Qt::AscendingOrder;
+    const QString heading = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    menu->addAction(tr("Sort by “%1”").arg(QString(heading).replace(u'&', QStringLiteral("&&"))), this,
+                    [this, column, isUp] { sortByColumn(column, isUp ? Qt::DescendingOrder : Qt::AscendingOrder); });
+  }
+  menu->popup(event->globalPos());
+}
+
+QString ResultTable::copyText() const {
+  QList<int> rows;
+  for (const QModelIndex& row : selectionModel()->selectedRows()) rows << row.row();
+  for (int row = 0; rows.size() < m_model->rowCount() && !selectionModel()->hasSelection(); ++row) rows << row;
+  std::sort(rows.begin(), rows.end());
+  QStringList line, lines;
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    line << m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().simplified();
+  }
+  lines << line.join(QLatin1Char('\t'));
+  for (int row : rows) {
+    line.clear();
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+      line << forSpreadsheet(m_model->index(row, column), m_model->isNumber(row, column));
+    }
+    lines << line.join(QLatin1Char('\t'));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/ResultModel.h"
+
+#include <QTreeView>
+
+namespace handwheel {
+
+// A table of results, such as the marks of a class. A click on a heading sorts, or the menu of the table; Ctrl+C copies
+// the selected rows with the headings, separated by tabs, as a spreadsheet takes them.
+class ResultTable : public QTreeView {
+  Q_OBJECT
+
+ public:
+  explicit ResultTable(QWidget* parent = nullptr);
+
+  void setTable(QStringList headings, std::vector<ResultModel::Row> rows);
+  // The selected rows, or all where none is, with the headings. A text that a spreadsheet would take for a formula gets
+  // an apostrophe in front.
+  QString copyText() const;
+
+ signals:
+  void rowActivated(std::size_t row);  // of the table that was set
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  void copy();
+
+  ResultModel* m_model;
+};
+
+}  // namespace handwheel

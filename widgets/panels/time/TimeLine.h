@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <vector>
+
+namespace handwheel {
+
+// A value that was recorded over time, to be drawn above a time line. The structs of a time line are plain values; the
+// texts come from the caller.
+struct TimeLineCurve {
+  QString name;                 // "Cutting force"; curves of the same name are drawn together
+  QString unit;                 // "N"
+  std::vector<QPointF> points;  // (s, value), times ascending
+};
+
+// An event that one can jump to.
+struct TimeLineMarker {
+  enum class Severity { Note, Warning, Error };
+  double time = 0.0;  // s
+  QString label;      // "Collision: tool holder with jaw"
+  Severity severity = Severity::Note;
+};
+
+// What a time line shows of a recording.
+struct TimeLineRecording {
+  QString name;
+  double duration = 0.0;  // s; one that is not finite or below zero counts as zero
+  std::vector<TimeLineCurve> curves;
+  std::vector<TimeLineMarker> markers;
+  std::vector<QPointF> distance;  // (s, mm) along the path of the tool, both ascending; empty: not known
+};
+
+}  // namespace handwheel
