@@ -169,8 +169,9 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
       {.name = "Möbius strip",
        .soup = [] { return moebiusStrip(60, 4); },
        .loops = 1,
-       .filled = 2,  // cut at the twist, it has two
-       .oriented = false},
+       .filled = 1,  // the cut at its twist; a body of the rest would touch itself there, so that it stays a sheet
+       .oriented = false,
+       .sound = false},
       {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},
       {.name = "sphere with a cross cap", .soup = [] { return sphereWithCrossCap(5); }, .oriented = false},
       {.name = "100,000 components",
