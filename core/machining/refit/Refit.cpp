@@ -74,13 +74,32 @@ class Joining {
       for (std::size_t half = step; half > 0; half /= 2) {
         if (end + half <= m_segments.size() && over(at, end + half)) end += half;
       }
-      result.push_back(end == at + 1 ? m_segments[at] : *over(at, end));
+      if (end > at + 1)
+        result.push_back(*over(at, end));
+      else if (isAcross(m_segments[at]))
+        addSamples(result, at);
+      else
+        result.push_back(m_segments[at]);
       at = end;
     }
     return result;
   }
 
  private:
+  // Between two samples an arc may reach over the axis.
+  static bool isAcross(const ProfileSegment& s) { return s.box().min().x() < 0.0; }
+
+  // Lines through the samples of one segment.
+  void addSamples(SegmentChain& chain, std::size_t segment) const {
+    ProfilePoint at = m_segments[segment].from;
+    const auto goOnTo = [&](const ProfilePoint& p) {
+      if (p != at) chain.push_back({at, p, 0.0});
+      at = p;
+    };
+    for (std::size_t k = m_first[segment]; k < m_first[segment + 1]; ++k) goOnTo(m_points[k]);
+    goOnTo(m_segments[segment].to);
+  }
+
   // In place of the segments from `first` to before `end`; at least two.
   std::optional<ProfileSegment> over(std::size_t first, std::size_t end) const {
     HalfAngles angles(m_segments[first].from, m_segments[end - 1].to, m_chord);
@@ -91,8 +110,7 @@ class Joining {
     }
     if (angles.isEmpty()) return std::nullopt;
     const ProfileSegment found{m_segments[first].from, m_segments[end - 1].to, std::tan(0.5 * angles.best())};
-    const bool isAcross = found.box().min().x() < 0.0;  // the axis
-    return !isAcross && passes(found, first, end) ? std::optional<ProfileSegment>(found) : std::nullopt;
+    return !isAcross(found) && passes(found, first, end) ? std::optional<ProfileSegment>(found) : std::nullopt;
   }
 
   // Exactly: where the tolerance is not small beside a radius, the terms of second order count.
@@ -144,7 +162,7 @@ Result<ProfileCurve> curveOf(const std::vector<Side>& sides, bool isClosed, doub
 
 std::vector<ProfileSegment> refitted(const std::vector<ProfilePoint>& points, double chord, double spacing) {
   const double exact = std::min(kExactly, chord);
-  const SegmentChain found = sharpened(fitSegments(points, exact), spacing);
+  const SegmentChain found = sharpened(fitSegments(points, exact), spacing, chord);
   return Joining(points, found, chord).joined();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 
 namespace handwheel {
@@ -72,6 +73,11 @@ double radiusAt(const ProfileSegment& segment, double z, const ProfilePoint& nea
   return std::abs(c + aside - near.x()) < std::abs(c - aside - near.x()) ? c + aside : c - aside;
 }
 
+bool isWithin(const ProfilePoint& p, std::initializer_list<ProfileSegment> some, double tolerance) {
+  return std::any_of(some.begin(), some.end(),
+                     [&](const ProfileSegment& s) { return (s.nearest(p) - p).norm() <= tolerance; });
+}
+
 }  // namespace
 
 ProfileSegment endedAt(const ProfileSegment& segment, const ProfilePoint& end) {
@@ -88,7 +94,7 @@ ProfileSegment begunAt(const ProfileSegment& segment, const ProfilePoint& start)
   return endedAt(segment.reversed(), start).reversed();
 }
 
-std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, double spacing) {
+std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, double spacing, double tolerance) {
   const auto isStep = [&](const ProfileSegment& s) {
     return !s.isArc() && std::abs(s.to.y() - s.from.y()) <= 1.001 * spacing;
   };
@@ -101,18 +107,24 @@ std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, doub
       continue;
     }
     ProfileSegment &before = done.back(), &after = segments[i + 1];
-    if (const auto sharp = corner(before, after, step)) {
-      before = endedAt(before, *sharp);
-      after = begunAt(after, *sharp);
-    } else if (std::abs(step.to.x() - step.from.x()) > kSteep * spacing) {
-      const double z = shoulderHeight(before, after, step);
-      const ProfilePoint a(radiusAt(before, z, step.from), z), b(radiusAt(after, z, step.to), z);
-      before = endedAt(before, a);
-      after = begunAt(after, b);
-      done.push_back({a, b, 0.0});
-    } else {
+    // Puts a wall from a to b in place of the step, unless that is across the axis or leaves a sample beside the
+    // profile.
+    const auto put = [&](const ProfilePoint& a, const ProfilePoint& b) {
+      if (a.x() < 0.0 || b.x() < 0.0) return false;
+      const ProfileSegment ended = endedAt(before, a), wall{a, b, 0.0}, begun = begunAt(after, b);
+      if (!isWithin(step.from, {ended, wall, begun}, tolerance) || !isWithin(step.to, {ended, wall, begun}, tolerance))
+        return false;
+      before = ended;
+      after = begun;
+      if (a != b) done.push_back(wall);
+      return true;
+    };
+    const auto sharp = corner(before, after, step);
+    if (sharp && put(*sharp, *sharp)) continue;
+    const double z = shoulderHeight(before, after, step);
+    const bool isShoulder = std::abs(step.to.x() - step.from.x()) > kSteep * spacing;
+    if (!isShoulder || !put({radiusAt(before, z, step.from), z}, {radiusAt(after, z, step.to), z}))
       done.push_back(step);
-    }
   }
   return done;
 }

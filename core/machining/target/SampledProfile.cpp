@@ -20,7 +20,7 @@ std::vector<ProfileSegment> fitted(const std::vector<ProfilePoint>& points, doub
   std::vector<ProfileSegment> segments;
   if (tolerance > kExact) segments = fitSegments(points, kExact);
   if (segments.empty() || segments.size() > kFewSegments) segments = fitSegments(points, tolerance);
-  return sharpened(std::move(segments), spacing);
+  return sharpened(std::move(segments), spacing, tolerance);
 }
 
 }  // namespace

@@ -91,14 +91,12 @@ class RefitTest : public QObject {
         part.cut(a, b, anyLength(0.2, 5.0));
       }
       const double chord = anyLength(1e-4, 0.2);
-      // A corner may be restored between two samples, and a wall is half a step from either.
-      const double slack = std::max(chord, 0.5 * part.spacing()) + 1e-6;
       for (const TurnedOutline& outline : outlinesOf(part)) {
         const auto& side = outline.sides.at(0);
         const auto segments = refitted(side, chord, part.spacing());
         RC_ASSERT(segments.front().from == side.front() && segments.back().to == side.back());
         for (std::size_t i = 1; i < segments.size(); ++i) RC_ASSERT(segments[i].from == segments[i - 1].to);
-        for (const ProfilePoint& p : side) RC_ASSERT(gapTo(segments, p) <= slack);
+        for (const ProfilePoint& p : side) RC_ASSERT(gapTo(segments, p) <= chord + 1e-6);
         for (const ProfileSegment& s : segments) RC_ASSERT(s.box().min().x() >= -1e-9);
         RC_ASSERT(ProfileCurve::make(netOf(segments)).hasValue());
       }
