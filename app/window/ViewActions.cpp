@@ -31,6 +31,7 @@ ViewActions::ViewActions(Viewport& viewport, QObject* parent)
   addView(StandardView::Left, tr("&Left"), Qt::Key_4, "view-right", "viewLeft");
   addView(StandardView::Top, tr("&Top"), Qt::Key_5, "view-top", "viewTop");
   addView(StandardView::Bottom, tr("Botto&m"), Qt::Key_6, "view-top", "viewBottom");
+  addView(StandardView::Lathe, tr("L&athe"), Qt::Key_8, "view-right", "viewLathe");
 
   addShading(Shading::Shaded, tr("&Shaded"), "shaded", "shaded");
   addShading(Shading::ShadedWithEdges, tr("Shaded with &edges"), "shaded-edges", "shadedWithEdges");

@@ -14,7 +14,8 @@ namespace handwheel {
 enum class Shading { Shaded, ShadedWithEdges, Wireframe };
 
 // The standard view directions. x is to the right and z up when seen from the front.
-enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
+// Lathe: as one stands at a lathe, which turns about z: the chuck on the left, the tool between work and viewer.
+enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric, Lathe };
 
 // The circle of a brush on the surface.
 struct BrushCircle {

@@ -32,7 +32,7 @@ std::string markProblem(const Error& error) {
 }  // namespace
 
 ExerciseUi::ExerciseUi(const WindowContext& window)
-    : RigidPartsUi(window, {}),
+    : RigidPartsUi(window, {}, StandardView::Lathe),  // of the one kind of work that there is
       m_pages(new QStackedWidget(window.window)),
       m_editor(new ExerciseEditor(m_pages)),
       m_student(new ExerciseLesson(m_pages)),

@@ -15,9 +15,10 @@
 
 namespace handwheel {
 
-RigidPartsUi::RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups)
+RigidPartsUi::RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups, StandardView firstView)
     : m_parts(parts),
       m_groups(std::move(groups)),
+      m_firstView(firstView),
       m_layer(std::make_shared<PartsLayer>()),
       m_haptics(new RigidPartsHaptics(parts, this)),
       m_panel(new PropertyList(parts.window)) {
@@ -51,7 +52,7 @@ void RigidPartsUi::setDocument(DocumentTab* document) {
   if (document->camera) {
     m_parts.viewport.setCamera(*document->camera);
   } else {
-    m_parts.viewport.setStandardView(StandardView::Isometric);
+    m_parts.viewport.setStandardView(m_firstView);
   }
 }
 

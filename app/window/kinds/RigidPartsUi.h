@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/ViewportTypes.h"
 #include "window/kinds/KindUi.h"
 
 #include <QPointer>
@@ -17,8 +18,9 @@ class RigidPartsUi : public KindUi {
   Q_OBJECT
 
  public:
-  // groups: of the properties that the panel of the kind shows.
-  RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups);
+  // groups: of the properties that the panel of the kind shows. firstView: of a document that was never looked at.
+  RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups,
+               StandardView firstView = StandardView::Isometric);
   ~RigidPartsUi() override;
 
   std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
@@ -52,6 +54,7 @@ class RigidPartsUi : public KindUi {
 
   WindowContext m_parts;
   std::vector<std::string> m_groups;
+  StandardView m_firstView;
   std::shared_ptr<PartsLayer> m_layer;
   RigidPartsHaptics* m_haptics;
   bool m_isFelt = true;

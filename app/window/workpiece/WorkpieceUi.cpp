@@ -54,7 +54,10 @@ bool isInView(const Viewport& view, const StockCylinder& stock) {
 }  // namespace
 
 WorkpieceUi::WorkpieceUi(const WindowContext& window)
-    : RigidPartsUi(window, {"Stock"}), m_target(window, this), m_lathe(window, this), m_panel(makePanel()) {
+    : RigidPartsUi(window, {"Stock"}, StandardView::Lathe),
+      m_target(window, this),
+      m_lathe(window, this),
+      m_panel(makePanel()) {
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
     if (this->document()) show();

@@ -173,6 +173,8 @@ Eigen::Quaterniond orientationOf(StandardView view) {
       return looking(z, y);
     case StandardView::Bottom:
       return looking(-z, -y);
+    case StandardView::Lathe:
+      return looking(x - 0.7 * y + 0.35 * z, -y);
     case StandardView::Isometric:
       break;
   }
