@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/SimulatedGesture.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -24,12 +25,14 @@ void SimulatedGesture::begin(bool isOfDevice) {
   if (isOfDevice) m_inputs->setDeviceGesture(m_number);
 }
 
-void SimulatedGesture::feed(const Vec3& place, double period) {
+void SimulatedGesture::feed(const Vec3& place, std::optional<double> time, double period) {
+  if (m_isFirst) m_time = time;
+  if (m_time) m_time = std::max(*m_time, time.value_or(*m_time));  // one clock for all of a gesture
   SimulationInput input;
   input.tip.position = input.proxy = place;
   input.tip.buttons = 1u;
   input.tip.isRestart = std::exchange(m_isFirst, false);
-  input.tip.time = static_cast<double>(m_clock.now()) / kNanoseconds;
+  input.tip.time = m_time.value_or(static_cast<double>(m_clock.now()) / kNanoseconds);
   input.tip.period = period;
   input.gesture = m_number;
   m_inputs->pushFromWindow(input);

@@ -5,6 +5,7 @@
 #include "simulation/SimulationLoop.h"
 
 #include <functional>
+#include <optional>
 
 namespace handwheel {
 
@@ -33,8 +34,9 @@ class SimulatedGesture {
   void rethrow() const { m_loop.rethrow(); }
   // None must be on.
   void begin(bool isOfDevice);
-  // A place of the mouse in its gesture, mm. period: s, for simulations that depend on it.
-  void feed(const Vec3& place, double period = TipState().period);
+  // A place of the mouse in its gesture, mm. time: s, when it was there, by any clock; none: now. The window comes to
+  // several places at once when it is busy. period: s, for simulations that depend on it.
+  void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period);
   // Ends it, and gives the simulation after all that has arrived. restart() is to follow. Throws what a step throws.
   std::unique_ptr<Simulation> end();
   // Drops what was begun, and simulates from the present state on.
@@ -52,7 +54,8 @@ class SimulatedGesture {
   std::uint32_t m_number = 0;     // of the gesture that began last
   bool m_isOn = false;
   bool m_isOfDevice = false;
-  bool m_isFirst = false;  // nothing was fed yet
+  bool m_isFirst = false;        // nothing was fed yet
+  std::optional<double> m_time;  // s, of the place that was fed last; none: by the clock of the servo loop
 };
 
 }  // namespace handwheel

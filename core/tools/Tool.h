@@ -42,6 +42,8 @@ struct PointerEvent {
   double focus = 0.0;          // mm from the eye to the focus of the view; 0: not known
   std::optional<Vec3> held;    // mm; the place on a corner or an edge that attracts the device tip
   std::optional<Vec3> proxy;   // mm; where the device tip is shown, which what it touches holds back
+  // s, by a clock of its own: when the mouse was there. None: not known.
+  std::optional<double> time = {};
 
   PickRay pickRay() const { return {ray, eye, pixel, focus}; }
 };

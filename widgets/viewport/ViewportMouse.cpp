@@ -55,7 +55,10 @@ Vec3 Viewport::Private::orbitPivot(const Pick& underCursor) const {
 }
 
 bool Viewport::Private::offer(PointerInput::Kind kind, const QSinglePointEvent& event, double wheel) const {
-  return sink && sink({kind, event.position(), event.button(), event.buttons(), event.modifiers(), wheel});
+  if (!sink) return false;
+  const auto time =
+      event.timestamp() > 0 ? std::optional(static_cast<double>(event.timestamp()) / 1000.0) : std::nullopt;
+  return sink({kind, event.position(), event.button(), event.buttons(), event.modifiers(), wheel, time});
 }
 
 void Viewport::Private::press(const QMouseEvent& event) {

@@ -64,6 +64,8 @@ struct PointerInput {
   Qt::MouseButtons held;                  // held after the event
   Qt::KeyboardModifiers modifiers;
   double wheel = 0.0;  // degrees; positive away from the user
+  // s, by the clock of the window system: when it happened, not when the window came to it. None: not known.
+  std::optional<double> time = {};
 };
 
 }  // namespace handwheel

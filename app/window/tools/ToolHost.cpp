@@ -35,6 +35,7 @@ std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ra
   event.ray = {ray.origin, ray.direction};
   event.eye = ray.eye;
   event.pixel = ray.pixel;
+  event.time = input.time;
   event.button = buttonOf(input.button);
   event.modifiers = {input.modifiers.testFlag(Qt::ShiftModifier), input.modifiers.testFlag(Qt::ControlModifier),
                      input.modifiers.testFlag(Qt::AltModifier)};

@@ -117,7 +117,7 @@ ToolReply TurnTool::press(const PointerEvent& event) {
   if (!event.device) m_lift = *place - *placeOfMouse(event.ray);
   m_gesture.begin(event.device.has_value());
   m_place = place;
-  if (!event.device) m_gesture.feed(*place);
+  if (!event.device) m_gesture.feed(*place, event.time);
   reportUpdated();
   return ToolReply::Used;
 }
@@ -141,7 +141,7 @@ ToolReply TurnTool::pointer(const PointerEvent& event) {
   }
   if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
   m_place = placeOf(event);
-  if (m_place && isOwn && !isOfDevice) m_gesture.feed(*m_place);
+  if (m_place && isOwn && !isOfDevice) m_gesture.feed(*m_place, event.time);
   return isOwn ? ToolReply::Used : ToolReply::Ignored;
 }
 

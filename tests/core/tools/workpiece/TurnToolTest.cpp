@@ -43,8 +43,9 @@ struct TurningBench {
     tool = started.get();
     runner.start(std::move(started), document);
   }
-  void event(PointerEvent::Kind kindOfEvent, double x, double z) {
+  void event(PointerEvent::Kind kindOfEvent, double x, double z, std::optional<double> time = {}) {
     PointerEvent event;
+    event.time = time;
     event.kind = kindOfEvent;
     event.button = kindOfEvent == PointerEvent::Kind::Hover ? PointerButton::None : PointerButton::First;
     event.ray = {Vec3(x, -500.0, z), Vec3::UnitY()};
@@ -342,6 +343,18 @@ class TurnToolTest : public QObject {
     const std::vector<double>& times = bench.document.workpiece().part->passes.front()->times;
     QCOMPARE(times.size(), expected.size());
     for (std::size_t i = 0; i < times.size(); ++i) QVERIFY(std::abs(times[i] - expected[i]) < 1e-9);
+  }
+
+  // A busy window comes to several moves of the mouse at once: each has the time at which it happened.
+  void lateMovesHaveTheirOwnTimes() {
+    HandClock clock;  // stands still
+    TurningBench bench(&clock);
+    bench.event(PointerEvent::Kind::Press, 27.0, 50.0, 70.0);
+    bench.event(PointerEvent::Kind::Drag, 23.0, 50.0, 70.25);
+    bench.event(PointerEvent::Kind::Drag, 23.0, 51.0, 71.5);
+    bench.event(PointerEvent::Kind::Drag, 23.0, 52.0);  // not known: no earlier than the one before
+    bench.event(PointerEvent::Kind::Release, 23.0, 52.0);
+    QCOMPARE(bench.document.workpiece().part->passes.front()->times, (std::vector<double>{0.0, 0.25, 1.5, 1.5}));
   }
 
   void besideTheBarNothingIsCommitted() {

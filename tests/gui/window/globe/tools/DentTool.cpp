@@ -32,7 +32,7 @@ void DentTool::feed(const PointerEvent& event) {
   constexpr double kPeriod = 0.05;  // s, about that between two moves of a mouse
   const Vec3 centre = m_document.place().translation();
   const auto place = meets(event.ray, centre, m_document.surface().radius());
-  if (place) m_gesture.feed(centre + (1.0 - kPress) * (*place - centre), kPeriod);
+  if (place) m_gesture.feed(centre + (1.0 - kPress) * (*place - centre), {}, kPeriod);
 }
 
 ToolReply DentTool::press(const PointerEvent& event) {
