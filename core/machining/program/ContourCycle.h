@@ -47,7 +47,6 @@ class ContourCycle {
   void checkMonotonic();
   void offsetBy(double distance);
   void offsetStep(double step, bool isOutward);
-  void clearPockets(Pockets pockets, const CycleOutput& out, const Roughing& how);
 
   Segments m_segments;
   ProgramPlace m_place;

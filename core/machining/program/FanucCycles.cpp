@@ -39,7 +39,7 @@ FanucRun::Contour FanucRun::contourOf(const ProgramWord& g) {
   const auto lineOf = [&](char letter, const char* meaning) {
     const double n = needed(letter, g, meaning);
     const std::uint32_t line =
-        n >= 0.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(std::lround(n)), m_next) : kNone;
+        n >= 0.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(std::lround(n)), g.place.line - 1) : kNone;
     if (line == kNone) refuse(g.place, letter + roundedText(n), "there is no line N" + roundedText(n), "Correct it.");
     return line;
   };
@@ -231,7 +231,7 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   ThreadCycle cycle;
   cycle.start = start;
   cycle.endZ = to.y();
-  cycle.pitch = unit * needed('F', g, "the lead of the thread");
+  cycle.pitch = lead(g);
   cycle.depth = isHaas ? unit * std::abs(k->number) : p ? std::abs(increment(*p)) : 0.0;
   cycle.firstDepth = isHaas ? (d ? unit * std::abs(d->number) : 0.0) : q ? std::abs(increment(*q)) : 0.0;
   cycle.degression = 2.0;
