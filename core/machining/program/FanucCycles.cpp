@@ -39,7 +39,7 @@ FanucRun::Contour FanucRun::contourOf(const ProgramWord& g) {
   const auto lineOf = [&](char letter, const char* meaning) {
     const double n = needed(letter, g, meaning);
     const std::uint32_t line =
-        n >= 0.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(std::lround(n)), m_next) : kNone;
+        n >= 0.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(std::lround(n)), g.place.line - 1) : kNone;
     if (line == kNone) refuse(g.place, letter + roundedText(n), "there is no line N" + roundedText(n), "Correct it.");
     return line;
   };
@@ -138,7 +138,7 @@ void FanucRun::rough(int number, const ProgramWord& g) {
   how.depth = m_cycle.depth / unit;
   how.retract = m_cycle.retract / unit;
   const ProfilePoint start = m_machine.at();
-  ContourCycle(contour.segments, g.place).rough(how, cycleOutput(g.place, unit));
+  ContourCycle(contour.segments, g.place, m_cycleWork).rough(how, cycleOutput(g.place, unit));
   m_machine.rapid(isFacing ? ProfilePoint(m_machine.at().x(), start.y()) : ProfilePoint(start.x(), m_machine.at().y()),
                   g.place);
   m_machine.rapid(start, g.place);
@@ -231,7 +231,7 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   ThreadCycle cycle;
   cycle.start = start;
   cycle.endZ = to.y();
-  cycle.pitch = unit * needed('F', g, "the lead of the thread");
+  cycle.pitch = lead(g);
   cycle.depth = isHaas ? unit * std::abs(k->number) : p ? std::abs(increment(*p)) : 0.0;
   cycle.firstDepth = isHaas ? (d ? unit * std::abs(d->number) : 0.0) : q ? std::abs(increment(*q)) : 0.0;
   cycle.degression = 2.0;

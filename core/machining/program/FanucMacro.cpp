@@ -21,8 +21,7 @@ void FanucRun::readLine(std::uint32_t i, ProgramScanner& scanner) {
       runLoop(*statement, i);
       return;
     }
-    if (m_hasProgram) m_isDone = true;  // the next program in the file
-    m_hasProgram = true;
+    beginProgram({i + 1, 1});
     return;
   }
   m_hasProgram = true;
@@ -33,12 +32,20 @@ void FanucRun::readLine(std::uint32_t i, ProgramScanner& scanner) {
   m_contour ? collect(block) : execute(block);
 }
 
+// The O number of a program, which is the end of the one before it in the file.
+void FanucRun::beginProgram(const ProgramPlace& place) {
+  if (!m_frames.empty()) refuseMissingReturn(place);
+  if (m_hasProgram) m_isDone = true;
+  m_hasProgram = true;
+}
+
 void FanucRun::runLoop(const ProgramOutline::Statement& statement, std::uint32_t i) {
   if (statement.keyword == ProgramOutline::Keyword::FanucEnd) {
     m_next = statement.head;
     return;
   }
   ProgramScanner scanner(m_outline.line(i), i + 1);
+  scanner.takeIf('/');
   if (scanner.takeIf('N')) scanner.number();
   if (!scanner.takeIf(std::string_view("WHILE"))) return;  // DO without a condition
   if (valueIn(scanner).number == 0.0) m_next = statement.end + 1;

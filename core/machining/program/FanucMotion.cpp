@@ -120,10 +120,9 @@ void FanucRun::runMotion(const ProgramBlock& block) {
       return;
     case 32: {
       const ProfilePoint from = m_machine.at(), to = target();
-      const double lead =
-          m_machine.unit() * needed('F', code(Motion) ? *code(Motion) : block.words.front(), "the lead");
+      const double along = lead(code(Motion) ? *code(Motion) : block.words.front());
       const double longest = (to - from).cwiseAbs().maxCoeff();  // F is measured along the longer axis
-      m_machine.thread(to, longest > 0.0 ? lead * (to - from).norm() / longest : lead, place);
+      m_machine.thread(to, longest > 0.0 ? along * (to - from).norm() / longest : along, place);
       return;
     }
     case 90:
@@ -141,6 +140,13 @@ void FanucRun::arc(int turn, const ProgramPlace& place) {
   const ProfilePoint to = target();
   const PlanePoint centre = arcCentre(planePoint(m_machine.at()), planePoint(to), turn, false, place);
   m_machine.arc(turn, to, profilePoint(centre), place);
+}
+
+// F is modal, and the same for feeds.
+double FanucRun::lead(const ProgramWord& code) {
+  const double mm = m_machine.modal.feed;
+  if (!(mm > 0.0)) refuse(code.place, code.text(), "the lead is missing", "Write F, the way for one revolution.");
+  return mm;
 }
 
 // G90, G92, G94: in, along, out and back. Modal: the next X or Z makes the next pass.
@@ -169,31 +175,37 @@ void FanucRun::boxCycle(int number, const ProgramPlace& place) {
     m_machine.feed(to, place);
     m_machine.feed({start.x(), to.y()}, place);
   } else {
-    const ProgramWord* const f = word('F');
-    if (f) m_cycleLead = m_machine.unit() * f->number;
-    if (!(m_cycleLead > 0.0)) refuse(place, "G92", "the lead is missing", "Write F, the way for one revolution.");
-    m_machine.thread(to, m_cycleLead * std::hypot(1.0, m_boxTaper / std::max(1e-9, std::abs(start.y() - to.y()))),
-                     place);
+    const double along = lead(code(Motion) ? *code(Motion) : ProgramWord{'G', 92.0, true, place});
+    m_machine.thread(to, along * std::hypot(1.0, m_boxTaper / std::max(1e-9, std::abs(start.y() - to.y()))), place);
     m_machine.rapid({start.x(), to.y()}, place);
   }
   m_machine.rapid(start, place);
 }
 
-// G81, G82, G83 on the face. R is the place where it begins to feed, from where the tool is.
+// G81, G82, G83 on the face. R is how far from where the tool is it begins to feed, with its sign; W counts from there.
+// All words are modal until G80.
 void FanucRun::drill(int number, const ProgramPlace& place) {
+  const std::string name = "G" + std::to_string(number);
   const ProfilePoint start = m_machine.at();
   const ProfilePoint to = target();
+  if (code(Drilling)) m_drilling = {};
+  if (const ProgramWord* const r = word('R')) m_drilling.retract = m_machine.unit() * r->number;
+  if (const ProgramWord* const q = word('Q')) m_drilling.peck = increment(*q);
+  if (const ProgramWord* const p = word('P')) m_drilling.dwell = p->hasPoint ? p->number : 1e-3 * p->number;
   DrillCycle cycle;
+  cycle.retract = start.y() + m_drilling.retract;
+  if (has('Z')) m_drilling.depth = to.y();
+  if (const ProgramWord* const w = word('W')) m_drilling.depth = cycle.retract + m_machine.unit() * w->number;
+  if (!m_drilling.depth) refuse(place, name, "the depth is missing", "Write Z.");
   cycle.radius = to.x();
-  cycle.depth = to.y();
+  cycle.depth = *m_drilling.depth;
   cycle.end = start.y();
-  const ProgramWord *const r = word('R'), *const q = word('Q'), *const p = word('P');
-  cycle.retract = r ? m_machine.unit() * r->number : start.y();
-  if (q) cycle.peck = increment(*q);
+  cycle.peck = number == 83 ? m_drilling.peck : 0.0;
   cycle.isDeep = true;
-  if (p) cycle.dwell = p->hasPoint ? p->number : 1e-3 * p->number;
-  if (number == 83 && !(cycle.peck > 0.0)) refuse(place, "G83", "the step Q is missing", "Write Q.");
-  if (cycle.depth > cycle.retract) refuse(place, "G" + std::to_string(number), "Z is above R", "Correct Z or R.");
+  cycle.dwell = m_drilling.dwell;
+  if (number == 83 && !(cycle.peck > 0.0)) refuse(place, name, "the step Q is missing", "Write Q.");
+  if (cycle.depth > cycle.retract)
+    refuse(place, name, "Z is above R, which is the way from where the tool is", "Correct Z or R.");
   cycle.run(m_machine, place);
 }
 

@@ -115,17 +115,16 @@ void FanucRun::runModes() {
     if (mode != modal.feedMode) modal.feed = 0.0;
     modal.feedMode = mode;
   }
-  if (codeOf(Spindle) >= 0) modal.isSurfaceSpeed = codeOf(Spindle) == 96;
-  const int once = codeOf(Once), motion = codeOf(Motion);
-  const bool isLead =
-      motion == 32 || motion == 92 || once == 76 || (motion < 0 && (modal.motion == 320 || modal.motion == 920));
+  setSpindleMode();
+  const int once = codeOf(Once);
   if (const ProgramWord* const f = word('F'); f && once != 65) {
     if (!(f->number >= 0.0)) refuse(f->place, f->text(), "a feed is not negative", "Correct it.");
-    if (!isLead) modal.feed = m_machine.unit() * f->number;
+    modal.feed = m_machine.unit() * f->number;  // also the lead of a thread
   }
   if (const ProgramWord* const s = word('S'); s && once != 50 && once != 65) {
     if (!(s->number >= 0.0)) refuse(s->place, s->text(), "a spindle speed is not negative", "Write M4 to turn back.");
     setSpindle(s->number);
+    if (modal.isSurfaceSpeed) m_surfaceSpeed = modal.spindle;
   }
   if (codeOf(System) >= 0) {
     if (m_machine.isCompensated())
@@ -134,6 +133,26 @@ void FanucRun::runModes() {
     m_machine.selectSystem(codeOf(System) - 54);
   }
   if (code(Nose)) compensation(codeOf(Nose), *code(Nose));
+}
+
+// G97 keeps the speed that the spindle has, G96 the last surface speed, unless S is there.
+void FanucRun::setSpindleMode() {
+  ProgramMachine::Modal& modal = m_machine.modal;
+  const ProgramWord* const g = code(Spindle);
+  if (!g) return;
+  const bool isSurface = codeOf(Spindle) == 96;
+  if (isSurface == modal.isSurfaceSpeed) return;
+  if (isSurface) {
+    if (!has('S') && !m_surfaceSpeed) refuse(g->place, g->text(), "the surface speed is missing", "Write S in m/min.");
+    modal.spindle = m_surfaceSpeed.value_or(0.0);
+  } else {
+    ToolMove now;
+    now.isSurfaceSpeed = true;
+    now.spindle = modal.spindle;
+    now.mostSpindle = modal.mostSpindle;
+    modal.spindle = spindleAt(now, m_machine.at().x());
+  }
+  modal.isSurfaceSpeed = isSurface;
 }
 
 // T0101: the tool and its offset.
@@ -147,7 +166,8 @@ void FanucRun::setTool() {
     refuse(t->place, t->text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
   if (number >= 100) m_machine.changeTool(number / 100);
   m_machine.modal.selectedTool = number % 100;
-  m_machine.setToolOffset(number % 100 == 0 ? ProfilePoint(0, 0) : m_setup.tool(number % 100).offset);
+  const int offset = number % 100;
+  m_machine.setToolOffset(offset == 0 ? ProfilePoint(0, 0) : m_setup.tool(offset).offset, offset == 0 ? -1 : offset);
 }
 
 void FanucRun::compensation(int number, const ProgramWord& g) {
@@ -181,8 +201,11 @@ void FanucRun::runM(const ProgramBlock& block, bool isAfterMotion) {
       call(begin + 1, {}, repeats, false, m.place);
     } else if (number == 99 && has('P') && !m_frames.empty()) {
       const int n = whole(*word('P'), 1, 99'999'999);
+      const bool isLast = m_frames.back().repeats == 0;
+      const std::uint32_t caller = m_frames.back().returnTo - 1;
       returnFromCall();
-      m_next = m_outline.numbered(n, m_next);
+      if (!isLast) continue;
+      m_next = m_outline.numbered(n, caller);
       if (m_next == kNone) refuse(m.place, "P" + std::to_string(n), "there is no line with this number", "Correct P.");
     } else if (!runCommonM(number, m)) {
       refuse(m.place, m.text(), "this code is not supported on a lathe",

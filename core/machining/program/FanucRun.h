@@ -34,7 +34,15 @@ class FanucRun : public ProgramRun {
     double threadAngle = 60.0, threadLeast = 0.0, threadLast = 0.0;
   };
 
+  // G81 to G83, in mm and s.
+  struct DrillSettings {
+    std::optional<double> depth;  // z
+    double retract = 0.0;         // from where the tool is
+    double peck = 0.0, dwell = 0.0;
+  };
+
   // Macro B.
+  void beginProgram(const ProgramPlace& place);
   bool runMacro(std::uint32_t i, ProgramScanner& scanner);
   void runLoop(const ProgramOutline::Statement& statement, std::uint32_t i);
   void goTo(std::uint32_t i, ProgramScanner& scanner);
@@ -47,6 +55,7 @@ class FanucRun : public ProgramRun {
   int codeOf(int group) const;  // -1: none
   void runModes();
   void setTool();
+  void setSpindleMode();
   void compensation(int number, const ProgramWord& g);
   void runM(const ProgramBlock& block, bool isAfterMotion);
   void runOnce(const ProgramBlock& block, int number, const ProgramWord& g);
@@ -55,6 +64,7 @@ class FanucRun : public ProgramRun {
   void moveInMachine(const ProgramWord& g);
   void runMotion(const ProgramBlock& block);
   void arc(int turn, const ProgramPlace& place);
+  double lead(const ProgramWord& code);  // F of a thread, mm
   void boxCycle(int number, const ProgramPlace& place);
   void drill(int number, const ProgramPlace& place);
   bool hasAxis() const { return has('X') || has('U') || has('Z') || has('W'); }
@@ -78,8 +88,10 @@ class FanucRun : public ProgramRun {
 
   std::array<const ProgramWord*, kGroups> m_codes{};
   CycleSettings m_cycle;
-  ProfilePoint m_boxTarget{0, 0};  // of G90, G92, G94: modal
-  double m_boxTaper = 0.0, m_cycleLead = 0.0;
+  DrillSettings m_drilling;
+  std::optional<double> m_surfaceSpeed;  // S of the last G96
+  ProfilePoint m_boxTarget{0, 0};        // of G90, G92, G94: modal
+  double m_boxTaper = 0.0;
   std::size_t m_contourCuts = 0;  // segments of m_contour up to the last that is not rapid
   bool m_hasProgram = false;      // its number was read
 };

@@ -29,7 +29,9 @@ void LinuxCncRun::readLine(std::uint32_t i, ProgramScanner& scanner) {
 double LinuxCncRun::condition(std::uint32_t i, const ProgramOutline::Statement& statement) {
   ProgramScanner scanner(m_outline.line(i), i + 1);
   scanner.seek(statement.rest);
-  return valueIn(scanner).number;
+  const double value = valueIn(scanner).number;
+  scanner.expectEnd();
+  return value;
 }
 
 void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement& statement) {
@@ -49,6 +51,7 @@ void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement&
       return;
     case Keyword::EndSub:
     case Keyword::Return:
+      takeReturned(scanner);
       if (m_frames.empty())
         refuse(place, "O" + statement.label, "there is nothing to return from", "Call the subprogram instead.");
       returnFromCall();
@@ -63,6 +66,12 @@ void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement&
       runLoop(i, statement);
       return;
   }
+}
+
+// The value behind return or endsub.
+void LinuxCncRun::takeReturned(ProgramScanner& scanner) {
+  m_returned = scanner.peek() == '\0' ? 0.0 : valueIn(scanner).number;
+  scanner.expectEnd();
 }
 
 void LinuxCncRun::beginCall(const ProgramOutline::Statement& statement, ProgramScanner& scanner,
@@ -197,6 +206,7 @@ std::optional<double> LinuxCncRun::systemVariable(const std::string& name) const
       {"_current_tool", modal.tool},
       {"_selected_tool", modal.selectedTool},
       {"_task", 0.0},
+      {"_value", m_returned},
   };
   for (const auto& [text, value] : values)
     if (name == text) return value;

@@ -59,11 +59,11 @@ void LinuxCncRun::home(int number10, const ProgramWord& g) {
   m_machine.rapid(to, g.place);
 }
 
-// G52, G92 and its sisters. The values that G92.2 keeps are those of the shift before it.
+// G52, G92 and its sisters. G92.3 brings back what G92 set last, unless G92.1 came after it.
 void LinuxCncRun::setOffsets(int number10, const ProgramWord& g) {
-  if (number10 == 923) refuse(g.place, g.text(), "no offsets are saved", "Write G92 with the coordinates again.");
-  if (number10 == 921 || number10 == 922) {
-    m_machine.setShift({0, 0});
+  if (number10 == 921) m_savedShift = {0, 0};
+  if (number10 != 920 && number10 != 520) {
+    m_machine.setShift(number10 == 923 ? m_savedShift : ProfilePoint(0, 0));
     return;
   }
   if (!has('X') && !has('Z')) refuse(g.place, g.text(), "an axis is missing", "Write X or Z.");
@@ -75,6 +75,7 @@ void LinuxCncRun::setOffsets(int number10, const ProgramWord& g) {
   if (z)
     shift.y() = isLocal ? m_machine.unit() * z->number : shift.y() + m_machine.at().y() - m_machine.unit() * z->number;
   m_machine.setShift(shift);
+  m_savedShift = shift;
 }
 
 // G10 L2 and L20.

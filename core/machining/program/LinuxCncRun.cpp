@@ -86,7 +86,7 @@ void LinuxCncRun::sortCodes(const ProgramBlock& block) {
 
 void LinuxCncRun::execute(const ProgramBlock& block) {
   sortCodes(block);
-  runModes();  // feed mode and units before what is measured in them
+  runModes();  // the feed mode before F and S, which are in the units that were in effect before this line
   setFeedAndSpeed(block);
   runToolAndSpindle(block);
   runModes2();
@@ -106,8 +106,6 @@ void LinuxCncRun::runModes() {
     modal.feedMode = mode;
     modal.feed = 0.0;
   }
-  if (codeOf(Units) >= 0) modal.isInch = codeOf(Units) == 200;
-  if (codeOf(Lathe) >= 0) modal.isDiameter = codeOf(Lathe) == 70;
   if (codeOf(Spindle) == 960) {
     modal.isSurfaceSpeed = true;
     const double most = number('D', 0.0);
@@ -167,7 +165,7 @@ void LinuxCncRun::runToolAndSpindle(const ProgramBlock& block) {
       case 70:
       case 73:
         if (m_frames.empty()) m_frames.emplace_back().returnTo = m_outline.size();
-        m_frames.back().saved = modal;
+        m_frames.back().saved = {modal, m_machine.system()};
         m_frames.back().restores = code == 73;
         break;
       case 71:
@@ -176,7 +174,7 @@ void LinuxCncRun::runToolAndSpindle(const ProgramBlock& block) {
       case 72:
         if (m_frames.empty() || !m_frames.back().saved)
           refuse(m.place, m.text(), "no state was saved", "Write M70 before it.");
-        modal = *m_frames.back().saved;
+        restoreModes(*m_frames.back().saved);
         break;
       default:
         if (!runCommonM(code, m))
@@ -194,6 +192,8 @@ void LinuxCncRun::runModes2() {
              "Write G40 before it.");
     modal.isDrillPlane = codeOf(Plane) == 170;
   }
+  if (codeOf(Units) >= 0) modal.isInch = codeOf(Units) == 200;
+  if (codeOf(Lathe) >= 0) modal.isDiameter = codeOf(Lathe) == 70;
   if (code(Nose)) compensation(codeOf(Nose), *code(Nose));
   if (code(ToolLength)) toolLength(codeOf(ToolLength), *code(ToolLength));
   if (const int system = codeOf(System); system >= 0) {
@@ -235,15 +235,16 @@ void LinuxCncRun::toolLength(int number10, const ProgramWord& g) {
   if (m_machine.isCompensated())
     refuse(g.place, g.text(), "the tool offset cannot change with nose compensation", "Write G40 before it.");
   if (number10 == 490) {
-    m_machine.setToolOffset({0, 0});
+    m_machine.setToolOffset({0, 0}, -1);
   } else if (number10 == 430) {
     const ProgramWord* const h = word('H');
-    m_machine.setToolOffset(m_setup.tool(h ? whole(*h, 0, 65535) : m_machine.modal.tool).offset);
+    const int number = h ? whole(*h, 0, 65535) : m_machine.modal.tool;
+    m_machine.setToolOffset(m_setup.tool(number).offset, number);
   } else {
     ProfilePoint offset = m_machine.toolOffset();
     if (const ProgramWord* const x = word('X')) offset.x() = m_machine.radius(x->number);
     if (const ProgramWord* const z = word('Z')) offset.y() = m_machine.unit() * z->number;
-    m_machine.setToolOffset(offset);
+    m_machine.setToolOffset(offset, -1);
   }
 }
 

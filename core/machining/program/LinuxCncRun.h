@@ -53,6 +53,7 @@ class LinuxCncRun : public ProgramRun {
   void runLoop(std::uint32_t i, const ProgramOutline::Statement& statement);
   void leaveLoop(std::uint32_t i, const ProgramOutline::Statement& statement, bool isAgain);
   void beginCall(const ProgramOutline::Statement& statement, ProgramScanner& scanner, const ProgramPlace& place);
+  void takeReturned(ProgramScanner& scanner);
   double condition(std::uint32_t i, const ProgramOutline::Statement& statement);
 
   // Words.
@@ -84,6 +85,8 @@ class LinuxCncRun : public ProgramRun {
 
   std::array<const ProgramWord*, kGroups> m_codes{};
   Drilling m_drilling;
+  double m_returned = 0.0;          // by the last subprogram
+  ProfilePoint m_savedShift{0, 0};  // of G92, kept by G92.2
 };
 
 }  // namespace handwheel

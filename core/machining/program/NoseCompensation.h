@@ -57,7 +57,6 @@ class NoseCompensation {
     PlanePoint direction{};  // of a straight move as programmed; 0: may turn
     double sweep = 0.0;      // of an arc as programmed; 0: may change
   };
-  struct Corner;
 
   bool isInside(int turn) const { return m_side * turn > 0; }
   void hold(Held held) { m_held.push_back(std::move(held)); }

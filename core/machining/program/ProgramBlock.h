@@ -24,7 +24,6 @@ struct ProgramBlock {
   static constexpr std::size_t kMostWords = 100;
 
   std::vector<ProgramWord> words;  // without N; a vacant one is left out
-  bool isMarked = false;           // begins with '/'
   ProgramPlace place;              // of its first word
 
   // The word with this letter, or null. Of several G or M the first.

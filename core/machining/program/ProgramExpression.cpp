@@ -3,6 +3,7 @@
 #include "machining/program/ProgramExpression.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace handwheel {
 
@@ -13,13 +14,22 @@ constexpr double kEqual = 1e-4;  // LinuxCNC's TOLERANCE_EQUAL
 
 struct Operator {
   const char* text;
-  int strength;
+  int strength, fanuc;  // of LinuxCNC and of Fanuc; 0: it has none
+  int strengthIn(ProgramDialect dialect) const { return dialect == ProgramDialect::Fanuc ? fanuc : strength; }
 };
 
 // The longest first.
-constexpr Operator kOperators[] = {{"**", 5}, {"MOD", 4}, {"AND", 1}, {"XOR", 1}, {"EQ", 2},
-                                   {"NE", 2}, {"GT", 2},  {"GE", 2},  {"LT", 2},  {"LE", 2},
-                                   {"OR", 1}, {"*", 4},   {"/", 4},   {"+", 3},   {"-", 3}};
+constexpr Operator kOperators[] = {{"**", 5, 0}, {"MOD", 4, 4}, {"AND", 1, 4}, {"XOR", 1, 3}, {"EQ", 2, 2},
+                                   {"NE", 2, 2}, {"GT", 2, 2},  {"GE", 2, 2},  {"LT", 2, 2},  {"LE", 2, 2},
+                                   {"OR", 1, 3}, {"*", 4, 4},   {"/", 4, 4},   {"+", 3, 3},   {"-", 3, 3}};
+
+// AND, OR and XOR of Fanuc: of the bits of two whole numbers. NaN for others.
+double bitsOf(const std::string& op, double a, double b) {
+  constexpr double kMost = 2147483647.0;  // 32 bits with a sign
+  if (!(std::abs(a) <= kMost && std::abs(b) <= kMost)) return std::nan("");
+  const auto x = static_cast<std::int32_t>(std::lround(a)), y = static_cast<std::int32_t>(std::lround(b));
+  return op == "AND" ? x & y : op == "OR" ? x | y : x ^ y;
+}
 
 constexpr const char* kFunctions[] = {"ABS", "ACOS", "ASIN", "ATAN",  "COS", "EXISTS", "EXP",
                                       "FIX", "FUP",  "LN",   "ROUND", "SIN", "SQRT",   "TAN"};
@@ -41,13 +51,14 @@ double apply(const std::string& op, const ProgramValue& left, const ProgramValue
   if (op == "/") return a / b;
   if (op == "+") return a + b;
   if (op == "-") return a - b;
-  if (op == "MOD") return moduloOf(a, b);
+  if (op == "MOD") return dialect == ProgramDialect::Fanuc ? std::fmod(a, b) : moduloOf(a, b);
   if (op == "EQ") return isSame(left, right, dialect) ? 1.0 : 0.0;
   if (op == "NE") return isSame(left, right, dialect) ? 0.0 : 1.0;
   if (op == "GT") return a > b ? 1.0 : 0.0;
   if (op == "GE") return a >= b ? 1.0 : 0.0;
   if (op == "LT") return a < b ? 1.0 : 0.0;
   if (op == "LE") return a <= b ? 1.0 : 0.0;
+  if (dialect == ProgramDialect::Fanuc) return bitsOf(op, a, b);
   if (op == "AND") return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
   if (op == "OR") return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
   return (a != 0.0) != (b != 0.0) ? 1.0 : 0.0;  // XOR
@@ -170,15 +181,15 @@ ProgramValue ProgramExpression::binary(int least) {
     const ProgramPlace place = m_scanner.place();
     const std::size_t before = m_scanner.at();
     for (const Operator& op : kOperators) {
-      if (!m_scanner.takeIf(std::string_view(op.text))) continue;
+      if (op.strengthIn(m_dialect) == 0 || !m_scanner.takeIf(std::string_view(op.text))) continue;
       found = &op;
       break;
     }
-    if (!found || found->strength < least) {
+    if (!found || found->strengthIn(m_dialect) < least) {
       m_scanner.seek(before);
       break;
     }
-    const ProgramValue right = binary(found->strength + 1);
+    const ProgramValue right = binary(found->strengthIn(m_dialect) + 1);
     left = {finite(apply(found->text, left, right, m_dialect), place, found->text), false};
   }
   --m_depth;

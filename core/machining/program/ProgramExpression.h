@@ -10,10 +10,12 @@ namespace handwheel {
 
 // Evaluates the values in a line of a program: numbers, variables, and expressions in square brackets.
 //
-// LinuxCNC and Fanuc share operators and functions; angles are degrees. From the strongest: **, then * / MOD, then
-// + -, then EQ NE GT GE LT LE, then AND OR XOR. FIX and FUP round down and up in LinuxCNC, towards and away from zero
-// in Fanuc. Equal (EQ) is what differs by less than 1e-4 in LinuxCNC. Cost: linear in the text; the depth of
-// brackets is limited. Refuses (ProgramRefusal) what has no value, such as a division by zero.
+// LinuxCNC and Fanuc share most operators and functions; angles are degrees. From the strongest: **, then * / MOD, then
+// + -, then EQ NE GT GE LT LE, then AND OR XOR, which are logical. In Fanuc AND is as strong as *, OR and XOR are as
+// strong as +, all three work on bits, and MOD has the sign of its left side. FIX and FUP round down and up in
+// LinuxCNC, towards and away from zero in Fanuc. Equal (EQ) is what differs by less than 1e-4 in LinuxCNC. Cost: linear
+// in the text; the depth of brackets is limited. Refuses (ProgramRefusal) what has no value, such as a division by
+// zero.
 class ProgramExpression {
  public:
   static constexpr int kDeepest = 60;

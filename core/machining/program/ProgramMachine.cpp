@@ -24,6 +24,7 @@ ToolMove ProgramMachine::moveOf(ToolMove::Kind kind, double length, const Progra
   move.kind = kind;
   move.line = place.line;
   move.tool = static_cast<std::uint16_t>(modal.tool);
+  move.shape = static_cast<std::uint16_t>(mounted());
   move.spin = static_cast<std::int8_t>(modal.spin);
   move.isSurfaceSpeed = modal.isSurfaceSpeed;
   move.spindle = modal.spindle;
@@ -140,7 +141,20 @@ void ProgramMachine::changeTool(int number) {
   modal.tool = number;
 }
 
-void ProgramMachine::setToolOffset(const ProfilePoint& offset) {
+// The entry of the mounted tool, or that of the offset in effect: on a Fanuc a tool may have an offset of another
+// number.
+int ProgramMachine::mounted() const {
+  const bool isThere = m_setup.tools.contains(modal.tool) || !m_setup.tools.contains(m_offsetNumber);
+  return isThere ? modal.tool : m_offsetNumber;
+}
+
+ProfilePoint ProgramMachine::tipOffset() const {
+  const auto found = m_setup.tools.find(modal.tool);
+  return found == m_setup.tools.end() ? m_toolOffset : found->second.offset;
+}
+
+void ProgramMachine::setToolOffset(const ProfilePoint& offset, int number) {
+  m_offsetNumber = number;
   m_at += m_toolOffset - offset;
   m_tip += m_toolOffset - offset;
   m_toolOffset = offset;

@@ -13,6 +13,10 @@ namespace handwheel {
 //
 // Lengths are mm, radii not diameters, whatever the program uses. Points are (r, z) in the coordinates of the program:
 // those of the active system (G54...), shifted by G92 and the offset of the tool.
+//
+// The post is where the program's numbers and the offset in effect put it; the tip is where the mounted tool has it, by
+// its entry in the table of tools. So a tip cuts elsewhere than programmed with the offset of another tool, or without.
+// A tool that is not in the table has the offset in effect.
 class ProgramMachine {
  public:
   static constexpr double kInch = 25.4;
@@ -75,7 +79,8 @@ class ProgramMachine {
   void setShift(const ProfilePoint& shift);  // G92, G52; the tool stays where it is
   void changeTool(int number);
   const ProfilePoint& toolOffset() const { return m_toolOffset; }
-  void setToolOffset(const ProfilePoint& offset);
+  // number: of the entry of the table that it is from; -1: of none.
+  void setToolOffset(const ProfilePoint& offset, int number);
   void addTime(double seconds) { m_path.time += seconds; }
 
  private:
@@ -83,7 +88,11 @@ class ProgramMachine {
   ToolMove moveOf(ToolMove::Kind kind, double length, const ProgramPlace& place) const;
   void go(const NoseCompensation::Step& step);    // through compensation
   void emit(const NoseCompensation::Step& step);  // the path of the tip
-  ProfilePoint partPoint(const ProfilePoint& p) const { return p + m_systems[m_system] + m_shift + m_setup.reference; }
+  ProfilePoint partPoint(const ProfilePoint& p) const {
+    return p + m_systems[m_system] + m_shift + m_setup.reference + (m_toolOffset - tipOffset());
+  }
+  ProfilePoint tipOffset() const;  // from the post to the tip of the mounted tool
+  int mounted() const;             // its entry in the table
 
   const ProgramSetup& m_setup;
   ToolPath& m_path;
@@ -91,6 +100,7 @@ class ProgramMachine {
   std::array<ProfilePoint, kSystems> m_systems;
   int m_system = 0;
   ProfilePoint m_shift{0, 0}, m_toolOffset{0, 0};
+  int m_offsetNumber = -1;       // of m_toolOffset in the table
   ProfilePoint m_at{0, 0};       // programmed
   ProfilePoint m_tip{0, 0};      // where the tip is, in the same coordinates
   bool m_needsStraight = false;  // the move after compensation

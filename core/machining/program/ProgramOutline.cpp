@@ -35,8 +35,35 @@ constexpr Name kKeywords[] = {{"SUB", Keyword::Sub},
                               {"BREAK", Keyword::Break},
                               {"CONTINUE", Keyword::Continue}};
 
+// Whether a condition, a count or arguments follow the keyword.
+bool takesValue(Keyword keyword) {
+  switch (keyword) {
+    case Keyword::Call:
+    case Keyword::Return:
+    case Keyword::EndSub:
+    case Keyword::If:
+    case Keyword::ElseIf:
+    case Keyword::While:
+    case Keyword::Repeat:
+      return true;
+    default:
+      return false;
+  }
+}
+
 ProgramPlace placeOf(std::uint32_t line) {
   return {line + 1, 1};
+}
+
+// Whether there is another line that begins with %.
+bool hasMarkedEnd(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first < end && text[first] == '%') return true;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
 }
 
 [[noreturn]] void refuseUnclosed(std::uint32_t line, const std::string& label) {
@@ -50,14 +77,16 @@ ProgramOutline::ProgramOutline(std::string_view text, ProgramDialect dialect) {
   if (text.size() > kMostBytes)
     throw ProgramRefusal{
         {ErrorCode::FileTooLarge, {"bytes", std::to_string(text.size()), std::to_string(kMostBytes)}, {}, {}}};
-  split(text);
+  split(text, dialect);
   for (std::uint32_t i = 0; i < size(); ++i) readLine(i, dialect);
   link();
 }
 
-// A line that is only % begins or ends the tape; what follows the second is not read.
-void ProgramOutline::split(std::string_view text) {
-  bool hasBegun = false;
+// A line that begins with % begins or ends the tape; what follows the second is not read. A title may stand before the
+// first, as on the leader of a tape; words there are refused, since a machine would not run them. The only one of a
+// file ends it where words stand before it.
+void ProgramOutline::split(std::string_view text, ProgramDialect dialect) {
+  bool hasWords = false, hasMark = false;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
@@ -69,8 +98,18 @@ void ProgramOutline::split(std::string_view text) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     const bool isMark = first != std::string_view::npos && line[first] == '%';
     m_lines.push_back(isMark ? std::string_view() : line);
-    if (isMark && hasBegun) return;
-    hasBegun = hasBegun || isMark || first != std::string_view::npos;
+    if (!isMark) {
+      hasWords = hasWords || ProgramScanner(line, size()).hasWords();
+    } else if (hasMark) {
+      return;
+    } else if (!hasWords) {
+      hasMark = true;
+    } else {
+      if (dialect == ProgramDialect::Fanuc && hasMarkedEnd(text))
+        refuse(placeOf(size() - 1), "%", "the program begins here, but words stand before it",
+               "Remove the words before the first %, or the %.");
+      return;
+    }
   }
 }
 
@@ -81,7 +120,7 @@ ProgramOutline::Statement& ProgramOutline::add(std::uint32_t i, Keyword keyword,
 void ProgramOutline::readLine(std::uint32_t i, ProgramDialect dialect) {
   const std::size_t first = m_lines[i].find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return;
-  static constexpr std::string_view kBegins = "/nNoO:wWdDeE(";
+  static constexpr std::string_view kBegins = "/nNoO:wWdDeE(";  // what a line of the outline begins with
   if (kBegins.find(m_lines[i][first]) == std::string_view::npos) return;
   ProgramScanner scanner(m_lines[i], i + 1);
   scanner.takeIf('/');
@@ -94,7 +133,7 @@ void ProgramOutline::readLine(std::uint32_t i, ProgramDialect dialect) {
   if (scanner.peek() == 'O' || (scanner.peek() == ':' && dialect == ProgramDialect::Fanuc))
     readO(scanner, i, dialect);
   else if (dialect == ProgramDialect::Fanuc)
-    readFanucLoop(i);
+    readFanucLoop(scanner, i);
 }
 
 void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDialect dialect) {
@@ -114,6 +153,7 @@ void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDial
       if (!scanner.takeIf(std::string_view(name.text))) continue;
       add(i, name.keyword, label, scanner.at());
       if (name.keyword == Keyword::Sub) m_subs.emplace(label, i);
+      if (!takesValue(name.keyword)) scanner.expectEnd();
       return;
     }
     if (scanner.peek() != '\0')
@@ -121,16 +161,17 @@ void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDial
              "Use sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, repeat, endrepeat, break or "
              "continue.");
   }
+  if (dialect == ProgramDialect::Fanuc) {
+    scanner.expectEnd();
+    m_programs.push_back(i);
+  }
   add(i, Keyword::Program, label, scanner.at());
   m_subs.emplace(label, i);
 }
 
-// WHILE [...] DO1 and END1.
-void ProgramOutline::readFanucLoop(std::uint32_t i) {
-  std::string text;
-  for (const char c : m_lines[i])
-    if (c != ' ' && c != '\t' && c != '\r') text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  if (text.starts_with('N')) text.erase(0, std::min(text.find_first_not_of("0123456789", 1), text.size()));
+// WHILE [...] DO1 and END1, behind a slash and a number of the line.
+void ProgramOutline::readFanucLoop(ProgramScanner& scanner, std::uint32_t i) {
+  const std::string text = scanner.rest();
   if (text.starts_with("END") && text.size() == 4) {
     add(i, Keyword::FanucEnd, "do" + text.substr(3), 0);
   } else if (text.starts_with("WHILE") || text.starts_with("DO")) {
@@ -152,8 +193,13 @@ std::uint32_t ProgramOutline::subprogram(const std::string& label) const {
 std::uint32_t ProgramOutline::numbered(int n, std::uint32_t from) const {
   const auto found = m_numbered.find(n);
   if (found == m_numbered.end()) return kNone;
-  const auto after = std::lower_bound(found->second.begin(), found->second.end(), from);
-  return after == found->second.end() ? found->second.front() : *after;
+  const auto next = std::upper_bound(m_programs.begin(), m_programs.end(), from);
+  const std::uint32_t begin = next == m_programs.begin() ? 0 : *(next - 1);
+  const std::uint32_t end = next == m_programs.end() ? size() : *next;
+  const std::vector<std::uint32_t>& lines = found->second;
+  auto line = std::lower_bound(lines.begin(), lines.end(), from);
+  if (line == lines.end() || *line >= end) line = std::lower_bound(lines.begin(), lines.end(), begin);
+  return line == lines.end() || *line >= end ? kNone : *line;
 }
 
 // The line i ends what was opened last with its label, or goes on with it.

@@ -58,14 +58,15 @@ class ProgramOutline {
 
   // The line that begins a subprogram, or kNone.
   std::uint32_t subprogram(const std::string& label) const;
-  // The first line after `from` with this N number, or else the first of all; kNone.
+  // The first line from `from` on with this N number, or else the first of all, in the program of a Fanuc file that
+  // `from` is in; kNone.
   std::uint32_t numbered(int n, std::uint32_t from) const;
 
  private:
-  void split(std::string_view text);
+  void split(std::string_view text, ProgramDialect dialect);
   void readLine(std::uint32_t i, ProgramDialect dialect);
   void readO(ProgramScanner& scanner, std::uint32_t i, ProgramDialect dialect);
-  void readFanucLoop(std::uint32_t i);
+  void readFanucLoop(ProgramScanner& scanner, std::uint32_t i);
   void link();
   void close(std::uint32_t i, Statement& statement);
   Statement& add(std::uint32_t i, Keyword keyword, std::string label, std::size_t rest);
@@ -74,6 +75,7 @@ class ProgramOutline {
   std::map<std::uint32_t, Statement> m_statements;
   std::map<std::string, std::uint32_t> m_subs;
   std::unordered_map<int, std::vector<std::uint32_t>> m_numbered;
+  std::vector<std::uint32_t> m_programs;                     // lines of O numbers of Fanuc, rising
   std::map<std::string, std::vector<std::uint32_t>> m_open;  // while linking: by label
 };
 

@@ -37,15 +37,22 @@ ProgramRun::ProgramRun(std::string_view text, const ProgramSetup& setup, Progres
       m_progress(progress),
       m_outline(text, setup.dialect),
       m_variables(setup.dialect == ProgramDialect::Fanuc ? kLocals : 30, setup.dialect == ProgramDialect::Fanuc),
-      m_machine(setup, m_path) {
+      m_machine(setup, m_path),
+      m_cycleWork(progress) {
   m_variables.setSystem([this](int n) { return systemVariable(n); },
                         [this](const std::string& name) { return systemVariable(name); });
 }
 
 ToolPath ProgramRun::run() {
   runTo(m_outline.size());
+  if (!m_isDone && !m_frames.empty() && m_setup.dialect == ProgramDialect::Fanuc)
+    refuseMissingReturn({m_outline.size(), 1});
   if (m_machine.isCompensated()) m_machine.endCompensation();
   return std::move(m_path);
+}
+
+void ProgramRun::refuseMissingReturn(const ProgramPlace& place) {
+  refuse(place, "M99", "the subprogram that was called has no end before this line", "End it with M99.");
 }
 
 void ProgramRun::runTo(std::uint32_t end) {
@@ -109,10 +116,19 @@ void ProgramRun::returnFromCall() {
     m_next = frame.begin;
     return;
   }
-  if (frame.restores && frame.saved) m_machine.modal = *frame.saved;
+  if (frame.restores && frame.saved) restoreModes(*frame.saved);
   if (frame.hasOwnVariables) m_variables.leave();
   m_next = frame.returnTo;
   m_frames.pop_back();
+}
+
+void ProgramRun::restoreModes(const SavedModes& saved) {
+  const ProgramMachine::Modal now = m_machine.modal;
+  m_machine.modal = saved.modal;
+  m_machine.modal.motion = now.motion;
+  m_machine.modal.tool = now.tool;
+  m_machine.modal.selectedTool = now.selectedTool;
+  if (saved.system != m_machine.system()) m_machine.selectSystem(saved.system);
 }
 
 void ProgramRun::begin(const ProgramBlock& block) {

@@ -24,7 +24,11 @@ class ProgramRun {
   static constexpr std::size_t kDeepest = 100;  // calls in calls
   static constexpr std::uint32_t kNone = ProgramOutline::kNone;
 
-  struct Cancelled {};
+  // What M70 saves.
+  struct SavedModes {
+    ProgramMachine::Modal modal;
+    int system = 0;
+  };
 
   struct Frame {
     std::uint32_t returnTo = 0;
@@ -32,7 +36,7 @@ class ProgramRun {
     int repeats = 0;          // of the whole subprogram that are still to come
     bool hasOwnVariables = true;
     std::map<std::uint32_t, int> loops;  // how often a repeat is still to run
-    std::optional<ProgramMachine::Modal> saved;
+    std::optional<SavedModes> saved;
     bool restores = false;  // saved, on return
   };
 
@@ -48,6 +52,9 @@ class ProgramRun {
   void call(std::uint32_t begin, const std::vector<ProgramValue>& arguments, int repeats, bool hasOwnVariables,
             const ProgramPlace& place);
   void returnFromCall();
+  // All modes but the motion, the tool and the selected one, and the coordinate system.
+  void restoreModes(const SavedModes& saved);
+  [[noreturn]] static void refuseMissingReturn(const ProgramPlace& place);
   ProgramValue valueIn(ProgramScanner& scanner) {
     return ProgramExpression(scanner, m_variables, m_setup.dialect).value();
   }
@@ -75,6 +82,7 @@ class ProgramRun {
   ProgramOutline m_outline;
   ProgramVariables m_variables;
   ProgramMachine m_machine;
+  CycleWork m_cycleWork;
   std::vector<Frame> m_frames;
   std::uint32_t m_next = 0;  // line
   bool m_isDone = false;

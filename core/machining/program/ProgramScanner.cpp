@@ -106,6 +106,26 @@ void ProgramScanner::expect(char c, const char* remedy) {
   refuse(place(), found.empty() ? "end of the line" : found, std::string("'") + c + "' is expected here", remedy);
 }
 
+void ProgramScanner::expectEnd() {
+  if (peek() == '\0') return;
+  refuse(place(), token(), "nothing may follow here", "Put it into a line of its own.");
+}
+
+bool ProgramScanner::hasWords() {
+  const std::size_t open = m_text.rfind('(');
+  const bool isOpen = open != std::string_view::npos && m_text.find(')', open) == std::string_view::npos;
+  return isOpen || peek() != '\0';
+}
+
+std::string ProgramScanner::rest() {
+  std::string text;
+  for (char c = peek(); c != '\0'; c = peek()) {
+    text += c;
+    take();
+  }
+  return text;
+}
+
 ProgramPlace ProgramScanner::place() {
   skip();
   return {m_line, static_cast<std::uint32_t>(m_at + 1)};

@@ -29,6 +29,9 @@ class ProgramScanner {
   std::string name();
 
   void expect(char c, const char* remedy);
+  void expectEnd();    // refuses what follows, comments aside
+  bool hasWords();     // anything but comments follows, also one that does not end
+  std::string rest();  // what follows, without blanks and comments, in capitals
 
   ProgramPlace place();                    // of the next character that counts
   std::string token();                     // there, for messages

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "machining/program/ToolPath.h"
 #include "nurbs/BezierArc.h"
 
 #include <map>
@@ -38,6 +39,7 @@ struct ProgramSetup {
   bool skipsMarked = false;  // blocks that begin with '/'
 
   const ProgramTool& tool(int number) const;
+  const ProgramTool& toolOf(const ToolMove& move) const { return tool(move.shape != 0 ? move.shape : move.tool); }
 };
 
 // The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Error: Refused.

@@ -21,7 +21,8 @@ struct ToolMove {
   bool isSurfaceSpeed = false;   // of the spindle
   std::int8_t spin = 0;          // of the spindle: 1 M3, -1 M4, 0 stopped
   std::uint16_t tool = 0;
-  std::uint32_t line = 0;  // of the program, from 1
+  std::uint16_t shape = 0;  // the entry of the table of tools that has its nose; 0: that of the tool
+  std::uint32_t line = 0;   // of the program, from 1
   ProfilePoint from{0, 0}, to{0, 0}, centre{0, 0};
   double feed = 0.0;         // mm/min, or mm per revolution; of a thread its pitch along the move
   double spindle = 0.0;      // r/min, or m/min of the surface

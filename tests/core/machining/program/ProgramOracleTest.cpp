@@ -42,7 +42,13 @@ bool isOracleThere() {
   return !QStandardPaths::findExecutable("rs274").isEmpty();
 }
 
-// What LinuxCNC's interpreter makes of a program, in a folder of its own: it keeps variables there.
+// The offsets of the tools above, (r, z) in mm.
+ProfilePoint offsetOf(int tool) {
+  return tool == 5 ? ProfilePoint(2.54, 5.08) : ProfilePoint(0, 0);
+}
+
+// What LinuxCNC's interpreter makes of a program: where the tip of the mounted tool goes. It runs in a folder of its
+// own: it keeps variables there.
 Oracle askOracle(const QByteArray& program) {
   const QTemporaryDir folder;
   const auto put = [&](const char* name, const QByteArray& bytes) {
@@ -56,25 +62,28 @@ Oracle askOracle(const QByteArray& program) {
   process.start("rs274", {"-g", "-t", "t.tbl", "p.ngc"});
   oracle.isRefused = !process.waitForFinished(60'000) || process.exitCode() != 0;
   double unit = 1.0;
-  ProfilePoint system(0, 0), shift(0, 0), at(0, 0);
+  ProfilePoint system(0, 0), shift(0, 0), at(0, 0), offset(0, 0), mounted(0, 0);
   static const QRegularExpression call("([A-Z_0-9]+)\\((.*)\\)");
   for (const QByteArray& line : process.readAllStandardOutput().split('\n')) {
     const QRegularExpressionMatch match = call.match(line);
     const QString name = match.captured(1);
     const QStringList a = match.captured(2).split(QRegularExpression("[ ,]+"), Qt::SkipEmptyParts);
     const auto number = [&](int i) { return unit * a.value(i).toDouble(); };
+    const ProfilePoint origin = system + shift + offset - mounted;
     if (name == "USE_LENGTH_UNITS") unit = a.value(0).contains("INCH") ? 25.4 : 1.0;
     if (name == "SET_G5X_OFFSET") system = {number(1), number(3)};
+    if (name == "USE_TOOL_LENGTH_OFFSET") offset = {number(0), number(2)};
+    if (name == "CHANGE_TOOL") mounted = offsetOf(a.value(0).toInt());
     if (name == "SET_G92_OFFSET") shift = {number(0), number(2)};
     OracleMove move;
     move.unit = unit;
     if (name == "STRAIGHT_TRAVERSE" || name == "STRAIGHT_FEED") {
       move.isRapid = name == "STRAIGHT_TRAVERSE";
-      move.to = ProfilePoint(number(0), number(2)) + system + shift;
+      move.to = ProfilePoint(number(0), number(2)) + origin;
     } else if (name == "ARC_FEED") {
       move.turn = a.value(4).toInt() > 0 ? 1 : -1;
-      move.to = ProfilePoint(number(1), number(0)) + system + shift;
-      move.centre = ProfilePoint(number(3), number(2)) + system + shift;
+      move.to = ProfilePoint(number(1), number(0)) + origin;
+      move.centre = ProfilePoint(number(3), number(2)) + origin;
     } else {
       continue;
     }
@@ -152,6 +161,17 @@ class ProgramOracleTest : public QObject {
         << begin +
                "T5 M6 G43\nG0 X10 Z5\nG92 X3 Z1\nG1 X4\nG92.1\nG1 X6 Z0\nG10 L2 P2 X5 Z-3\nG55\nG0 "
                "X1 Z1\nG52 Z4\nG1 Z2\nG54\nG53 G0 X50\nG28 X20\nG30\nG49\nG0 X1\n";
+    QTest::newRow("kept offsets")
+        << begin +
+               "G0 X1 Z1\nG92 X3 Z1\nG0 X4\nG92.2\nG0 X5\nG92.3\nG0 X6\nG92.1\nG0 X7\nG92.3\nG0 X8\nG52 X2\nG0 "
+               "X9\nG92.2\nG0 X10\nG92.3\nG0 X11\n";
+    QTest::newRow("saved modes")
+        << begin +
+               "G10 L2 P2 X5 Z3\nG0 X1\nG1 F100 X2\nM70\nT2 M6 G55\nG91 F7\nG0 X3\nS300 M3\nM72\nX2\nT5 M6 G43\n"
+               "M73\nG0 X4 Z9\nG59 G91\nX5\n";
+    QTest::newRow("modes of a subprogram")
+        << begin + "G10 L2 P2 X5 Z3\no1 sub\nM73\nG55 G91\nG0 X3\no1 endsub\nG0 X1\no1 call\nX2\n";
+    QTest::newRow("tool without offset") << begin + "T5 M6\nG0 X10 Z5\nG43 H2\nG0 X11\nG43\nG0 X12\nT2 M6\nG0 X13\n";
     QTest::newRow("feeds") << begin +
                                   "G0 X10 Z0\nG95 F0.2\nG1 Z-5\nG93\nG1 X12 F2\nG94 F80\nG1 X13\nG96 D1500 S100\nG1 "
                                   "X5\nG97 S300\nG4 P0.5\nG33 Z-20 K1.5\n";
@@ -195,6 +215,10 @@ class ProgramOracleTest : public QObject {
     QTest::newRow("narrow corner") << QByteArray("T2 M6\nG0 X20 Z10\nG42 G1 X8 Z3 F9\nG1 Z2\nX8.2 Z2.1\nX20 Z2\nM2\n");
     QTest::newRow("short entry") << QByteArray("G18 T2 M6\nG0 X20 Z10\nG42 G1 X20.1 F9\nM2\n");
     QTest::newRow("arc after G40") << QByteArray("G18 T2 M6\nG0 X9\nG42 G1 X5 F9\nG1 Z-5\nG40\nG2 X9 Z-9 R4\nM2\n");
+    QTest::newRow("words behind if") << QByteArray("o1 if [1 EQ 1] G0 X77\no1 endif\nM2\n");
+    QTest::newRow("words behind repeat") << QByteArray("o1 repeat [2] G0 X5\nG0 X3\no1 endrepeat\nM2\n");
+    QTest::newRow("words behind endwhile")
+        << QByteArray("#1=0\no1 while [#1 lt 2]\n#1=[#1+1]\no1 endwhile G0 X3\nM2\n");
     QTest::newRow("backwards contour") << QByteArray(
         "G18 F9\nO1 sub\nG0 X5\nG1 Z-5\nX7 Z-2\nX9\nO1 endsub\nG71 Q1 X10 Z2\nM2\n");
   }

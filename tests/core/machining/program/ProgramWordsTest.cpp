@@ -29,7 +29,7 @@ ProfilePoint endOf(const std::string& text, ProgramDialect dialect = ProgramDial
   return {std::nan(""), std::nan("")};
 }
 
-bool isAt(const ProfilePoint& p, double r, double z) {
+bool endsAt(const ProfilePoint& p, double r, double z) {
   return std::abs(p.x() - r) < 1e-9 && std::abs(p.y() - z) < 1e-9;
 }
 
@@ -75,18 +75,30 @@ class ProgramWordsTest : public QObject {
 
   // What a line assigns counts from the next line on.
   void variables() {
-    QVERIFY(isAt(endOf("#1=5\n#1=6 G0 X#1\n"), 5.0, 0.0));
-    QVERIFY(isAt(endOf("#<a b>=2\n#<_G>=3\nG0 X#<ab> Z#<_g>\n"), 2.0, 3.0));
-    QVERIFY(isAt(endOf("#1=2 #2=7\nG0 X##1\n"), 7.0, 0.0));
-    QVERIFY(isAt(endOf("G21 G7 G0 X20 Z5\nG0 X#<_x> Z#5422\n"), 5.0, 5.0));  // _x is a radius
+    QVERIFY(endsAt(endOf("#1=5\n#1=6 G0 X#1\n"), 5.0, 0.0));
+    QVERIFY(endsAt(endOf("#<a b>=2\n#<_G>=3\nG0 X#<ab> Z#<_g>\n"), 2.0, 3.0));
+    QVERIFY(endsAt(endOf("#1=2 #2=7\nG0 X##1\n"), 7.0, 0.0));
+    QVERIFY(endsAt(endOf("G21 G7 G0 X20 Z5\nG0 X#<_x> Z#5422\n"), 5.0, 5.0));  // _x is a radius
+  }
+
+  // F is in the units that were in effect before its line (LinuxCNC, order of execution).
+  void feedComesBeforeUnits() {
+    const auto feed = [](const char* text) { return run(text).value().moves.back().feed; };
+    QCOMPARE(feed("G21\nG0 X1\nG20 F5\nG1 X2\n"), 5.0);
+    QCOMPARE(feed("G20\nF5\nG1 X2\n"), 127.0);
+  }
+
+  void subprogramsReturnAValue() {
+    QVERIFY(endsAt(endOf("o1 sub\no1 return [#1*2]\no1 endsub\no1 call [3]\nG0 X#<_value>\n"), 6.0, 0.0));
   }
 
   void subprogramsHaveTheirOwnVariables() {
     const std::string program =
         "o<f> sub\n#1=[#1*2]\n#<n>=1\no<f> endsub\n#1=5\no<f> call [3]\nG0 X#1 Z[exists[#<n>]]\n";
-    QVERIFY(isAt(endOf(program), 5.0, 0.0));
-    QVERIFY(isAt(endOf("o1 sub\nG0 X#1 Z#2\no2 if [#1 gt 2]\no1 return\no2 endif\nG0 Z9\no1 endsub\no1 call [3] [4]\n"),
-                 3.0, 4.0));
+    QVERIFY(endsAt(endOf(program), 5.0, 0.0));
+    QVERIFY(
+        endsAt(endOf("o1 sub\nG0 X#1 Z#2\no2 if [#1 gt 2]\no1 return\no2 endif\nG0 Z9\no1 endsub\no1 call [3] [4]\n"),
+               3.0, 4.0));
   }
 
   void branchesAndLoops() {
@@ -94,25 +106,25 @@ class ProgramWordsTest : public QObject {
       return endOf("#1=" + std::to_string(n) +
                    "\no1 if [#1 eq 1]\nG0 X1\no1 elseif [#1 eq 2]\nG0 X2\no1 else\nG0 X3\no1 endif\nG0 Z1\n");
     };
-    QVERIFY(isAt(branch(1), 1.0, 1.0) && isAt(branch(2), 2.0, 1.0) && isAt(branch(7), 3.0, 1.0));
-    QVERIFY(isAt(endOf("#1=0\no1 while [#1 lt 4]\n#1=[#1+1]\no1 endwhile\nG0 X#1\n"), 4.0, 0.0));
-    QVERIFY(isAt(endOf("#1=9\no1 do\n#1=[#1+1]\no1 while [#1 lt 4]\nG0 X#1\n"), 10.0, 0.0));
+    QVERIFY(endsAt(branch(1), 1.0, 1.0) && endsAt(branch(2), 2.0, 1.0) && endsAt(branch(7), 3.0, 1.0));
+    QVERIFY(endsAt(endOf("#1=0\no1 while [#1 lt 4]\n#1=[#1+1]\no1 endwhile\nG0 X#1\n"), 4.0, 0.0));
+    QVERIFY(endsAt(endOf("#1=9\no1 do\n#1=[#1+1]\no1 while [#1 lt 4]\nG0 X#1\n"), 10.0, 0.0));
     QVERIFY(
-        isAt(endOf("#1=0\no1 repeat [3]\no2 repeat [2]\n#1=[#1+1]\no2 endrepeat\no1 endrepeat\nG0 X#1\n"), 6.0, 0.0));
-    QVERIFY(isAt(endOf("#1=0\no1 while [1]\n#1=[#1+1]\no2 if [#1 gt 6]\no1 break\no2 endif\no1 endwhile\nG0 X#1\n"),
-                 7.0, 0.0));
+        endsAt(endOf("#1=0\no1 repeat [3]\no2 repeat [2]\n#1=[#1+1]\no2 endrepeat\no1 endrepeat\nG0 X#1\n"), 6.0, 0.0));
+    QVERIFY(endsAt(endOf("#1=0\no1 while [1]\n#1=[#1+1]\no2 if [#1 gt 6]\no1 break\no2 endif\no1 endwhile\nG0 X#1\n"),
+                   7.0, 0.0));
   }
 
   void macroB() {
     const auto fanuc = [](const std::string& text) { return endOf(text, ProgramDialect::Fanuc); };
-    QVERIFY(isAt(fanuc("#1=2+3*2\nG0 X#1 Z-#1\n"), 4.0, -8.0));
-    QVERIFY(isAt(fanuc("#1=0\nWHILE[#1 LT 5]DO1\n#1=#1+1\nEND1\nG0 Z#1\n"), 0.0, 5.0));
-    QVERIFY(isAt(fanuc("#1=1\nN10 #1=#1*2\nIF[#1 LT 20]GOTO10\nG0 Z#1\n"), 0.0, 32.0));
-    QVERIFY(isAt(fanuc("G65 P2 A3 X8\nG0 Z1\nM30\nO2\nG0 X#24 Z#1\nM99\n"), 4.0, 1.0));
-    QVERIFY(isAt(fanuc("O1\nM98 P20003\nM30\nO3\nG0 W2.\nM99\n"), 0.0, 4.0));  // twice
+    QVERIFY(endsAt(fanuc("#1=2+3*2\nG0 X#1 Z-#1\n"), 4.0, -8.0));
+    QVERIFY(endsAt(fanuc("#1=0\nWHILE[#1 LT 5]DO1\n#1=#1+1\nEND1\nG0 Z#1\n"), 0.0, 5.0));
+    QVERIFY(endsAt(fanuc("#1=1\nN10 #1=#1*2\nIF[#1 LT 20]GOTO10\nG0 Z#1\n"), 0.0, 32.0));
+    QVERIFY(endsAt(fanuc("G65 P2 A3 X8\nG0 Z1\nM30\nO2\nG0 X#24 Z#1\nM99\n"), 4.0, 1.0));
+    QVERIFY(endsAt(fanuc("O1\nM98 P20003\nM30\nO3\nG0 W2.\nM99\n"), 0.0, 4.0));  // twice
     // A vacant variable is as if its word were not there.
-    QVERIFY(isAt(fanuc("G0 X10 Z3\nG0 X#5 Z4\n"), 5.0, 4.0));
-    QVERIFY(isAt(fanuc("IF[#5 EQ #0]THEN #6=7\nG0 Z#6\n"), 0.0, 7.0));
+    QVERIFY(endsAt(fanuc("G0 X10 Z3\nG0 X#5 Z4\n"), 5.0, 4.0));
+    QVERIFY(endsAt(fanuc("IF[#5 EQ #0]THEN #6=7\nG0 Z#6\n"), 0.0, 7.0));
   }
 
   void refusesWithPlaceAndAdvice_data() {
@@ -140,6 +152,8 @@ class ProgramWordsTest : public QObject {
     QTest::newRow("no subprogram") << "o<none> call\n" << 1 << 1 << false;
     QTest::newRow("no end") << "o1 while [1]\n" << 1 << 1 << false;
     QTest::newRow("letters") << "hello\n" << 1 << 2 << false;
+    QTest::newRow("behind an O word") << "o1 sub\no1 endsub\no2 if [1] G0 X1\no2 endif\n" << 3 << 11 << false;
+    QTest::newRow("behind else") << "o2 if [0]\no2 else X1\no2 endif\n" << 2 << 9 << false;
     QTest::newRow("thread at rest") << "G33 Z-5 K1\n" << 1 << 1 << false;
     QTest::newRow("no line") << "G0 X2\nGOTO 7\n" << 2 << 6 << true;
     QTest::newRow("tool") << "T1\n" << 1 << 1 << true;
@@ -171,6 +185,21 @@ class ProgramWordsTest : public QObject {
     QVERIFY(!run("G98 F9\nG0 X50. Z0\nG75 X10. Z-9. P0.0000001 Q0.0000001\n", ProgramDialect::Fanuc));
     const Result<ToolPath> many = run("F1\no1 repeat [15000]\nG1 X1\nG1 X0\no1 endrepeat\n");
     QVERIFY(!many);
+  }
+
+  // A contour of thousands of lines, finished in ten thousand passes: neither blocks nor moves end it.
+  void cyclesHaveABudget() {
+    std::string text = "G18 F9\nO1 sub\nG0 X1 Z0\n";
+    for (int i = 1; i <= 3000; ++i)
+      text += "G1 X" + std::to_string(1.0 + 0.01 * i) + " Z" + std::to_string(-0.01 * i - 0.005 * (i % 2)) + "\n";
+    text += "O1 endsub\nG0 X50 Z5\nG70 Q1 X40 Z2 D1 E0.1 P10000\nM2\n";
+    ProgramSetup setup;
+    const Result<ToolPath> path = runProgram(text, setup);
+    QVERIFY(!path);
+    JobState job;
+    job.cancelled = true;
+    const Result<ToolPath> cancelled = runProgram(text, setup, Progress(job));
+    QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
   }
 
   void isCancelled() {
