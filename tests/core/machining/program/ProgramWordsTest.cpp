@@ -29,7 +29,7 @@ ProfilePoint endOf(const std::string& text, ProgramDialect dialect = ProgramDial
   return {std::nan(""), std::nan("")};
 }
 
-bool isAt(const ProfilePoint& p, double r, double z) {
+bool isWordAt(const ProfilePoint& p, double r, double z) {
   return std::abs(p.x() - r) < 1e-9 && std::abs(p.y() - z) < 1e-9;
 }
 
@@ -75,17 +75,18 @@ class ProgramWordsTest : public QObject {
 
   // What a line assigns counts from the next line on.
   void variables() {
-    QVERIFY(isAt(endOf("#1=5\n#1=6 G0 X#1\n"), 5.0, 0.0));
-    QVERIFY(isAt(endOf("#<a b>=2\n#<_G>=3\nG0 X#<ab> Z#<_g>\n"), 2.0, 3.0));
-    QVERIFY(isAt(endOf("#1=2 #2=7\nG0 X##1\n"), 7.0, 0.0));
-    QVERIFY(isAt(endOf("G21 G7 G0 X20 Z5\nG0 X#<_x> Z#5422\n"), 5.0, 5.0));  // _x is a radius
+    QVERIFY(isWordAt(endOf("#1=5\n#1=6 G0 X#1\n"), 5.0, 0.0));
+    QVERIFY(isWordAt(endOf("#<a b>=2\n#<_G>=3\nG0 X#<ab> Z#<_g>\n"), 2.0, 3.0));
+    QVERIFY(isWordAt(endOf("#1=2 #2=7\nG0 X##1\n"), 7.0, 0.0));
+    QVERIFY(isWordAt(endOf("G21 G7 G0 X20 Z5\nG0 X#<_x> Z#5422\n"), 5.0, 5.0));  // _x is a radius
   }
 
   void subprogramsHaveTheirOwnVariables() {
     const std::string program =
         "o<f> sub\n#1=[#1*2]\n#<n>=1\no<f> endsub\n#1=5\no<f> call [3]\nG0 X#1 Z[exists[#<n>]]\n";
-    QVERIFY(isAt(endOf(program), 5.0, 0.0));
-    QVERIFY(isAt(endOf("o1 sub\nG0 X#1 Z#2\no2 if [#1 gt 2]\no1 return\no2 endif\nG0 Z9\no1 endsub\no1 call [3] [4]\n"),
+    QVERIFY(isWordAt(endOf(program), 5.0, 0.0));
+    QVERIFY(
+        isWordAt(endOf("o1 sub\nG0 X#1 Z#2\no2 if [#1 gt 2]\no1 return\no2 endif\nG0 Z9\no1 endsub\no1 call [3] [4]\n"),
                  3.0, 4.0));
   }
 
@@ -94,25 +95,25 @@ class ProgramWordsTest : public QObject {
       return endOf("#1=" + std::to_string(n) +
                    "\no1 if [#1 eq 1]\nG0 X1\no1 elseif [#1 eq 2]\nG0 X2\no1 else\nG0 X3\no1 endif\nG0 Z1\n");
     };
-    QVERIFY(isAt(branch(1), 1.0, 1.0) && isAt(branch(2), 2.0, 1.0) && isAt(branch(7), 3.0, 1.0));
-    QVERIFY(isAt(endOf("#1=0\no1 while [#1 lt 4]\n#1=[#1+1]\no1 endwhile\nG0 X#1\n"), 4.0, 0.0));
-    QVERIFY(isAt(endOf("#1=9\no1 do\n#1=[#1+1]\no1 while [#1 lt 4]\nG0 X#1\n"), 10.0, 0.0));
-    QVERIFY(
-        isAt(endOf("#1=0\no1 repeat [3]\no2 repeat [2]\n#1=[#1+1]\no2 endrepeat\no1 endrepeat\nG0 X#1\n"), 6.0, 0.0));
-    QVERIFY(isAt(endOf("#1=0\no1 while [1]\n#1=[#1+1]\no2 if [#1 gt 6]\no1 break\no2 endif\no1 endwhile\nG0 X#1\n"),
-                 7.0, 0.0));
+    QVERIFY(isWordAt(branch(1), 1.0, 1.0) && isWordAt(branch(2), 2.0, 1.0) && isWordAt(branch(7), 3.0, 1.0));
+    QVERIFY(isWordAt(endOf("#1=0\no1 while [#1 lt 4]\n#1=[#1+1]\no1 endwhile\nG0 X#1\n"), 4.0, 0.0));
+    QVERIFY(isWordAt(endOf("#1=9\no1 do\n#1=[#1+1]\no1 while [#1 lt 4]\nG0 X#1\n"), 10.0, 0.0));
+    QVERIFY(isWordAt(endOf("#1=0\no1 repeat [3]\no2 repeat [2]\n#1=[#1+1]\no2 endrepeat\no1 endrepeat\nG0 X#1\n"), 6.0,
+                     0.0));
+    QVERIFY(isWordAt(endOf("#1=0\no1 while [1]\n#1=[#1+1]\no2 if [#1 gt 6]\no1 break\no2 endif\no1 endwhile\nG0 X#1\n"),
+                     7.0, 0.0));
   }
 
   void macroB() {
     const auto fanuc = [](const std::string& text) { return endOf(text, ProgramDialect::Fanuc); };
-    QVERIFY(isAt(fanuc("#1=2+3*2\nG0 X#1 Z-#1\n"), 4.0, -8.0));
-    QVERIFY(isAt(fanuc("#1=0\nWHILE[#1 LT 5]DO1\n#1=#1+1\nEND1\nG0 Z#1\n"), 0.0, 5.0));
-    QVERIFY(isAt(fanuc("#1=1\nN10 #1=#1*2\nIF[#1 LT 20]GOTO10\nG0 Z#1\n"), 0.0, 32.0));
-    QVERIFY(isAt(fanuc("G65 P2 A3 X8\nG0 Z1\nM30\nO2\nG0 X#24 Z#1\nM99\n"), 4.0, 1.0));
-    QVERIFY(isAt(fanuc("O1\nM98 P20003\nM30\nO3\nG0 W2.\nM99\n"), 0.0, 4.0));  // twice
+    QVERIFY(isWordAt(fanuc("#1=2+3*2\nG0 X#1 Z-#1\n"), 4.0, -8.0));
+    QVERIFY(isWordAt(fanuc("#1=0\nWHILE[#1 LT 5]DO1\n#1=#1+1\nEND1\nG0 Z#1\n"), 0.0, 5.0));
+    QVERIFY(isWordAt(fanuc("#1=1\nN10 #1=#1*2\nIF[#1 LT 20]GOTO10\nG0 Z#1\n"), 0.0, 32.0));
+    QVERIFY(isWordAt(fanuc("G65 P2 A3 X8\nG0 Z1\nM30\nO2\nG0 X#24 Z#1\nM99\n"), 4.0, 1.0));
+    QVERIFY(isWordAt(fanuc("O1\nM98 P20003\nM30\nO3\nG0 W2.\nM99\n"), 0.0, 4.0));  // twice
     // A vacant variable is as if its word were not there.
-    QVERIFY(isAt(fanuc("G0 X10 Z3\nG0 X#5 Z4\n"), 5.0, 4.0));
-    QVERIFY(isAt(fanuc("IF[#5 EQ #0]THEN #6=7\nG0 Z#6\n"), 0.0, 7.0));
+    QVERIFY(isWordAt(fanuc("G0 X10 Z3\nG0 X#5 Z4\n"), 5.0, 4.0));
+    QVERIFY(isWordAt(fanuc("IF[#5 EQ #0]THEN #6=7\nG0 Z#6\n"), 0.0, 7.0));
   }
 
   void refusesWithPlaceAndAdvice_data() {
