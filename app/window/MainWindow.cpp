@@ -100,6 +100,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
       .haptics = m_haptics,
       .touch = m_touch,
       .servoClock = m_servoClock,
+      .spaceMouse = *m_spaceMouse,
       .saveAs = m_fileActions.saveAs(),
       .chooseTool = [this](const QString& id) { m_toolChoice->choose(id); },
       .openFile = [this](const QString& path) { openPaths({path}); },

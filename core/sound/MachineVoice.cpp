@@ -18,6 +18,7 @@ constexpr double kSquealTone = 2900.0;  // Hz
 
 // Levels at their most. The sum is softly limited.
 constexpr double kGearLevel = 0.12, kCutLevel = 0.24, kSquealLevel = 0.12, kChatterLevel = 0.35;
+constexpr double kBlowLevel = 0.9, kBlowTone = 140.0, kBlowTime = 0.12;  // Hz; s, to 1/e
 constexpr double kHalfSpeed = 600.0;  // r/min at which the gears are half as loud as they become
 constexpr double kHalfForce = 400.0;  // N, likewise for the cut
 constexpr double kHalfMotion = 0.05;  // m/s: without motion nothing cuts
@@ -47,8 +48,10 @@ void wrap(double& phase) {
 MachineVoice::MachineVoice(double sampleRate)
     : m_rate(within(sampleRate, kLeastRate, kLargestRate)),
       m_share(1.0 - std::exp(-static_cast<double>(kPiece) / (kGlide * m_rate))),
-      m_noise(m_rate) {
+      m_noise(m_rate),
+      m_ringing(std::exp(-1.0 / (kBlowTime * m_rate))) {
   set({});
+  m_blows.reset();
   m_value = m_target;
 }
 
@@ -66,6 +69,11 @@ void MachineVoice::set(const MachineSoundState& state) noexcept {
   m_target[Turns] = spindle / 60.0;
   m_target[Centre] = std::clamp(kChipShare * speed / thickness, kLeastCentre, kLargestCentre);
   m_target[ChatterTone] = within(state.chatterFrequency, 50.0, 1500.0);
+  if (m_blows && state.blows > *m_blows) {
+    if (!(m_blowLevel > kSilence)) m_blow = 0.0;
+    m_blowLevel = kBlowLevel;
+  }
+  m_blows = state.blows;
   m_target[Quality] = kSharpQuality + (kWornQuality - kSharpQuality) * wear;
 }
 
@@ -104,6 +112,10 @@ double MachineVoice::next() noexcept {
   sum += m_value[Cut] * swell * m_noise.next();
   sum += m_value[Squeal] * swell * tone(m_squeal, kSquealTone, 2, 0.3);
   sum += m_value[Chatter] * tone(m_chatter, m_value[ChatterTone], 4, 0.6);
+  if (m_blowLevel > kSilence) {
+    sum += m_blowLevel * tone(m_blow, kBlowTone, 5, 0.75);
+    m_blowLevel *= m_ringing;
+  }
   return std::tanh(sum);
 }
 

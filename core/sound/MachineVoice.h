@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace handwheel {
@@ -19,14 +20,15 @@ struct MachineSoundState {
   double wear = 0.0;                // of the edge: 0 new, 1 worn out
   double chatter = 0.0;             // 0 none, 1 as strong as the cut
   double chatterFrequency = 200.0;  // Hz
+  unsigned blows = 0;               // crashes so far: each more is heard as a blow
   bool operator==(const MachineSoundState&) const = default;
 };
 
-// The sound of a machine tool: gears, cut, squeal of a worn edge, chatter. The gears sound at kTeeth times
-// the turns of the spindle; the cut is noise around the rate at which chips form, which falls with their thickness, and
-// swells once in a turn; the force makes it louder. Samples are within ±1, phases continuous; changes take some 20 ms,
-// so that nothing clicks. Deterministic: the same states at the same samples give the same sound, in whatever pieces it
-// is asked for. One thread; no lock, no allocation; some 100 ns for a sample.
+// The sound of a machine tool: gears, cut, squeal of a worn edge, chatter, and the blow of a crash. The gears sound at
+// kTeeth times the turns of the spindle; the cut is noise around the rate at which chips form, which falls with their
+// thickness, and swells once in a turn; the force makes it louder. Samples are within ±1, phases continuous; changes
+// take some 20 ms, so that nothing clicks. Deterministic: the same states at the same samples give the same sound, in
+// whatever pieces it is asked for. One thread; no lock, no allocation; some 100 ns for a sample.
 class MachineVoice {
  public:
   static constexpr double kTeeth = 24.0;
@@ -52,7 +54,10 @@ class MachineVoice {
   NoiseBand m_noise;
   std::array<double, kParts> m_target{}, m_value{}, m_step{};
   double m_turn = 0.0, m_gears = 0.0, m_squeal = 0.0, m_chatter = 0.0;  // phases, in turns
-  std::size_t m_left = 0;                                               // samples to the end of the piece
+  double m_blow = 0.0, m_blowLevel = 0.0;  // phase, in turns, and what is left of the last one
+  double m_ringing;                        // of the level, from a sample to the next
+  std::optional<unsigned> m_blows;         // none: before the first state
+  std::size_t m_left = 0;                  // samples to the end of the piece
 };
 
 }  // namespace handwheel

@@ -63,6 +63,7 @@ struct ToolAction {
   bool enabled = true;
   std::string command = {};  // of the window, that does the same and has the key: "nextHole"; mostly none
   std::string reason = {};   // why it is not enabled, where that is not plain; English, context "Tool"
+  bool isKeyOnly = false;    // no button for it: a panel has something better
 };
 
 // What the tools of one kind of document preview in its own terms. The user interface of that kind knows the type.

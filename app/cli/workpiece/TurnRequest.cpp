@@ -11,7 +11,6 @@ namespace handwheel {
 namespace {
 
 constexpr double kLeastSpacing = 1e-6, kLargestSpacing = 1e3;  // mm
-constexpr const char* kUsualMaterial = "medium-carbon-steel";
 
 std::string readLength(const Arguments& arguments, const char* name, double least, double largest, double& value) {
   if (!arguments.has(name)) return {};

@@ -149,6 +149,10 @@ void SpaceMouseNavigation::move() {
   const Motion now = motion();
   if (now.isRest() || !m_isOn || !m_viewport.isVisible() || !m_viewport.window()->isActiveWindow())
     return m_pivot.reset();
+  if (m_taker) {
+    m_taker(m_viewport.camera().orientation * Vec3(m_speed * seconds * now.shift));
+    return;
+  }
   if (!m_pivot) m_pivot = pivot();
   m_viewport.moveByHand(*m_pivot, m_speed * seconds * now.shift, m_speed * seconds * now.turn);
 }

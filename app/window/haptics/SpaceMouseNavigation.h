@@ -8,6 +8,7 @@
 
 #include <QElapsedTimer>
 #include <QFileSystemWatcher>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -32,6 +33,10 @@ class SpaceMouseNavigation : public QObject {
   void watch(const QStringList& folders);
   // speed: 1 is usual.
   void setMotion(bool isOn, double speed);
+  // Hands the cap's shift to something else than the view, as to the slides of a machine: a way in the scene, in
+  // heights of the view. Empty: to the view again.
+  using Taker = std::function<void(const Vec3& way)>;
+  void setTaker(Taker taker) { m_taker = std::move(taker); }
   std::vector<std::string> names() const;  // of the open ones
 
  signals:
@@ -76,6 +81,7 @@ class SpaceMouseNavigation : public QObject {
   QTimer m_timer;
   QElapsedTimer m_sinceMove;
   std::optional<Vec3> m_pivot;  // while the view is moved
+  Taker m_taker;
   bool m_isOn = true;
   double m_speed = 1.0;
 };

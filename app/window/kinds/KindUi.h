@@ -27,6 +27,7 @@ class JobRunner;
 class LogModel;
 class MachineSound;
 class ServoClock;
+class SpaceMouseNavigation;
 class ToolHost;
 class HapticSceneBuilder;
 class Viewport;
@@ -51,6 +52,7 @@ struct WindowContext {
   HapticSession& haptics;
   HapticSceneBuilder& touch;
   ServoClock& servoClock;
+  SpaceMouseNavigation& spaceMouse;
   QAction* saveAs;
   std::function<void(const QString& id)> chooseTool;  // of the current document
   std::function<void(const QString& path)> openFile;

@@ -18,7 +18,7 @@ std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions,
   std::vector<ToolAction> shown;
   for (ToolAction action : actions) {
     const auto same = [&action](const ToolAction& other) { return other.effect == action.effect; };
-    if (action.id.empty()) continue;
+    if (action.id.empty() || action.isKeyOnly) continue;
     if (std::any_of(shown.begin(), shown.end(), same)) {
       const auto before = effectsBefore.find(action.id);
       if (before == effectsBefore.end()) continue;

@@ -4,6 +4,8 @@
 
 #include "controls/NumberField.h"
 #include "controls/machine/HandwheelDial.h"
+#include "window/workpiece/LatheEvents.h"
+#include "window/workpiece/LatheFigures.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -12,7 +14,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -41,8 +42,18 @@ NumberField* field(const QString& label, const char* name, double value, double 
   made->setRange(least, largest);
   made->setValue(value);
   made->setLabel(label);
-  made->setMaximumWidth(110);
+  made->setMaximumWidth(84);
   return made;
+}
+
+QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
+  auto* const row = new QWidget;
+  auto* const layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  for (QWidget* each : widgets) layout->addWidget(each);
+  layout->addStretch();
+  return row;
 }
 
 QString number(double value, int digits) {
@@ -51,22 +62,25 @@ QString number(double value, int digits) {
 
 }  // namespace
 
+// The figures are a line of their own above, so that all of it fits into 1024 pixels: levers, wheels, events.
 LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lathePanel"));
-  auto* rows = new QVBoxLayout;
-  rows->addWidget(makeReadout());
-  rows->addWidget(makeSpindle());
-  rows->addWidget(makeFeed());
-  rows->addStretch();
-  m_crashes = new QListWidget;
-  m_crashes->setObjectName(QStringLiteral("latheCrashes"));
-  m_crashes->setAccessibleName(tr("Crashes"));
-  m_crashes->setToolTip(tr("What met what, and when. A crash stops the spindle."));
-  m_crashes->setMinimumWidth(180);
-  auto* all = new QHBoxLayout(this);
-  all->addLayout(rows);
-  all->addWidget(makeWheels());
-  all->addWidget(m_crashes, 1);
+  auto* levers = new QVBoxLayout;
+  levers->setSpacing(4);
+  for (QWidget* row : {makeReadout(), makeTouchingOff(), makeSpindle(), makeSurfaceSpeed(), makeFeed(), makeThread()})
+    levers->addWidget(row);
+  levers->addStretch();
+  m_figures = new LatheFigures;
+  m_events = new LatheEvents;
+  auto* below = new QHBoxLayout;
+  below->addLayout(levers);
+  below->addWidget(makeWheels());
+  below->addWidget(m_events, 1);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(8, 4, 8, 4);
+  all->setSpacing(4);
+  all->addWidget(m_figures);
+  all->addLayout(below);
 }
 
 QPushButton* LathePanel::button(const QString& text, const char* name, const QString& tip) {
@@ -77,99 +91,91 @@ QPushButton* LathePanel::button(const QString& text, const char* name, const QSt
 }
 
 QWidget* LathePanel::makeReadout() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
   m_tools = new QComboBox;
   m_tools->setObjectName(QStringLiteral("latheTool"));
   m_tools->setAccessibleName(tr("Tool in the post"));
+  m_tools->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_tools->setMinimumContentsLength(14);
   m_x = new QLabel;
   m_x->setObjectName(QStringLiteral("latheX"));
   m_z = new QLabel;
   m_z->setObjectName(QStringLiteral("latheZ"));
-  m_cut = new QLabel;
-  m_cut->setObjectName(QStringLiteral("latheCut"));
-  m_touch = field(tr("Value for touching off, mm"), "latheTouchValue", 0.0, -1e4, 1e4);
-  auto* const offX = button(tr("Touch off &X"), "latheTouchX", tr("The read-out shows this value for X here"));
-  auto* const offZ = button(tr("Touch off &Z"), "latheTouchZ", tr("The read-out shows this value for Z here"));
-  for (QWidget* each : std::initializer_list<QWidget*>{m_tools, m_x, m_z, m_touch, offX, offZ, m_cut})
-    layout->addWidget(each);
-  layout->addStretch();
+  m_x->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("X ⌀ -888.888 mm")));
+  m_z->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Z -888.888 mm")));
   connect(m_tools, &QComboBox::activated, this, [this](int index) {
     emit commanded({Do::Tool, LatheAxis::Carriage, static_cast<double>(index)});
   });
+  auto* const row = rowOf({m_tools, m_x, m_z});
+  static_cast<QHBoxLayout*>(row->layout())->setStretch(0, 1);
+  return row;
+}
+
+QWidget* LathePanel::makeTouchingOff() {
+  m_touch = field(tr("Value for touching off, mm"), "latheTouchValue", 0.0, -1e4, 1e4);
+  auto* const offX = button(tr("Touch off &X"), "latheTouchX", tr("The read-out shows this value for X here"));
+  auto* const offZ = button(tr("Touch off &Z"), "latheTouchZ", tr("The read-out shows this value for Z here"));
   connect(offX, &QPushButton::clicked, this, [this] { emit touchOffRequested(true, m_touch->value()); });
   connect(offZ, &QPushButton::clicked, this, [this] { emit touchOffRequested(false, m_touch->value()); });
-  return row;
+  return rowOf({m_touch, new QLabel(tr("mm")), offX, offZ});
 }
 
 QWidget* LathePanel::makeSpindle() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
   m_spindle = new QButtonGroup(this);
-  const auto add = [&](int direction, const QString& text, const char* name) {
+  const auto way = [&](int direction, const QString& text, const char* name) {
     QPushButton* const made = button(text, name, tr("Direction of the spindle"));
     made->setCheckable(true);
     m_spindle->addButton(made, direction + 1);
-    layout->addWidget(made);
+    return made;
   };
-  layout->addWidget(new QLabel(tr("Spindle")));
-  add(1, tr("&Forward"), "latheForward");
-  add(0, tr("&Stop"), "latheStop");
-  add(-1, tr("&Reverse"), "latheReverse");
   m_speed = field(tr("Speed, r/min"), "latheSpeed", 600.0, 1.0, 10'000.0);
-  m_isConstant = new QCheckBox(tr("Constant surface speed"));
-  m_isConstant->setObjectName(QStringLiteral("latheConstantSpeed"));
-  m_surface = field(tr("Surface speed, m/min"), "latheSurfaceSpeed", 100.0, 1.0, 2'000.0);
-  m_clamp = field(tr("Largest speed, r/min"), "latheClamp", 2'000.0, 1.0, 10'000.0);
-  for (QWidget* each :
-       std::initializer_list<QWidget*>{m_speed, new QLabel(tr("r/min")), m_isConstant, m_surface,
-                                       new QLabel(tr("m/min, at most")), m_clamp, new QLabel(tr("r/min"))})
-    layout->addWidget(each);
-  layout->addStretch();
   connect(m_spindle, &QButtonGroup::idClicked, this, [this](int id) {
     emit commanded({Do::Spindle, LatheAxis::Carriage, id - 1.0});
   });
+  connect(m_speed, &NumberField::valueEdited, this, &LathePanel::sendSpeed);
+  return rowOf({new QLabel(tr("Spindle")), way(1, tr("&Forward"), "latheForward"), way(0, tr("&Stop"), "latheStop"),
+                way(-1, tr("&Reverse"), "latheReverse"), m_speed, new QLabel(tr("r/min"))});
+}
+
+QWidget* LathePanel::makeSurfaceSpeed() {
+  m_isConstant = new QCheckBox(tr("Constant"));
+  m_isConstant->setObjectName(QStringLiteral("latheConstantSpeed"));
+  m_isConstant->setToolTip(tr("Constant surface speed: the spindle turns faster the nearer the tool is to the axis"));
+  m_surface = field(tr("Surface speed, m/min"), "latheSurfaceSpeed", 100.0, 1.0, 2'000.0);
+  m_clamp = field(tr("Largest speed, r/min"), "latheClamp", 2'000.0, 1.0, 10'000.0);
   connect(m_isConstant, &QCheckBox::toggled, this, &LathePanel::sendSpeed);
-  for (NumberField* each : {m_speed, m_surface, m_clamp})
-    connect(each, &NumberField::valueEdited, this, &LathePanel::sendSpeed);
-  return row;
+  for (NumberField* each : {m_surface, m_clamp}) connect(each, &NumberField::valueEdited, this, &LathePanel::sendSpeed);
+  return rowOf({m_isConstant, m_surface, new QLabel(tr("m/min, at most")), m_clamp, new QLabel(tr("r/min"))});
 }
 
 QWidget* LathePanel::makeFeed() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
   m_feedWays = new QButtonGroup(this);
-  const auto add = [&](int id, const QString& text, const char* name) {
-    QPushButton* const made = button(text, name, tr("Automatic feed"));
+  const auto way = [&](int id, const QString& text, const char* name, const QString& tip) {
+    QPushButton* const made = button(text, name, tip);
+    made->setAccessibleName(tip);
     made->setCheckable(true);
+    made->setMaximumWidth(fontMetrics().horizontalAdvance(text) + 28);
     m_feedWays->addButton(made, id);
-    layout->addWidget(made);
+    return made;
   };
-  layout->addWidget(new QLabel(tr("Feed")));
   m_feed = field(tr("Feed, mm in a turn"), "latheFeed", 0.1, 0.0, 10.0);
-  layout->addWidget(m_feed);
-  layout->addWidget(new QLabel(tr("mm/rev")));
-  add(0, tr("Off"), "latheFeedOff");
-  add(1, tr("To chuck"), "latheFeedLeft");
-  add(2, tr("Away"), "latheFeedRight");
-  add(3, tr("In"), "latheFeedIn");
-  add(4, tr("Out"), "latheFeedOut");
+  connect(m_feedWays, &QButtonGroup::idClicked, this, &LathePanel::sendFeed);
+  connect(m_feed, &NumberField::valueEdited, this, [this] { sendFeed(m_feedWays->checkedId()); });
+  return rowOf({new QLabel(tr("Feed")), way(0, tr("Off"), "latheFeedOff", tr("No automatic feed")),
+                way(1, tr("To chuck"), "latheFeedLeft", tr("Automatic feed of the carriage to the chuck")),
+                way(2, tr("Away"), "latheFeedRight", tr("Automatic feed of the carriage away from the chuck")),
+                way(3, tr("In"), "latheFeedIn", tr("Automatic feed of the cross slide to the axis")),
+                way(4, tr("Out"), "latheFeedOut", tr("Automatic feed of the cross slide outward")), m_feed,
+                new QLabel(tr("mm/rev"))});
+}
+
+QWidget* LathePanel::makeThread() {
   m_lead = field(tr("Pitch of the thread, mm"), "latheLead", 1.5, 0.0, 100.0);
   m_nut = button(tr("&Half-nut"), "latheHalfNut", tr("Closes the half-nut: the carriage follows the lead screw"));
   m_nut->setCheckable(true);
-  layout->addWidget(new QLabel(tr("Pitch")));
-  layout->addWidget(m_lead);
-  layout->addWidget(m_nut);
-  layout->addStretch();
-  connect(m_feedWays, &QButtonGroup::idClicked, this, &LathePanel::sendFeed);
-  connect(m_feed, &NumberField::valueEdited, this, [this] { sendFeed(m_feedWays->checkedId()); });
   connect(m_nut, &QPushButton::clicked, this, [this](bool isClosed) {
     emit commanded({Do::HalfNut, LatheAxis::Carriage, isClosed ? -m_lead->value() : 0.0});
   });
-  return row;
+  return rowOf({new QLabel(tr("Thread, pitch")), m_lead, new QLabel(tr("mm")), m_nut});
 }
 
 QWidget* LathePanel::makeWheels() {
@@ -187,6 +193,7 @@ QWidget* LathePanel::makeWheels() {
     caption->setAlignment(Qt::AlignHCenter);
     grid->addWidget(m_wheels[i], 0, static_cast<int>(i));
     grid->addWidget(caption, 1, static_cast<int>(i));
+    m_captions[i] = caption;
     connect(m_wheels[i], &HandwheelDial::moved, this, [this, i](double mm) {
       const double by = mm - std::exchange(m_turned[i], mm);
       emit commanded({Do::Turn, static_cast<LatheAxis>(i), by});
@@ -237,21 +244,9 @@ void LathePanel::showWheels(const ManualLatheTool& tool) {
     m_wheels[i]->setDivisions(setup.dials[i].divisions, setup.dials[i].perDivision);
     m_wheels[i]->setValue(m_turned[i]);
   }
-  m_wheels[static_cast<std::size_t>(LatheAxis::Quill)]->setEnabled(setup.tailstock.isUsed());
-}
-
-void LathePanel::showCrashes(const ManualLatheTool& tool) {
-  const std::vector<LatheCollision> all = tool.collisions();
-  for (int i = m_crashes->count(); i < static_cast<int>(all.size()); ++i) {
-    const LatheCollision& crash = all[static_cast<std::size_t>(i)];
-    const auto part = [](LathePart which) { return QCoreApplication::translate("LathePart", titleOf(which)); };
-    m_crashes->addItem(tr("%1 s: %2 – %3 at R %4, Z %5. %6")
-                           .arg(number(crash.time, 1), part(crash.moving), part(crash.struck),
-                                number(crash.place.x(), 2), number(crash.place.y(), 2),
-                                QCoreApplication::translate("LathePart", sentenceOf(crash.cause))));
-    m_crashes->scrollToBottom();
-  }
-  if (static_cast<int>(all.size()) < m_crashes->count()) m_crashes->clear();
+  constexpr auto kQuill = static_cast<std::size_t>(LatheAxis::Quill);
+  m_wheels[kQuill]->setVisible(setup.tailstock.isUsed());
+  m_captions[kQuill]->setVisible(setup.tailstock.isUsed());
 }
 
 void LathePanel::show(const ManualLatheTool& tool) {
@@ -260,8 +255,6 @@ void LathePanel::show(const ManualLatheTool& tool) {
   const QString badge = tool.setup().showsDiameter ? QStringLiteral("⌀") : QStringLiteral("R");
   m_x->setText(QStringLiteral("X %1 %2 mm").arg(badge, number(read.x(), 3)));
   m_z->setText(QStringLiteral("Z %1 mm").arg(number(read.y(), 3)));
-  m_cut->setText(now->isCutting ? tr("depth %1 mm, %2 m/min").arg(number(now->depth, 2), number(now->surfaceSpeed, 0))
-                                : tr("%1 r/min").arg(number(now->machine.speed, 0)));
   if (QAbstractButton* const shown = m_spindle->button(now->machine.direction + 1)) shown->setChecked(true);
   int way = 0;
   for (std::size_t i = 1; now->machine.feed != 0.0 && i < kFeedWays.size(); ++i) {
@@ -272,7 +265,8 @@ void LathePanel::show(const ManualLatheTool& tool) {
   m_nut->setChecked(now->machine.lead != 0.0);
   showTools(tool);
   showWheels(tool);
-  showCrashes(tool);
+  m_figures->show(tool);
+  m_events->show(tool);
 }
 
 }  // namespace handwheel

@@ -11,16 +11,17 @@ class QButtonGroup;
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QListWidget;
 class QPushButton;
 
 namespace handwheel {
 
 class HandwheelDial;
+class LatheEvents;
+class LatheFigures;
 class NumberField;
 
-// The levers and handwheels of a manual lathe, its read-out and its crashes. What is done comes out as commands; what
-// the lathe does is shown by show(). Window thread.
+// The levers and handwheels of a manual lathe, its read-out, the figures of the cut, its crashes and warnings. What is
+// done comes out as commands; what the lathe does is shown by show(). Window thread.
 class LathePanel : public QWidget {
   Q_OBJECT
 
@@ -36,20 +37,21 @@ class LathePanel : public QWidget {
 
  private:
   QWidget* makeReadout();
+  QWidget* makeTouchingOff();
   QWidget* makeSpindle();
+  QWidget* makeSurfaceSpeed();
   QWidget* makeFeed();
+  QWidget* makeThread();
   QWidget* makeWheels();
   QPushButton* button(const QString& text, const char* name, const QString& tip);
   void sendSpeed();
   void sendFeed(int way);
   void showTools(const ManualLatheTool& tool);
   void showWheels(const ManualLatheTool& tool);
-  void showCrashes(const ManualLatheTool& tool);
 
   QComboBox* m_tools;
   QLabel* m_x;
   QLabel* m_z;
-  QLabel* m_cut;
   NumberField* m_touch;
   QButtonGroup* m_spindle;
   NumberField* m_speed;
@@ -61,8 +63,10 @@ class LathePanel : public QWidget {
   NumberField* m_lead;
   QPushButton* m_nut;
   std::array<HandwheelDial*, kLatheAxes> m_wheels;
+  std::array<QLabel*, kLatheAxes> m_captions{};
   std::array<double, kLatheAxes> m_turned{};  // mm, what the dials show
-  QListWidget* m_crashes;
+  LatheFigures* m_figures;
+  LatheEvents* m_events;
   std::vector<std::string> m_listed;  // ids of the tools in the post
 };
 

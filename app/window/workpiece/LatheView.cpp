@@ -2,39 +2,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/LatheView.h"
 
-#include "machining/force/TrainedForceModel.h"
+#include "audio/MachineSound.h"
 #include "machining/lathe/LatheJson.h"
 #include "panels/DockTitle.h"
 #include "simulation/turning/LatheForce.h"
 #include "tools/workpiece/ManualLatheTool.h"
+#include "tools/workpiece/TurnTool.h"
+#include "viewport/Viewport.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSceneBuilder.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolHost.h"
 #include "window/workpiece/LathePanel.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <cmath>
 #include <utility>
 
 namespace handwheel {
 
 namespace {
 constexpr int kRefreshMs = 50;
-}
+constexpr int kSoundMs = 60;
+constexpr int kAfterwardsMs = 2000;  // in which a crash rings out
+constexpr double kPushed = 20.0;     // mm for a height of the view: full deflection of a cap is some 20 mm/s
+}  // namespace
 
 LatheView::LatheView(const WindowContext& window, QObject* parent) : QObject(parent), m_window(window) {
   connect(&window.tools, &ToolHost::updated, this, &LatheView::follow);
   m_refresh.setInterval(kRefreshMs);
   connect(&m_refresh, &QTimer::timeout, this, &LatheView::refresh);
+  m_sounding.setInterval(kSoundMs);
+  connect(&m_sounding, &QTimer::timeout, this, &LatheView::sound);
 }
 
-LatheView::~LatheView() = default;
+LatheView::~LatheView() {
+  m_window.spaceMouse.setTaker({});
+}
 
-std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double spacing) {
+std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double spacing, ForceLaw law) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
-  auto made = std::make_unique<ManualLatheTool>(document, services, spacing, shippedLatheTools());
+  auto made = std::make_unique<ManualLatheTool>(document, services, spacing, shippedLatheTools(), law);
   m_made = made.get();
   return made;
+}
+
+// As a turner stands before it: the axis from left to right, the chuck on the left, the tool on this side. Who has
+// turned the view so already keeps it.
+void LatheView::face(const ManualLatheTool& lathe) {
+  constexpr double kFromAbove = 25.0 * M_PI / 180.0, kRoom = 1.15;
+  Viewport& view = m_window.viewport;
+  if (view.camera().right().z() > 0.9) return;
+  const LatheChuck chuck = lathe.setup().chuck;
+  const double first = chuck.grip - chuck.jawLength - chuck.length;
+  const double last = lathe.moment()->profile.length() + 2.0 * chuck.grip;
+  const Vec3 right(0.0, 0.0, 1.0), towards(std::cos(kFromAbove), -std::sin(kFromAbove), 0.0);
+  Eigen::Matrix3d axes;
+  axes << right, towards.cross(right), towards;
+  CameraState camera = view.camera();
+  camera.orientation = Eigen::Quaterniond(axes);
+  camera.centre = Vec3(0.0, 0.0, lathe.base() + 0.5 * (first + last));
+  const double shape = static_cast<double>(std::max(1, view.height())) / std::max(1, view.width());
+  camera.height = kRoom * std::max(chuck.diameter, (last - first) * shape);
+  view.setCamera(camera);
 }
 
 ManualLatheTool* LatheView::tool() const {
@@ -61,10 +92,52 @@ void LatheView::makeDock() {
 void LatheView::follow() {
   const bool isRunning = isOn();
   if (isRunning) makeDock();
-  if (m_dock && isRunning != m_refresh.isActive()) m_dock->setVisible(isRunning);
-  if (isRunning && !m_refresh.isActive()) m_refresh.start();
+  const bool isOther = isRunning != m_refresh.isActive();
+  if (m_dock && isOther) showDock(isRunning);
+  if (isRunning && isOther) {
+    m_refresh.start();
+    // When the dock has taken its place.
+    QTimer::singleShot(0, this, [this] {
+      if (const ManualLatheTool* const lathe = tool()) face(*lathe);
+    });
+  }
   if (!isRunning) m_refresh.stop();
+  if (std::exchange(m_isPushed, isRunning) != isRunning)
+    m_window.spaceMouse.setTaker(isRunning ? [this](const Vec3& way) { push(way); } : SpaceMouseNavigation::Taker());
+  const bool isTurning = isRunning || dynamic_cast<const TurnTool*>(m_window.tools.runner().tool());
+  if (isTurning && !m_sounding.isActive()) m_sounding.start();
+  if (!isTurning) m_sounding.stop();
   feel();
+}
+
+// Only while something moves: the sound fades out by itself.
+void LatheView::sound() {
+  if (const ManualLatheTool* const lathe = tool()) {
+    if (lathe->isLive()) m_quiet = 0;
+    if (m_quiet++ * kSoundMs < kAfterwardsMs) m_window.sound.setState(soundOf(*lathe));
+    return;
+  }
+  const auto* const turn = dynamic_cast<const TurnTool*>(m_window.tools.runner().tool());
+  if (!turn) return;
+  const MachineSoundState state = m_turning.next(*turn, 1e-3 * kSoundMs);
+  if (turn->isLive()) m_window.sound.setState(state);
+}
+
+// One slide at a time, as a hand at a wheel: what goes along the other a little is not meant.
+void LatheView::push(const Vec3& way) {
+  ManualLatheTool* const lathe = tool();
+  if (!lathe) return;
+  const bool isAlong = std::abs(way.z()) >= std::abs(way.x());
+  const LatheCommand turn{LatheCommand::Kind::Turn, isAlong ? LatheAxis::Carriage : LatheAxis::Cross,
+                          kPushed * (isAlong ? way.z() : way.x())};
+  m_window.tools.runner().deliver([&] { lathe->command(turn); });
+}
+
+// The panel is as wide as the window: beside other docks there is no room for it.
+void LatheView::showDock(bool isShown) {
+  if (auto* const window = qobject_cast<QMainWindow*>(m_window.window))
+    window->setCorner(Qt::BottomRightCorner, isShown ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
+  m_dock->setVisible(isShown);
 }
 
 // The end of a pass, and what moves by itself.
@@ -82,14 +155,15 @@ void LatheView::refresh() {
 void LatheView::feel() {
   const ManualLatheTool* const lathe = tool();
   const std::shared_ptr<LatheChannel> channel = lathe ? lathe->channel() : nullptr;
-  if (std::exchange(m_felt, channel) == channel) return;
+  const std::shared_ptr<const LatheMaterial> material = lathe ? lathe->material() : nullptr;
+  const bool isSame = std::exchange(m_felt, channel) == channel;
+  if (std::exchange(m_feltMaterial, material) == material && isSame) return;
   if (!channel) return m_window.touch.setSource(kLatheSource, {}, false);
-  if (!m_law) m_law = std::make_shared<const TrainedForceModel>(shippedForceModel());
-  const auto make = [channel, law = m_law, base = lathe->base()](const TouchContext& context) {
+  const auto make = [channel, material, base = lathe->base()](const TouchContext& context) {
     LatheTouch touch;
     touch.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
     touch.plane = 0.5 * touch.stiffness;
-    return std::make_unique<LatheForce>(channel, law, touch, base);
+    return std::make_unique<LatheForce>(channel, material, touch, base);
   };
   m_window.touch.setSource(kLatheSource, make, false);
 }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "machining/force/CuttingForceModel.h"
+#include "machining/lathe/LatheMaterial.h"
 #include "window/kinds/KindUi.h"
+#include "window/workpiece/TurningSound.h"
 
 #include <QPointer>
 #include <QTimer>
@@ -17,8 +18,8 @@ class ManualLatheTool;
 class WorkpieceDocument;
 struct LatheChannel;
 
-// The manual lathe in the window: its tool, its panel in a dock that is there as long as the tool runs, and what the
-// device feels of it. Window thread.
+// The manual lathe in the window: its tool, its panel in a dock that is there as long as the tool runs, what the device
+// feels of it, and what it sounds like, as does the Turn tool. A space mouse moves its slides. Window thread.
 class LatheView : public QObject {
   Q_OBJECT
 
@@ -27,7 +28,7 @@ class LatheView : public QObject {
   ~LatheView() override;
 
   // The tool for a document; called when the user chooses it.
-  std::unique_ptr<Tool> make(WorkpieceDocument& document, double spacing);
+  std::unique_ptr<Tool> make(WorkpieceDocument& document, double spacing, ForceLaw law);
   // Whether the tool of the lathe runs.
   bool isOn() const { return tool() != nullptr; }
 
@@ -37,15 +38,23 @@ class LatheView : public QObject {
   void refresh();
   void feel();
   void makeDock();
+  void showDock(bool isShown);
+  void face(const ManualLatheTool& lathe);
+  void sound();
+  void push(const Vec3& way);
 
   WindowContext m_window;
   ManualLatheTool* m_made = nullptr;  // the last one; it may be gone
   QPointer<QDockWidget> m_dock;
   QPointer<LathePanel> m_panel;
-  QTimer m_refresh;
+  QTimer m_refresh;   // while the lathe runs
+  QTimer m_sounding;  // while something turns
+  TurningSound m_turning;
   bool m_wasLive = false;
-  std::shared_ptr<const CuttingForceModel> m_law;
+  bool m_isPushed = false;               // a space mouse moves the slides
+  int m_quiet = 0;                       // timeouts of m_sounding since the lathe was live
   std::shared_ptr<LatheChannel> m_felt;  // null: nothing of a lathe is felt
+  std::shared_ptr<const LatheMaterial> m_feltMaterial;
 };
 
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
+#include "machining/force/ForceFidelity.h"
 #include "theme/Theme.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
@@ -132,7 +133,9 @@ std::unique_ptr<Tool> WorkpieceUi::turnTool() {
 
 std::unique_ptr<Tool> WorkpieceUi::latheTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  return m_lathe.make(workpiece, parts().fidelity.values().of(turnSpacingSetting()));
+  const FidelityValues& values = parts().fidelity.values();
+  return m_lathe.make(workpiece, values.of(turnSpacingSetting()),
+                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))));
 }
 
 // The part is felt through the simulation of the tool, as long as there is one.

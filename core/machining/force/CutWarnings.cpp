@@ -33,7 +33,7 @@ std::vector<CutWarning> warningsFor(const CutConditions& cut, const CutForces& f
     if (value > limit) warnings.push_back({rule, value, limit});
   };
   judge(Rule::Power, motorPower(cuttingPower(forces, cut), drive.efficiency), drive.power);
-  judge(Rule::Torque, cuttingTorque(forces, work.diameter), drive.torque);
+  judge(Rule::Torque, cuttingTorque(forces, work.cut > 0.0 ? work.cut : work.diameter), drive.torque);
   judge(Rule::Slenderness, work.length / work.diameter,
         work.hasTailstock ? rules.supportedSlenderness : rules.freeSlenderness);
   const double bent = deflection(work, forces.radial);

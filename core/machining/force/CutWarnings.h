@@ -24,6 +24,7 @@ struct SlenderWork {
   double place = 100.0;    // mm, of the cut from the chuck; 0 to length
   double modulus = 210e3;  // N/mm², of elasticity
   bool hasTailstock = false;
+  double cut = 0.0;  // mm, diameter that the cut is at; 0: that of the shaft
 };
 
 // How far the work gives way at the cut, mm, by a force across it (N). Elastic beam, clamped in the chuck and free, or
@@ -45,6 +46,8 @@ struct CutWarning {
   double limit = 0.0;  // of the rule
   bool operator==(const CutWarning&) const = default;
 };
+
+inline constexpr std::size_t kCutRules = 6;
 
 // The limits of the rules that are no property of a machine.
 struct CutRules {

@@ -59,6 +59,20 @@ const WorkMaterial* WorkMaterials::find(std::string_view id) const {
   return found == m_all.end() ? nullptr : &*found;
 }
 
+const WorkMaterial& WorkMaterials::called(std::string_view words) const& {
+  const auto isSame = [](char a, char b) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return small(a) == small(b);
+  };
+  for (const WorkMaterial& material : m_all) {
+    for (const std::string& name : {material.id, material.name}) {
+      if (std::equal(name.begin(), name.end(), words.begin(), words.end(), isSame)) return material;
+    }
+  }
+  const WorkMaterial* const usual = find(kUsualMaterial);
+  return usual ? *usual : m_all.front();
+}
+
 const KosilovaRow* kosilovaRowFor(const KosilovaTables& tables, const WorkMaterial& material, ToolMaterial tool) {
   const std::string_view word = tool == ToolMaterial::Carbide ? "carbide" : "high-speed steel";
   for (const std::string& id : material.kosilova) {

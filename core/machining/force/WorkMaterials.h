@@ -27,6 +27,8 @@ struct WorkMaterial {
   bool isVerified = false;                          // the source was read, and not remembered
 };
 
+inline constexpr const char* kUsualMaterial = "medium-carbon-steel";
+
 // The registry of the materials that can be turned.
 class WorkMaterials {
  public:
@@ -36,7 +38,10 @@ class WorkMaterials {
   static WorkMaterials standard();
 
   const std::vector<WorkMaterial>& all() const& { return m_all; }
-  void all() const&& = delete;                          // of a registry that ends with the expression
+  void all() const&& = delete;  // of a registry that ends with the expression
+  // The material of this id or name, in any case of letters; of other words the usual one, a medium carbon steel.
+  const WorkMaterial& called(std::string_view words) const&;
+  void called(std::string_view words) const&& = delete;
   const WorkMaterial* find(std::string_view id) const;  // null when unknown
 
  private:

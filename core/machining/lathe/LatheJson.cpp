@@ -232,6 +232,7 @@ json toJson(const LatheSetup& setup) {
           {"hand_speed", setup.handSpeed},
           {"hand_feed", setup.handFeed},
           {"depth_limit", setup.depthLimit},
+          {"wear", setup.wear},
           {"shows_diameter", setup.showsDiameter}};
 }
 
@@ -253,6 +254,7 @@ Result<LatheSetup> latheSetupFrom(const json& value) {
   takeIf(value, "hand_speed", setup.handSpeed);
   takeIf(value, "hand_feed", setup.handFeed);
   takeIf(value, "depth_limit", setup.depthLimit);
+  takeIf(value, "wear", setup.wear);
   takeIf(value, "shows_diameter", setup.showsDiameter);
   if (!setup.isSound()) return wrong("lathe", "it has no tool, or one of its numbers is impossible");
   return setup;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheMachine.h"
 
+#include "machining/lathe/LatheWarnings.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -129,10 +131,18 @@ void LatheMachine::followNut(double before) {
   moveSlide(LatheAxis::Carriage, m_state.nutPlace + m_state.lead * m_state.turns - here);
 }
 
-LatheMotion LatheMachine::advance(double dt, double mostByHand) {
+// With all its torque the drive accelerates a free spindle as its setup says.
+double LatheMachine::nextSpeed(double dt, double torque) const {
+  const double speed = m_state.speed, target = targetSpeed(), ramp = m_setup.spindle.acceleration * dt;
+  const bool isDriven = speed * target > 0.0 && std::abs(speed) <= std::abs(target);
+  const double left = isDriven ? 1.0 - torque / spindleTorque(m_setup.spindle, speed) : 1.0;
+  if (left < 0.0) return speed - std::copysign(std::min(std::abs(speed), -left * ramp), speed);
+  return speed + std::clamp(target - speed, -left * ramp, left * ramp);
+}
+
+LatheMotion LatheMachine::advance(double dt, double mostByHand, double torque) {
   LatheMotion motion;
-  const double ramp = m_setup.spindle.acceleration * dt;
-  m_state.speed += std::clamp(targetSpeed() - m_state.speed, -ramp, ramp);
+  m_state.speed = nextSpeed(dt, torque);
   const double before = m_state.turns, turned = m_state.speed / 60.0 * dt;
   m_state.turns += turned;
   m_state.time += dt;

@@ -77,8 +77,11 @@ class LatheMachine {
   void restore(const LatheState& state) { m_state = state; }
 
   void apply(const LatheCommand& command);
-  // Moves everything by dt (s, > 0). mostByHand: mm that a hand can move a slide by in this step.
-  LatheMotion advance(double dt, double mostByHand);
+  // Moves everything by dt (s, > 0). mostByHand: mm that a hand can move a slide by in this step. torque: N·m, of the
+  // cut at the spindle: what is left of the drive's accelerates it, and what it lacks slows it down.
+  LatheMotion advance(double dt, double mostByHand, double torque = 0.0);
+  // r/min, signed: what the levers ask for.
+  double targetSpeed() const;
   // Spindle at rest, feed and half-nut out, nothing more to turn.
   void stop();
 
@@ -87,7 +90,7 @@ class LatheMachine {
   double quillTip() const;  // mm: z of the tip of what is in the quill
 
  private:
-  double targetSpeed() const;
+  double nextSpeed(double dt, double torque) const;
   void turnWheel(LatheAxis axis, double by);
   void moveSlide(LatheAxis axis, double by);
   void followNut(double before);

@@ -7,7 +7,7 @@ namespace handwheel {
 LatheRun replay(const LatheRecording& recording, LatheTools tools, Progress progress,
                 const std::function<void(const LatheStep&)>& seen) {
   constexpr std::uint64_t kCheckEvery = 1024;
-  LatheRun run(recording.setup, std::move(tools), *recording.part, recording.start);
+  LatheRun run(recording.setup, std::move(tools), *recording.part, recording.start, recording.material);
   std::vector<LatheCommand> commands;
   std::size_t next = 0;
   for (std::uint64_t i = 0; i < recording.steps; ++i) {

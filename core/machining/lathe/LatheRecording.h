@@ -21,8 +21,9 @@ struct LatheRecording {
 
   LatheSetup setup;
   LatheState start;
-  std::shared_ptr<const TurnedProfile> part;  // at the beginning; never null
-  double dt = 0.001;                          // s, of a step
+  std::shared_ptr<const TurnedProfile> part;      // at the beginning; never null
+  std::shared_ptr<const LatheMaterial> material;  // may be null
+  double dt = 0.001;                              // s, of a step
   std::uint64_t steps = 0;
   std::vector<Entry> entries;  // steps never falling
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheRun.h"
 
+#include "machining/force/CuttingFeel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,8 +51,12 @@ double LatheStep::feed() const {
   return turns > 0.0 && !cut.isEmpty() ? (to - from).norm() / turns : 0.0;
 }
 
-LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state)
-    : m_machine(std::move(setup), state), m_tools(std::move(tools)), m_profile(std::move(profile)) {
+LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
+                   std::shared_ptr<const LatheMaterial> material)
+    : m_machine(std::move(setup), state),
+      m_tools(std::move(tools)),
+      m_profile(std::move(profile)),
+      m_material(std::move(material)) {
   m_gripped = grippedRadius(m_profile, m_machine.setup().chuck);
   m_within = largestRadius(m_profile);
   m_chuck = chuckSolids(m_machine.setup().chuck, m_gripped);
@@ -66,12 +72,9 @@ std::shared_ptr<const LatheTool> LatheRun::drill() const {
   return tailstock.fitting == LatheFitting::Drill ? toolNamed(m_tools, tailstock.drill) : nullptr;
 }
 
-const std::vector<LatheSolid>& LatheRun::solidsOf(const LatheTool& tool) const {
-  static const std::vector<LatheSolid> kNoSolids;
-  for (std::size_t i = 0; i < m_tools.size(); ++i) {
-    if (m_tools[i].get() == &tool) return m_solids[i];
-  }
-  return kNoSolids;
+std::size_t LatheRun::indexOf(const LatheTool* tool) const {
+  const auto found = std::find_if(m_tools.begin(), m_tools.end(), [&](const auto& each) { return each.get() == tool; });
+  return static_cast<std::size_t>(found - m_tools.begin());
 }
 
 // Of a post and a quill that move in one step, the quill is the one that drills.
@@ -79,7 +82,7 @@ LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double most
   const ProfilePoint tipBefore = m_machine.tip();
   const double quillBefore = m_machine.quillTip();
   Try tried;
-  tried.motion = m_machine.advance(dt, mostByHand);
+  tried.motion = m_machine.advance(dt, mostByHand, m_load.torque);
   tried.isQuill = m_machine.setup().tailstock.isUsed() && m_machine.quillTip() != quillBefore;
   tried.isIndexed = m_machine.state().tool != before.tool;
   tried.tool = tried.isQuill ? drill() : tool();
@@ -124,7 +127,7 @@ std::optional<LatheCollision> LatheRun::crashOf(const Try& tried) const {
   }
   const auto inPost = tool();
   if (!inPost) return std::nullopt;
-  const std::vector<LatheSolid>& solids = solidsOf(*inPost);
+  const std::vector<LatheSolid>& solids = m_solids[indexOf(inPost.get())];
   const ProfilePoint tip = m_machine.tip();
   if (auto crash = contactBetween(solids, tip, m_chuck)) return crash;
   if (auto crash = contactBetween(solids, tip, tail)) return crash;
@@ -147,7 +150,8 @@ void LatheRun::crash(LatheStep& step, LatheCollision collision, const LatheState
   if (m_collisions.size() < kMostCollisions) m_collisions.push_back(std::move(collision));
 }
 
-// What is pressed on by hand, or grinds, gives way where it would take off more than it can.
+// What is pressed on by hand, or grinds, gives way where it would take off more than it can; the work gives way to an
+// edge that is pressed into it from outside.
 void LatheRun::cut(LatheStep& step, const Try& tried) {
   const LatheTool& tool = *tried.tool;
   step.from = m_lastTool == tried.tool && !tried.isIndexed ? m_lastPlace : tried.from;
@@ -155,13 +159,73 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   if (tool.isAbrasive()) {
     const double lift = std::max(0.0, tried.cut.depth - tool.depthPerTurn * tried.motion.turns);
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
+  } else if (tool.side == TurningSide::Outside) {
+    step.to.x() += m_compliance * m_load.forces.radial;
   }
   step.cut = cutWithTool(m_profile, tool, step.from, step.to);
   m_lastTool = tried.tool;
   m_lastPlace = step.to;
 }
 
+bool LatheRun::isStalled(double speedBefore) const {
+  const LatheState& now = m_machine.state();
+  return now.direction != 0 && std::abs(speedBefore) >= kAtRest && std::abs(now.speed) < kAtRest &&
+         m_load.torque > spindleTorque(m_machine.setup().spindle, now.speed);
+}
+
+// The law says the force of the cut as it was over the last samples.
+void LatheRun::measure(const LatheStep& step, double dt) {
+  m_meter.add({(step.to - step.from).norm(), step.cut.area, step.cut.volume, step.turns, dt}, m_profile.spacing());
+  const double speed = m_machine.state().speed;
+  LatheLoad load;
+  load.isCutting = m_meter.isCutting();
+  load.cut = m_meter.cut(speed);
+  load.radius = m_meter.radius();
+  const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
+  if (law) {
+    const LatheSpindle& spindle = m_machine.setup().spindle;
+    load.forces = worn(law->at(load.cut), m_machine.setup().wear);
+    load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
+    load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
+    load.isOutsideModel = !law->covers(load.cut);
+    load.isOverloaded = load.torque > spindleTorque(spindle, speed);
+  }
+  if (!law) m_compliance = m_chatter = 0.0;
+  load.chatter = m_chatter;
+  m_load = load;
+  m_sinceJudged += dt;
+  if (!law || m_sinceJudged < kJudged) return;
+  m_sinceJudged = 0.0;
+  judge();
+}
+
+// By the speed that the levers ask for: a spindle that has slowed down needs less power.
+void LatheRun::judge() {
+  const LatheSetup& setup = m_machine.setup();
+  SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_lastPlace.y());
+  beam.modulus = m_material->modulus;
+  beam.cut = 2.0 * m_load.radius;
+  constexpr double kOnCentre = 0.5;  // mm
+  beam.hasTailstock = setup.tailstock.fitting == LatheFitting::Centre &&
+                      m_machine.quillTip() <= setup.chuck.grip + beam.length + kOnCentre;
+  m_compliance = beam.place > 0.0 ? deflection(beam, 1.0) : 0.0;
+  CutConditions asked = m_load.cut;
+  asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
+  const auto broken = warningsFor(asked, m_load.forces, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
+  m_warnings.judge(broken, m_machine.state().time, m_lastTool->id);
+  m_chatter = 0.0;
+  for (const CutWarning& warning : broken) {
+    if (warning.rule == CutWarning::Rule::Chatter) m_chatter = std::min(1.0, warning.value / warning.limit - 1.0);
+  }
+}
+
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {
+  const LatheStep step = move(dt, commands);
+  if (dt > 0.0 && std::isfinite(dt)) measure(step, dt);
+  return step;
+}
+
+LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
   const LatheState start = m_machine.state();
   for (const LatheCommand& command : commands) m_machine.apply(command);
   LatheStep step;
@@ -179,6 +243,13 @@ LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {
   step.turns = tried.motion.turns;
   step.from = step.to = tried.from;
   step.time = m_machine.state().time;
+  if (isStalled(before.speed)) {
+    LatheCollision stall;
+    stall.cause = CrashCause::Overload;
+    stall.place = tried.from;
+    crash(step, std::move(stall), before);
+    return step;
+  }
   if (!tried.hasMoved()) return step;
   if (auto collision = crashOf(tried)) {
     LatheState safe = before;

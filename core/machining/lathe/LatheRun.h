@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "machining/lathe/CutMeter.h"
 #include "machining/lathe/LatheCollisions.h"
+#include "machining/lathe/LatheMaterial.h"
+#include "machining/lathe/LatheWarnings.h"
 
 #include <span>
 
@@ -25,33 +28,48 @@ struct LatheStep {
 };
 
 // A manual lathe with a part in it: commands move it step by step, material leaves, crashes stop it. A step that would
-// be a crash is not made: the slides stay where they were, the spindle stops, and the crash is recorded. Deterministic:
-// all of it is a function of the calls.
+// be a crash is not made: the slides stay where they were, the spindle stops, and the crash is recorded. A cut loads
+// the spindle, which slows down where its drive has less, and stalls, which is a crash; it bends the work, which gives
+// way and is left thicker; and the rules that it breaks are recorded as warnings. Deterministic: all of it is a
+// function of the calls.
 class LatheRun {
  public:
   static constexpr double kTouch = 1e-3;                // mm: a cut that is less deep touches only
   static constexpr std::size_t kMostCollisions = 1000;  // that are recorded
+  static constexpr double kJudged = 0.1;                // s, between two judgements by the rules
 
-  // The setup must be sound. tools: those that it names; a slot whose tool is missing has none.
-  LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state);
+  // The setup must be sound. tools: those that it names; a slot whose tool is missing has none. material: its laws are
+  // of these tools; null: nothing has a force.
+  LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
+           std::shared_ptr<const LatheMaterial> material = nullptr);
 
   LatheStep step(double dt, std::span<const LatheCommand> commands);
 
   const TurnedProfile& profile() const { return m_profile; }
   const LatheMachine& machine() const { return m_machine; }
   const std::vector<LatheCollision>& collisions() const { return m_collisions; }
+  const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }  // may be null
+  const LatheLoad& load() const { return m_load; }                                     // of the last step
+  double sinceCut() const { return m_meter.sinceCut(); }                               // s since material left
+  const LatheWarnings& warnings() const { return m_warnings; }
   std::shared_ptr<const LatheTool> tool() const;  // of the slot in use; null: none
-  double gripped() const { return m_gripped; }    // mm, radius that the jaws are closed on
+  // The place in the list of tools of the one that cut last; the number of tools: none did.
+  std::size_t cuttingTool() const { return indexOf(m_lastTool.get()); }
+  double gripped() const { return m_gripped; }  // mm, radius that the jaws are closed on
 
  private:
   struct Try;
   Try attempt(const LatheState& before, double dt, double mostByHand);
   std::optional<LatheCollision> crashOf(const Try& tried) const;
   std::optional<LatheCollision> cutCrash(const Try& tried) const;
-  const std::vector<LatheSolid>& solidsOf(const LatheTool& tool) const;
+  std::size_t indexOf(const LatheTool* tool) const;
   std::shared_ptr<const LatheTool> drill() const;
   void crash(LatheStep& step, LatheCollision collision, const LatheState& before);
   void cut(LatheStep& step, const Try& tried);
+  LatheStep move(double dt, std::span<const LatheCommand> commands);
+  void measure(const LatheStep& step, double dt);
+  void judge();
+  bool isStalled(double speedBefore) const;
 
   LatheMachine m_machine;
   LatheTools m_tools;
@@ -64,6 +82,13 @@ class LatheRun {
   bool m_isBlocked = false;                     // the last move was a crash, which is recorded once
   std::shared_ptr<const LatheTool> m_lastTool;  // that cut, and where: an abrasive tool is not where its slide is
   ProfilePoint m_lastPlace{0.0, 0.0};
+  std::shared_ptr<const LatheMaterial> m_material;
+  CutMeter m_meter;
+  LatheLoad m_load;
+  LatheWarnings m_warnings;
+  double m_sinceJudged = kJudged;  // s
+  double m_compliance = 0.0;       // mm/N, of the work at the cut
+  double m_chatter = 0.0;          // as in LatheLoad
 };
 
 }  // namespace handwheel

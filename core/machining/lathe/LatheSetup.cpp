@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheSetup.h"
 
+#include "machining/force/CuttingFeel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,8 +54,8 @@ bool LatheSetup::isSound() const {
                      [](const LatheSlot& slot) { return isPlace(slot.place) && isPlace(slot.offset); }) &&
          isBetween(spindle.largestSpeed, spindle.leastSpeed, kLargest) && isBetween(spindle.acceleration, 1.0, 1e6) &&
          isBetween(compoundAngle, -90.0, 90.0) && isBetween(leadScrewPitch, 0.1, 100.0) &&
-         isBetween(rapidSpeed, 0.1, 1e3) && isBetween(handSpeed, 0.1, 1e3) && !stations.empty() &&
-         stations.size() <= kMostSlots;
+         isBetween(rapidSpeed, 0.1, 1e3) && isBetween(wear, 0.0, CuttingFeel::kMostWear) &&
+         isBetween(handSpeed, 0.1, 1e3) && !stations.empty() && stations.size() <= kMostSlots;
 }
 
 LatheSetup defaultLatheSetup(const StockCylinder& stock) {

@@ -91,6 +91,7 @@ struct LatheSetup {
   double handSpeed = 80.0;          // mm/s, the fastest that a hand turns a wheel
   double handFeed = 0.5;            // mm in a turn of the spindle, the most that a hand pushes into material
   double depthLimit = 0.0;          // mm in r: a cut that would be deeper is not made; 0: none
+  double wear = 0.0;                // mm, of the flanks of the tools (VB)
   bool showsDiameter = true;        // the read-out
 
   bool isSound() const;  // finite, within limits, no size negative, at least one slot

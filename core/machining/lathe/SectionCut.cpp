@@ -44,7 +44,7 @@ SectionCut cutWith(const TurnedProfile& profile, const SectionSweep& sweep, Turn
   return cut;
 }
 
-double distanceToSegment(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
+double segmentDistance(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
   const ProfilePoint along = b - a;
   const double length2 = along.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
@@ -121,7 +121,7 @@ double distanceBetween(const RoundedSection& a, const RoundedSection& b) {
     for (std::size_t k = 0; k < q.size(); ++k) {
       const ProfilePoint &q0 = q[k], &q1 = q[(k + 1) % q.size()];
       if (segmentsCross(p0, p1, q0, q1)) return 0.0;
-      least = std::min({least, distanceToSegment(p0, q0, q1), distanceToSegment(q0, p0, p1)});
+      least = std::min({least, segmentDistance(p0, q0, q1), segmentDistance(q0, p0, p1)});
     }
   }
   return std::max(0.0, least - a.radius() - b.radius());

@@ -25,11 +25,12 @@ struct LatheTouch {
 
 // The force of a manual lathe. A plane through the axis, y = 0, attracts the hand; the tool that it holds in a gesture
 // is on a spring, since the slides go as fast as the machine lets them only; and while it cuts, the force of the
-// cutting law pushes it down, back and away from the axis. The tick allocates nothing and takes no lock.
+// cutting law pushes it along with the work, back and away from the axis; and the slides that it moves have friction
+// and drag. The tick allocates nothing and takes no lock.
 class LatheForce : public ForceSource {
  public:
-  // law: never null. base: mm, z of the part's lower end in the scene.
-  LatheForce(std::shared_ptr<LatheChannel> channel, std::shared_ptr<const CuttingForceModel> law,
+  // material: of the simulation's tools; never null. base: mm, z of the part's lower end in the scene.
+  LatheForce(std::shared_ptr<LatheChannel> channel, std::shared_ptr<const LatheMaterial> material,
              const LatheTouch& touch, double base);
 
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
@@ -40,9 +41,10 @@ class LatheForce : public ForceSource {
 
  private:
   double planeForce(double y) const noexcept;
+  Vec3 cutForce(double period) const noexcept;
 
   std::shared_ptr<LatheChannel> m_channel;
-  std::shared_ptr<const CuttingForceModel> m_law;
+  std::shared_ptr<const LatheMaterial> m_material;
   LatheTouch m_touch;
   double m_base;
   LathePatch m_patch;

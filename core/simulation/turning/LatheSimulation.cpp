@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -18,7 +19,9 @@ LatheSimulation::LatheSimulation(LatheRun run, TurnedSurface surface, double bas
   m_recording.setup = m_run.machine().setup();
   m_recording.start = m_run.machine().state();
   m_recording.part = std::make_shared<const TurnedProfile>(m_run.profile());
+  m_recording.material = m_run.material();
   m_now.collisions = std::make_shared<const std::vector<LatheCollision>>();
+  m_now.warnings = std::make_shared<const std::vector<LatheWarning>>();
   publish();
 }
 
@@ -61,25 +64,6 @@ void LatheSimulation::record(const LatheStep& step) {
   m_passes.back().times.push_back(step.time - m_begin);
 }
 
-// A step goes over a part of a sample mostly, so that what it removes comes in bursts.
-void LatheSimulation::measure(const LatheStep& step, double dt) {
-  constexpr double kSamples = 8.0, kClear = 3.0;
-  constexpr double kStill = 0.5;  // s
-  const double way = (step.to - step.from).norm(), spacing = m_run.profile().spacing();
-  const double kept = std::exp(-way / (kSamples * spacing));
-  const bool isCut = !step.cut.isEmpty();
-  m_area = kept * m_area + step.cut.area;
-  m_way = kept * m_way + way;
-  m_turns = kept * m_turns + step.turns;
-  m_wayClear = isCut ? 0.0 : m_wayClear + way;
-  m_now.isCut = m_now.isCut || isCut;
-  m_now.sinceCut = isCut ? 0.0 : m_now.sinceCut + dt;
-  m_now.isCutting = m_now.isCut && m_wayClear < kClear * spacing && m_now.sinceCut < kStill;
-  if (!m_now.isCutting) m_area = m_way = m_turns = 0.0;
-  m_now.depth = m_way > 0.0 ? m_area / m_way : 0.0;
-  m_now.feed = m_turns > 0.0 ? m_way / m_turns : 0.0;
-}
-
 void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   takeCommands(inputs);
   m_recording.dt = dt;
@@ -91,10 +75,9 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   record(step);
   m_changed.extend(step.cut.changed);
   const LatheMachine& machine = m_run.machine();
-  measure(step, dt);
-  // At the middle of the cut, as far as it can be told from its depth.
-  const double radius = std::abs(machine.tip().x()) + 0.5 * m_now.depth;
-  m_now.surfaceSpeed = 2e-3 * M_PI * radius * std::abs(machine.state().speed);
+  m_now.isCut = m_now.isCut || !step.cut.isEmpty();
+  m_now.sinceCut = m_run.sinceCut();
+  m_now.load = m_run.load();
   m_now.isHeld = step.isHeld;
   m_now.removed += step.cut.volume;
   m_now.isFull = m_recording.isFull() || (!m_passes.empty() && m_passes.back().path.size() >= TurningPass::kMostPoints);
@@ -106,9 +89,9 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   patch.tip = machine.tip();
   patch.velocity = (patch.tip - m_now.tip) / dt;
   patch.time = inputs.empty() ? 0.0 : inputs.back().tip.time;
-  patch.depth = m_now.depth;
-  patch.feed = m_now.feed;
-  patch.surfaceSpeed = m_now.surfaceSpeed;
+  patch.cut = m_now.load.cut;
+  patch.wear = machine.setup().wear;
+  patch.tool = static_cast<std::uint32_t>(m_run.cuttingTool());
   patch.spindleSpeed = machine.state().speed;
   patch.angle = machine.state().turns;
   m_channel->patch.write(patch);
@@ -130,6 +113,8 @@ void LatheSimulation::publish() {
   m_now.tool = m_run.tool();
   if (m_now.collisions->size() != m_run.collisions().size())
     m_now.collisions = std::make_shared<const std::vector<LatheCollision>>(m_run.collisions());
+  if (std::exchange(m_warned, m_run.warnings().changes()) != m_run.warnings().changes())
+    m_now.warnings = std::make_shared<const std::vector<LatheWarning>>(m_run.warnings().all());
   m_state = std::make_shared<const LatheMoment>(m_now);
 }
 

@@ -14,9 +14,9 @@ struct LathePatch {
   ProfilePoint tip{0.0, 0.0};       // (r, z)
   ProfilePoint velocity{0.0, 0.0};  // mm/s
   double time = 0.0;                // s, of the input that it follows
-  double depth = 0.0;               // mm, of the cut; 0: nothing is cut
-  double feed = 0.0;                // mm in a turn
-  double surfaceSpeed = 0.0;        // m/min
+  CutConditions cut;                // of no depth: nothing is cut
+  double wear = 0.0;                // mm, of the flank
+  std::uint32_t tool = 0;           // that cuts, as its place in the list of tools
   double spindleSpeed = 0.0;        // r/min, signed
   double angle = 0.0;               // turns of the spindle
 };
@@ -36,15 +36,14 @@ struct LatheMoment : SimulationState {
   std::shared_ptr<const LatheTool> tool;  // in use; null: none
   ProfilePoint tip{0.0, 0.0};             // mm, true place
   double quillTip = 0.0;                  // mm
-  double depth = 0.0, feed = 0.0;         // of the cut, over the last samples: mm, mm in a turn
-  double surfaceSpeed = 0.0;              // m/min at the tip
-  bool isCutting = false;
-  bool isCut = false;     // material left since the simulation began
-  double sinceCut = 0.0;  // s since material left last
-  bool isFull = false;    // nothing more is recorded: the pass has to end
-  bool isHeld = false;    // the last move was held back: a crash, a limit, the part
-  double removed = 0.0;   // mm³, since the simulation began
+  LatheLoad load;                         // of the cut
+  bool isCut = false;                     // material left since the simulation began
+  double sinceCut = 0.0;                  // s since material left last
+  bool isFull = false;                    // nothing more is recorded: the pass has to end
+  bool isHeld = false;                    // the last move was held back: a crash, a limit, the part
+  double removed = 0.0;                   // mm³, since the simulation began
   std::shared_ptr<const std::vector<LatheCollision>> collisions;  // never null
+  std::shared_ptr<const std::vector<LatheWarning>> warnings;      // never null
 };
 
 // The simulation of a manual lathe: commands of the window and the hand at a device move it, material leaves. What was
@@ -69,7 +68,6 @@ class LatheSimulation : public Simulation {
  private:
   void takeCommands(std::span<const SimulationInput> inputs);
   void record(const LatheStep& step);
-  void measure(const LatheStep& step, double dt);
   void publish();
 
   LatheRun m_run;
@@ -83,9 +81,7 @@ class LatheSimulation : public Simulation {
   TurnedProfile::Range m_changed;
   double m_sincePublished = 0.0;  // s
   bool m_isPlacing = false;       // a device acts
-  // Of the last few samples of the profile, with weights that fall along the way: mm², mm, turns of the spindle.
-  double m_area = 0.0, m_way = 0.0, m_turns = 0.0;
-  double m_wayClear = 0.0;  // mm since material left
+  std::uint64_t m_warned = 0;     // changes of the warnings that are in m_now
   LatheMoment m_now;
   std::shared_ptr<const LatheMoment> m_state;
 };

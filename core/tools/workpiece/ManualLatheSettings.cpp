@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The settings of ManualLatheTool: how the lathe is set up.
+#include "machining/force/CuttingFeel.h"
 #include "tools/ToolProperty.h"
 #include "tools/workpiece/ManualLatheTool.h"
 
@@ -14,6 +15,9 @@ constexpr Limits kAngles{-90.0, 90.0};      // degrees
 constexpr Limits kLengths{0.0, 1e4};        // mm
 constexpr Limits kBacklashes{0.0, 2.0};     // mm
 constexpr Limits kDepthLimits{0.0, 100.0};  // mm
+constexpr Limits kWears{0.0, CuttingFeel::kMostWear};
+constexpr Limits kPowers{0.0, 100.0};    // kW
+constexpr Limits kTorques{0.0, 1000.0};  // N·m
 
 void setBacklash(LatheSetup& lathe, double backlash) {
   for (LatheDial& dial : lathe.dials) dial.backlash = backlash;
@@ -26,6 +30,12 @@ std::vector<Property> ManualLatheTool::settings() const {
   return {switchSetting("shows_diameter", QT_TRANSLATE_NOOP("Property", "Read-out in diameter"), lathe.showsDiameter),
           numberSetting("depth_limit", QT_TRANSLATE_NOOP("Property", "Depth limit (0: none)"), lathe.depthLimit,
                         Quantity::Length, kDepthLimits),
+          numberSetting("power", QT_TRANSLATE_NOOP("Property", "Motor power, kW (0: no limit)"), lathe.spindle.power,
+                        Quantity::Number, kPowers),
+          numberSetting("torque", QT_TRANSLATE_NOOP("Property", "Spindle torque, N·m (0: no limit)"),
+                        lathe.spindle.torque, Quantity::Number, kTorques),
+          numberSetting("wear", QT_TRANSLATE_NOOP("Property", "Flank wear of the tools"), lathe.wear, Quantity::Length,
+                        kWears),
           numberSetting("compound_angle", QT_TRANSLATE_NOOP("Property", "Compound slide angle (°)"),
                         lathe.compoundAngle, Quantity::Number, kAngles),
           numberSetting("backlash", QT_TRANSLATE_NOOP("Property", "Backlash"), lathe.dials[1].backlash,
@@ -47,6 +57,9 @@ void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value
   bool isSet = false;
   if (id == "shows_diameter") isSet = assignSwitch(lathe.showsDiameter, value);
   if (id == "depth_limit") isSet = assignNumber(lathe.depthLimit, value, kDepthLimits);
+  if (id == "power") isSet = assignNumber(lathe.spindle.power, value, kPowers);
+  if (id == "torque") isSet = assignNumber(lathe.spindle.torque, value, kTorques);
+  if (id == "wear") isSet = assignNumber(lathe.wear, value, kWears);
   if (id == "compound_angle") isSet = assignNumber(lathe.compoundAngle, value, kAngles);
   if (id == "backlash") isSet = assignNumber(backlash, value, kBacklashes);
   if (id == "grip") isSet = assignNumber(lathe.chuck.grip, value, kLengths);

@@ -16,22 +16,27 @@ namespace {
 
 using LatheKind = LatheCommand::Kind;
 
-// What a key does with a wheel.
+// What a key does with a wheel. Keys with the same hint share one in the hint bar.
 struct WheelKey {
   const char* action;
   LatheAxis axis;
   double divisions;
+  const char* hint;
 };
-constexpr WheelKey kWheelKeys[] = {{"carriage-left", LatheAxis::Carriage, -1.0},
-                                   {"carriage-right", LatheAxis::Carriage, 1.0},
-                                   {"carriage-far-left", LatheAxis::Carriage, -10.0},
-                                   {"carriage-far-right", LatheAxis::Carriage, 10.0},
-                                   {"cross-in", LatheAxis::Cross, -1.0},
-                                   {"cross-out", LatheAxis::Cross, 1.0},
-                                   {"cross-far-in", LatheAxis::Cross, -10.0},
-                                   {"cross-far-out", LatheAxis::Cross, 10.0},
-                                   {"compound-in", LatheAxis::Compound, -1.0},
-                                   {"compound-out", LatheAxis::Compound, 1.0}};
+constexpr const char* kCarriageHint = QT_TRANSLATE_NOOP("Tool", "move the carriage");
+constexpr const char* kCrossHint = QT_TRANSLATE_NOOP("Tool", "move the cross slide");
+constexpr const char* kCompoundHint = QT_TRANSLATE_NOOP("Tool", "move the compound slide");
+constexpr const char* kFarHint = QT_TRANSLATE_NOOP("Tool", "by ten divisions");
+constexpr WheelKey kWheelKeys[] = {{"carriage-left", LatheAxis::Carriage, -1.0, kCarriageHint},
+                                   {"carriage-right", LatheAxis::Carriage, 1.0, kCarriageHint},
+                                   {"cross-in", LatheAxis::Cross, -1.0, kCrossHint},
+                                   {"cross-out", LatheAxis::Cross, 1.0, kCrossHint},
+                                   {"carriage-far-left", LatheAxis::Carriage, -10.0, kFarHint},
+                                   {"carriage-far-right", LatheAxis::Carriage, 10.0, kFarHint},
+                                   {"cross-far-in", LatheAxis::Cross, -10.0, kFarHint},
+                                   {"cross-far-out", LatheAxis::Cross, 10.0, kFarHint},
+                                   {"compound-in", LatheAxis::Compound, -1.0, kCompoundHint},
+                                   {"compound-out", LatheAxis::Compound, 1.0, kCompoundHint}};
 
 // The plane through the axis that faces the viewer; seen along the axis there is none. The tool is on the side of +x.
 std::optional<Vec3> inPlaneOfAxis(const Ray& ray) {
@@ -45,6 +50,11 @@ std::optional<Vec3> inPlaneOfAxis(const Ray& ray) {
   return Vec3(place.x() < 0.0 ? -r : r, 0.0, place.z());
 }
 
+std::shared_ptr<const LatheMaterial> materialCalled(const std::string& name, ForceLaw law, const LatheTools& tools) {
+  const WorkMaterials materials = WorkMaterials::standard();
+  return std::make_shared<const LatheMaterial>(latheMaterial(materials.called(name), law, tools));
+}
+
 QString passesText(std::size_t count, double removed) {
   const QLocale locale;
   return QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
@@ -54,10 +64,13 @@ QString passesText(std::size_t count, double removed) {
 }  // namespace
 
 ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing,
-                                 LatheTools tools)
+                                 LatheTools tools, ForceLaw law)
     : m_document(document),
       m_spacing(spacing),
       m_tools(std::move(tools)),
+      m_law(law),
+      m_materialName(document.workpiece().material),
+      m_material(materialCalled(m_materialName, law, m_tools)),
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {
   documentChanged();
 }
@@ -66,8 +79,15 @@ std::unique_ptr<Simulation> ManualLatheTool::simulation() const {
   TurnedPart part = partOf(m_document.workpiece(), m_spacing);
   const LatheSetup lathe = setup();
   const LatheState state = m_machine.value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
-  return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state), part.surface, base(),
-                                           m_channel);
+  return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material), part.surface,
+                                           base(), m_channel);
+}
+
+void ManualLatheTool::renewMaterial() {
+  const std::string& name = m_document.workpiece().material;
+  if (name == m_materialName) return;
+  m_materialName = name;
+  m_material = materialCalled(name, m_law, m_tools);
 }
 
 std::shared_ptr<const LatheMoment> ManualLatheTool::moment() const {
@@ -78,6 +98,13 @@ std::vector<LatheCollision> ManualLatheTool::collisions() const {
   std::vector<LatheCollision> all = m_collisions;
   const auto now = moment();
   all.insert(all.end(), now->collisions->begin(), now->collisions->end());
+  return all;
+}
+
+std::vector<LatheWarning> ManualLatheTool::warnings() const {
+  std::vector<LatheWarning> all = m_warnings;
+  const auto now = moment();
+  all.insert(all.end(), now->warnings->begin(), now->warnings->end());
   return all;
 }
 
@@ -119,6 +146,7 @@ bool ManualLatheTool::setUp(const LatheSetup& lathe, const QString& text) {
 void ManualLatheTool::keep(const LatheMoment& moment) {
   m_machine = moment.machine;
   m_collisions.insert(m_collisions.end(), moment.collisions->begin(), moment.collisions->end());
+  m_warnings.insert(m_warnings.end(), moment.warnings->begin(), moment.warnings->end());
 }
 
 // The edit comes back as documentChanged(), and the next simulation begins there, with the lathe as it is.
@@ -148,6 +176,7 @@ bool ManualLatheTool::endPass(bool isAtOnce) {
 void ManualLatheTool::documentChanged() {
   if (m_isCommitting) return;
   m_isDragging = false;
+  renewMaterial();
   const LatheSetup lathe = setup();
   if (!m_displayed || *m_displayed != lathe) {
     m_displayed = std::make_shared<const LatheSetup>(lathe);
@@ -258,11 +287,12 @@ ToolReply ManualLatheTool::perform(std::string_view action) {
 }
 
 std::vector<ToolAction> ManualLatheTool::actions() const {
-  const auto now = moment();
   std::vector<ToolAction> all{{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the tool")}};
-  for (const ToolKey& key : keys()) {
-    const bool isRevert = std::string_view(key.action) == "revert";
-    all.push_back(actionOf(keys(), key.action, !isRevert || isLive()));
+  for (const char* const action : {"spindle", "next-tool"}) all.push_back(actionOf(keys(), action));
+  all.push_back(actionOf(keys(), "revert", isLive()));
+  for (const WheelKey& key : kWheelKeys) {  // the panel has their wheels
+    all.push_back(actionOf(keys(), key.action, true, key.hint));
+    all.back().isKeyOnly = true;
   }
   return all;
 }

@@ -19,18 +19,24 @@ class ManualLatheTool : public Tool {
   static constexpr double kRate = 500.0;  // steps of the simulation a second
   static constexpr double kIdle = 0.8;    // s
 
-  // spacing: mm between the samples of a part that was not cut yet (turn.spacing).
-  ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing, LatheTools tools);
+  // spacing: mm between the samples of a part that was not cut yet (turn.spacing). law: of the cutting forces
+  // (turn.force_model).
+  ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing, LatheTools tools,
+                  ForceLaw law);
 
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
   const LatheTools& tools() const { return m_tools; }
+  // What the part is made of; never null, and another one when the document says another material.
+  const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }
   LatheSetup setup() const { return latheOf(m_document.workpiece()); }
 
   // The lathe now; never null.
   std::shared_ptr<const LatheMoment> moment() const;
   // All crashes since the tool began, in order.
   std::vector<LatheCollision> collisions() const;
+  // All warnings, likewise.
+  std::vector<LatheWarning> warnings() const;
   // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
   ProfilePoint readout() const;
 
@@ -59,6 +65,7 @@ class ManualLatheTool : public Tool {
 
  private:
   std::unique_ptr<Simulation> simulation() const;
+  void renewMaterial();
   void turn(LatheAxis axis, double divisions);
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
@@ -68,9 +75,13 @@ class ManualLatheTool : public Tool {
   WorkpieceDocument& m_document;
   double m_spacing;
   LatheTools m_tools;
+  ForceLaw m_law;
+  std::string m_materialName;  // as the document says it, of m_material
+  std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
   std::optional<LatheState> m_machine;       // with which the next simulation begins; none: at the beginning
   std::vector<LatheCollision> m_collisions;  // of simulations before
+  std::vector<LatheWarning> m_warnings;      // likewise
   bool m_isCommitting = false;
   bool m_isDragging = false;   // by the mouse
   Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip, in its drag

@@ -30,6 +30,9 @@ class TurnTool : public Tool {
   TurningTool settingsAtDevice() const { return m_tool; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the lower end
 
+  // The part as the simulation has it now; never null.
+  std::shared_ptr<const TurningState> state() const;
+
   static std::span<const ToolKey> keys();
   std::string id() const override { return "turn"; }
   ToolReply pointer(const PointerEvent& event) override;
@@ -46,7 +49,6 @@ class TurnTool : public Tool {
   std::unique_ptr<Simulation> simulation() const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
-  std::shared_ptr<const TurningState> state() const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   Vec3 wayOut(const Vec3& place) const;
   std::optional<ToolLabel> label() const;

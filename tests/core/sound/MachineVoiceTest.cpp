@@ -56,6 +56,7 @@ class MachineVoiceTest : public QObject {
   void nothingClicks();
   void phasesGoOn();
   void lowSampleRates();
+  void aCrashIsABlow();
 };
 
 void MachineVoiceTest::atRestItIsSilent() {
@@ -232,6 +233,26 @@ void MachineVoiceTest::lowSampleRates() {
   QVERIFY(rootMeanSquare(rendered(voice, 0.3)) < 1e-3);
   QCOMPARE(MachineVoice(std::numeric_limits<double>::quiet_NaN()).sampleRate(), MachineVoice::kLeastRate);
   QCOMPARE(MachineVoice(1e9).sampleRate(), MachineVoice::kLargestRate);
+}
+
+// Each crash is heard once, however often it is told, and rings out; those before the voice began are not.
+void MachineVoiceTest::aCrashIsABlow() {
+  const auto level = [](const std::vector<double>& samples) {
+    double sum = 0.0;
+    for (const double x : samples) sum += x * x;
+    return std::sqrt(sum / static_cast<double>(samples.size()));
+  };
+  MachineVoice voice(kRate);
+  voice.set({.blows = 2});
+  QCOMPARE(level(rendered(voice, 0.2)), 0.0);
+  voice.set({.blows = 3});
+  const double struck = level(rendered(voice, 0.1));
+  QVERIFY(struck > 0.1);
+  voice.set({.blows = 3});
+  const double ringing = level(rendered(voice, 0.1));
+  QVERIFY(ringing < struck && ringing > 0.0);
+  rendered(voice, 3.0);
+  QCOMPARE(level(rendered(voice, 0.1)), 0.0);
 }
 
 HANDWHEEL_TEST(MachineVoiceTest)

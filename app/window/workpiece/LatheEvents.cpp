@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/LatheEvents.h"
+
+#include "theme/Theme.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+struct Event {
+  double time = 0.0;  // s
+  QString text;
+  bool isCrash = false;
+};
+
+QString eventNumber(double value, int digits) {
+  return QLocale().toString(value, 'f', digits);
+}
+
+Event eventOf(const LatheCollision& crash) {
+  const auto part = [](LathePart which) { return QCoreApplication::translate("LathePart", titleOf(which)); };
+  return {crash.time,
+          LatheEvents::tr("%1 s: crash, %2 – %3 at R %4, Z %5. %6")
+              .arg(eventNumber(crash.time, 1), part(crash.moving), part(crash.struck), eventNumber(crash.place.x(), 2),
+                   eventNumber(crash.place.y(), 2), QCoreApplication::translate("LathePart", sentenceOf(crash.cause))),
+          true};
+}
+
+Event eventOf(const LatheWarning& warning) {
+  return {warning.time, LatheEvents::tr("%1 s: %2").arg(eventNumber(warning.time, 1), textOfRule(warning.warning)),
+          false};
+}
+
+}  // namespace
+
+QString textOfRule(const CutWarning& warning) {
+  const QString value = QLocale().toString(warning.value, 'g', 3), limit = QLocale().toString(warning.limit, 'g', 3);
+  switch (warning.rule) {
+    case CutWarning::Rule::Power:
+      return LatheEvents::tr("Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.")
+          .arg(value, limit);
+    case CutWarning::Rule::Torque:
+      return LatheEvents::tr("Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.")
+          .arg(value, limit);
+    case CutWarning::Rule::Slenderness:
+      return LatheEvents::tr("L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.")
+          .arg(value, limit);
+    case CutWarning::Rule::Deflection:
+      return LatheEvents::tr("Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.")
+          .arg(value, limit);
+    case CutWarning::Rule::Chatter:
+      return LatheEvents::tr("Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.").arg(value, limit);
+    case CutWarning::Rule::Rubbing:
+      break;
+  }
+  return LatheEvents::tr("Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.").arg(value, limit);
+}
+
+LatheEvents::LatheEvents(QWidget* parent) : QListWidget(parent) {
+  setObjectName(QStringLiteral("latheCrashes"));
+  setAccessibleName(tr("Crashes and warnings"));
+  setToolTip(tr("What met what, which rule was broken, and when. A crash stops the spindle."));
+  setMinimumWidth(180);
+  setWordWrap(true);
+}
+
+void LatheEvents::show(const ManualLatheTool& tool) {
+  std::vector<LatheCollision> crashes = tool.collisions();
+  std::vector<LatheWarning> warnings = tool.warnings();
+  if (crashes == m_crashes && warnings == m_warnings) return;
+  m_crashes = std::move(crashes);
+  m_warnings = std::move(warnings);
+  std::vector<Event> events;
+  for (const LatheCollision& crash : m_crashes) events.push_back(eventOf(crash));
+  for (const LatheWarning& warning : m_warnings) events.push_back(eventOf(warning));
+  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
+  clear();
+  for (const Event& event : events) {
+    auto* const item = new QListWidgetItem(event.text, this);
+    if (event.isCrash) item->setForeground(themeColours(currentTheme()).error);
+  }
+  scrollToBottom();
+}
+
+}  // namespace handwheel

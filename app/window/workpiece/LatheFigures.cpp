@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/LatheFigures.h"
+
+#include "theme/Theme.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+namespace handwheel {
+
+namespace {
+
+QString figure(double value, int digits) {
+  return QLocale().toString(value, 'f', digits);
+}
+
+QString nameOf(ForceLaw law) {
+  switch (law) {
+    case ForceLaw::Kosilova:
+      return QCoreApplication::translate("LatheFigures", "Kosilova");
+    case ForceLaw::Kienzle:
+      return QCoreApplication::translate("LatheFigures", "Kienzle");
+    case ForceLaw::Network:
+      break;
+  }
+  return QCoreApplication::translate("LatheFigures", "Network");
+}
+
+void setWarning(QLabel& label, bool isWarning) {
+  QPalette palette = label.parentWidget()->palette();
+  if (isWarning) palette.setColor(QPalette::WindowText, themeColours(currentTheme()).error);
+  label.setPalette(palette);
+}
+
+}  // namespace
+
+LatheFigures::LatheFigures(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("latheFigures"));
+  auto* line = new QHBoxLayout(this);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(12);
+  m_force = cell(*line, tr("Force"), "latheForce", tr("%1 N").arg(88888), tr("Of the cut, of all three components"));
+  m_power = cell(*line, tr("Power"), "lathePower", tr("%1 of %2 %3").arg(8.88).arg(88).arg(tr("kW")),
+                 tr("Of the motor, and what it has"));
+  m_torque = cell(*line, tr("Torque"), "latheTorque", tr("%1 of %2 %3").arg(88.8).arg(888).arg(tr("N·m")),
+                  tr("At the spindle, and what it has"));
+  m_spindle = cell(*line, tr("Spindle"), "latheTurns", tr("%1 r/min").arg(8888),
+                   tr("Its speed now. A cut beyond power or torque slows it down."));
+  m_speed =
+      cell(*line, tr("Cutting speed"), "latheCuttingSpeed", tr("%1 m/min").arg(8888), tr("At the middle of the cut"));
+  m_depth = cell(*line, tr("Depth"), "latheDepth", tr("%1 mm").arg(88.88), tr("Of the cut, across its way"));
+  m_feed = cell(*line, tr("Feed"), "latheFeedNow", tr("%1 mm/rev").arg(8.888), tr("In a turn of the spindle"));
+  m_law = cell(*line, tr("Law"), "latheLaw", tr("Kosilova"), QString());
+  line->addStretch();
+}
+
+// Each as wide as its widest text, so that nothing jumps while figures change.
+QLabel* LatheFigures::cell(QHBoxLayout& line, const QString& name, const char* id, const QString& widest,
+                           const QString& tip) {
+  auto* const column = new QVBoxLayout;
+  column->setSpacing(0);
+  auto* const title = new QLabel(name);
+  title->setProperty("muted", true);
+  auto* const value = new QLabel;
+  value->setObjectName(QString::fromLatin1(id));
+  value->setAccessibleName(name);
+  for (QWidget* each : {title, value}) each->setToolTip(tip);
+  value->setMinimumWidth(fontMetrics().horizontalAdvance(widest));
+  column->addWidget(title);
+  column->addWidget(value);
+  line.addLayout(column);
+  return value;
+}
+
+void LatheFigures::showLimited(QLabel& label, double value, double limit, int digits, const QString& unit) {
+  label.setText(limit > 0.0 ? tr("%1 of %2 %3").arg(figure(value, digits), figure(limit, 0), unit)
+                            : QStringLiteral("%1 %2").arg(figure(value, digits), unit));
+  setWarning(label, limit > 0.0 && value > limit);
+}
+
+void LatheFigures::show(const ManualLatheTool& tool) {
+  const auto now = tool.moment();
+  const LatheLoad& load = now->load;
+  const LatheSpindle spindle = tool.setup().spindle;
+  m_force->setText(tr("%1 N").arg(figure(load.forces.norm(), 0)));
+  showLimited(*m_power, load.power, spindle.power, 2, tr("kW"));
+  showLimited(*m_torque, load.torque, spindle.torque, 1, tr("N·m"));
+  const QString none = QStringLiteral("–");
+  m_spindle->setText(tr("%1 r/min").arg(figure(now->machine.speed, 0)));
+  setWarning(*m_spindle, load.isOverloaded);
+  m_speed->setText(load.isCutting ? tr("%1 m/min").arg(figure(load.cut.speed, 0)) : none);
+  m_depth->setText(load.isCutting ? tr("%1 mm").arg(figure(load.cut.depth, 2)) : none);
+  m_feed->setText(load.isCutting ? tr("%1 mm/rev").arg(figure(load.cut.feed, 3)) : none);
+  m_law->setText(nameOf(tool.material()->law));
+  setWarning(*m_law, load.isOutsideModel);
+  const QString material = QString::fromStdString(tool.material()->id);
+  m_law->setToolTip(load.isOutsideModel
+                        ? tr("The law of the cutting force was not made for such a cut of %1.").arg(material)
+                        : tr("Law of the cutting force for %1. It is chosen among the settings of speed and "
+                             "accuracy; the material is a property of the workpiece.")
+                              .arg(material));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/workpiece/ManualLatheTool.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace handwheel {
+
+// The figures of a cut on a manual lathe in one line: force, power and torque with the limits of the machine, speeds,
+// depth, feed, and the law that the force is from. Window thread.
+class LatheFigures : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LatheFigures(QWidget* parent = nullptr);
+
+  void show(const ManualLatheTool& tool);
+
+ private:
+  QLabel* cell(QHBoxLayout& line, const QString& name, const char* id, const QString& widest, const QString& tip);
+  void showLimited(QLabel& label, double value, double limit, int digits, const QString& unit);
+
+  QLabel* m_force;
+  QLabel* m_power;
+  QLabel* m_torque;
+  QLabel* m_spindle;
+  QLabel* m_speed;
+  QLabel* m_depth;
+  QLabel* m_feed;
+  QLabel* m_law;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/lathe/CutMeter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+void CutMeter::add(const Move& move, double spacing) {
+  constexpr double kClear = 3.0;  // samples
+  constexpr double kStill = 0.5;  // s
+  m_spacing = spacing;
+  const double kept = std::exp(-move.length / (kSamples * spacing));
+  const bool isCut = move.area > 0.0;
+  m_area = kept * m_area + move.area;
+  m_volume = kept * m_volume + move.volume;
+  m_way = kept * m_way + move.length;
+  m_turns = kept * m_turns + move.turns;
+  m_wayClear = isCut ? 0.0 : m_wayClear + move.length;
+  m_isCut = m_isCut || isCut;
+  m_sinceCut = isCut ? 0.0 : m_sinceCut + move.time;
+  m_isCutting = m_isCut && m_wayClear < kClear * spacing && m_sinceCut < kStill;
+  if (!m_isCutting) m_area = m_volume = m_way = m_turns = 0.0;
+}
+
+// What begins has gone less than a sample, which leaves as a whole.
+CutConditions CutMeter::cut(double speed) const {
+  CutConditions cut;
+  if (!m_isCutting) return cut;
+  cut.depth = m_area / std::max(m_way, m_spacing);
+  cut.feed = m_turns > 0.0 ? m_way / m_turns : 0.0;
+  cut.speed = surfaceSpeed(std::abs(speed), 2.0 * radius());
+  return cut;
+}
+
+// Guldin: the volume is that of the section on the way of its middle.
+double CutMeter::radius() const {
+  return m_area > 0.0 ? m_volume / (2.0 * M_PI * m_area) : 0.0;
+}
+
+}  // namespace handwheel

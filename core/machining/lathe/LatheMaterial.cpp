@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/lathe/LatheMaterial.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+// By the group of ISO 513, rounded: tables of constants have one for an alloy only.
+double modulusOf(const WorkMaterial& material) {
+  constexpr double kSteel = 210e3, kIron = 120e3, kAluminium = 70e3, kCopper = 110e3;  // N/mm²
+  if (material.group == 'K') return kIron;
+  if (material.group != 'N') return kSteel;
+  return material.id.find("aluminium") != std::string::npos ? kAluminium : kCopper;
+}
+
+}  // namespace
+
+CuttingEdge edgeOf(const LatheTool& tool) {
+  CuttingEdge edge;
+  edge.approach = tool.enteringAngle * M_PI / 180.0;
+  edge.rake = tool.rake * M_PI / 180.0;
+  edge.noseRadius = tool.noseRadius;
+  return edge;
+}
+
+LatheMaterial latheMaterial(const WorkMaterial& material, ForceLaw law, const LatheTools& tools) {
+  LatheMaterial made;
+  made.id = material.id;
+  made.law = law;
+  made.modulus = modulusOf(material);
+  for (const auto& tool : tools)
+    made.laws.push_back(tool->isAbrasive() ? nullptr : forceModelFor(law, material, edgeOf(*tool)));
+  return made;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
+#include "machining/lathe/LatheJson.h"
+#include "machining/lathe/LatheRun.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+using Lever = LatheCommand::Kind;
+using Rule = CutWarning::Rule;
+
+constexpr StockCylinder kShaft{40.0, 100.0, 0.0};
+constexpr double kTick = 0.001;  // s
+
+// 2000 N for each mm² of the chip, whatever its shape; no component across but the radial one.
+class AreaLaw : public CuttingForceModel {
+ public:
+  explicit AreaLaw(double radial) : m_radial(radial) {}
+  CutForces at(const CutConditions& cut) const noexcept override {
+    const double area = cut.depth * cut.feed;
+    return {2000.0 * area, 0.0, m_radial * area};
+  }
+  bool covers(const CutConditions&) const noexcept override { return true; }
+
+ private:
+  double m_radial;
+};
+
+LatheSetup setupWith(double power, double torque) {
+  LatheSetup setup = defaultLatheSetup(kShaft);
+  for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+  setup.spindle.power = power;
+  setup.spindle.torque = torque;
+  return setup;
+}
+
+// A lathe that turns a depth off its shaft by the feed.
+struct LoadedLathe {
+  explicit LoadedLathe(const LatheSetup& setup, double radial = 0.0, const StockCylinder& bar = kShaft)
+      : run(setup, shippedLatheTools(), TurnedProfile(bar, 0.05), LatheMachine::initialState(setup, bar),
+            materialOf(radial)) {}
+
+  static std::shared_ptr<const LatheMaterial> materialOf(double radial) {
+    LatheMaterial material;
+    material.laws.assign(shippedLatheTools().size(), std::make_shared<AreaLaw>(radial));
+    return std::make_shared<const LatheMaterial>(std::move(material));
+  }
+  void send(LatheCommand command) { run.step(kTick, std::vector<LatheCommand>{command}); }
+  void pass(double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / kTick)); ++i) run.step(kTick, {});
+  }
+  void turnDown(double r, double feed, double seconds) {
+    const double length = run.profile().length();
+    send({Lever::Spindle, LatheAxis::Carriage, 1.0});
+    send({Lever::Place, LatheAxis::Carriage, r, length + 1.0});
+    pass(2.0);
+    send({Lever::Feed, LatheAxis::Carriage, -feed});
+    pass(seconds);
+  }
+  const LatheWarning* warningOf(Rule rule) const {
+    const auto& all = run.warnings().all();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& w) { return w.warning.rule == rule; });
+    return found == all.end() ? nullptr : &*found;
+  }
+  double radiusAt(double z) const {
+    return run.profile().radius(static_cast<std::size_t>(std::lround(z / run.profile().spacing())));
+  }
+  double speed() const { return run.machine().state().speed; }
+
+  LatheRun run;
+};
+
+}  // namespace
+
+class LatheLoadTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Within its limits the spindle holds its speed.
+  void aCutWithinTheLimits() {
+    LoadedLathe lathe(setupWith(3.0, 100.0));
+    lathe.turnDown(18.0, 0.2, 5.0);
+    QCOMPARE(lathe.speed(), 600.0);
+    QVERIFY(!lathe.run.load().isOverloaded);
+    QVERIFY(!lathe.warningOf(Rule::Power) && !lathe.warningOf(Rule::Torque));
+    QVERIFY(lathe.run.collisions().empty());
+  }
+
+  // Of a cut that needs more power, the spindle slows down to where the motor has it: P = T ω / η.
+  void tooMuchPower() {
+    LoadedLathe lathe(setupWith(1.0, 100.0));
+    lathe.turnDown(17.0, 0.4, 8.0);  // 2400 N on an arm of 18.5 mm: 44 N·m, 2.8 kW at 600 r/min
+    const double torque = 2000.0 * 3.0 * 0.4 * 0.0185, speed = 1000.0 * 0.8 / torque * 60.0 / (2.0 * M_PI);
+    QVERIFY(speed > 100.0 && speed < 200.0);
+    QVERIFY2(std::abs(lathe.speed() / speed - 1.0) < 0.1, qPrintable(QString::number(lathe.speed())));
+    QVERIFY(lathe.run.collisions().empty());
+    const LatheWarning* const warning = lathe.warningOf(Rule::Power);
+    QVERIFY(warning && warning->tool == "right-roughing" && warning->time > 2.0);
+    QVERIFY(std::abs(warning->warning.value / (torque * 600.0 * 2.0 * M_PI / 60.0 / 800.0) - 1.0) < 0.15);
+    QCOMPARE(warning->warning.limit, 1.0);
+    // It goes on in the part, slower, and takes what it would have taken.
+    QVERIFY(std::abs(lathe.radiusAt(99.0) - 17.0) < 1e-3);
+    // Out of the cut it comes back.
+    lathe.send({Lever::Feed, LatheAxis::Carriage, 0.0});
+    lathe.send({Lever::Place, LatheAxis::Carriage, 30.0, 105.0});
+    lathe.pass(3.0);
+    QCOMPARE(lathe.speed(), 600.0);
+  }
+
+  // More torque than the spindle has at any speed: it stalls, which is a crash.
+  void tooMuchTorque() {
+    LoadedLathe lathe(setupWith(0.0, 20.0));
+    lathe.turnDown(17.0, 0.4, 8.0);
+    QCOMPARE(lathe.speed(), 0.0);
+    QCOMPARE(lathe.run.machine().state().direction, 0);
+    QCOMPARE(lathe.run.machine().state().feed, 0.0);
+    QCOMPARE(lathe.run.collisions().size(), std::size_t{1});
+    const LatheCollision& stall = lathe.run.collisions().front();
+    QVERIFY(stall.cause == CrashCause::Overload && stall.tool == "right-roughing");
+    QVERIFY(lathe.warningOf(Rule::Torque));
+    QVERIFY(lathe.warningOf(Rule::Torque)->time < stall.time);
+    // It does not fall within a tick: the excess slows it down.
+    QVERIFY(stall.time > 2.3);
+    // The way out is free.
+    lathe.send({Lever::Place, LatheAxis::Carriage, 30.0, 105.0});
+    lathe.pass(2.0);
+    QCOMPARE(lathe.run.collisions().size(), std::size_t{1});
+  }
+
+  void noLimits() {
+    LoadedLathe lathe(setupWith(0.0, 0.0));
+    lathe.turnDown(12.0, 0.5, 5.0);
+    QCOMPARE(lathe.speed(), 600.0);
+    QVERIFY(!lathe.warningOf(Rule::Power) && !lathe.warningOf(Rule::Torque));
+  }
+
+  // A slender shaft gives way by F x³ / 3EI, and is left as much thicker.
+  void slenderWorkGivesWay() {
+    const StockCylinder slender{12.0, 170.0, 0.0};
+    LatheSetup setup = setupWith(0.0, 0.0);
+    setup.chuck.grip = 20.0;
+    LoadedLathe lathe(setup, 500.0, slender);
+    lathe.turnDown(5.5, 0.2, 6.0);
+    const double force = 500.0 * 0.5 * 0.2, place = 140.0, modulus = 210e3;
+    const double moment = M_PI * std::pow(2.0 * 5.9, 4) / 64.0;  // of a bar that is turned at its end only
+    const double bent = force * std::pow(place - 20.0 + 6.0, 3) / (3.0 * modulus * moment);
+    const double z = lathe.run.machine().tip().y();
+    QVERIFY(z < 162.0 && z > 150.0);
+    const double left = lathe.radiusAt(z + 2.0) - 5.5;
+    QVERIFY2(left > 0.5 * bent && left < 2.0 * bent, qPrintable(QString("%1 %2").arg(left).arg(bent)));
+    QVERIFY(lathe.warningOf(Rule::Slenderness) && lathe.warningOf(Rule::Deflection));
+    QVERIFY(std::abs(lathe.warningOf(Rule::Slenderness)->warning.value - 150.0 / 12.0) < 0.5);
+    QVERIFY(!lathe.warningOf(Rule::Power));
+  }
+
+  // A shaft of one diameter is its own beam; a thick foot takes no part in the bending near the end.
+  void beams() {
+    const TurnedProfile bar(kShaft, 0.05);
+    const SlenderWork whole = beamOf(bar, 20.0, 100.0);
+    QVERIFY(std::abs(whole.diameter - 40.0) < 1e-9 && std::abs(whole.length - 80.0) < 1e-6);
+    QCOMPARE(whole.place, whole.length);
+    // Two lengths: δ = F/3E (a³ - b³)/I₁ + b³/I₂, with b the length of the thinner one at the end.
+    std::vector<double> radii(2001);
+    for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = i <= 1200 ? 20.0 : 10.0;
+    const TurnedProfile stepped = TurnedProfile::fromRadii(radii, 100.0);
+    const SlenderWork beam = beamOf(stepped, 20.0, 100.0);
+    const double a = 80.0, b = 40.0, e = 3.0 * 210e3;
+    const auto moment = [](double r) { return M_PI * std::pow(r, 4) / 4.0; };
+    const double expected = 100.0 / e * ((a * a * a - b * b * b) / moment(20.0) + b * b * b / moment(10.0));
+    QVERIFY(std::abs(deflection(beam, 100.0) / expected - 1.0) < 0.01);
+    QCOMPARE(beamOf(bar, 20.0, 10.0).place, 0.0);
+  }
+
+  // Each breach of a rule is recorded once, at its worst.
+  void warningsAreRecordedOnce() {
+    LatheWarnings warnings;
+    warnings.judge({{Rule::Power, 3.5, 3.0}}, 1.0, "a");
+    warnings.judge({{Rule::Power, 4.0, 3.0}, {Rule::Rubbing, 0.005, 0.009}}, 1.1, "a");
+    warnings.judge({{Rule::Power, 3.2, 3.0}, {Rule::Rubbing, 0.002, 0.009}}, 1.2, "a");
+    QCOMPARE(warnings.all().size(), std::size_t{2});
+    QCOMPARE(warnings.all()[0].warning.value, 4.0);
+    QCOMPARE(warnings.all()[0].time, 1.0);
+    QCOMPARE(warnings.all()[1].warning.value, 0.002);
+    warnings.judge({{Rule::Power, 3.2, 3.0}}, 4.0, "a");  // later
+    warnings.judge({{Rule::Power, 3.2, 3.0}}, 4.1, "b");  // another tool
+    QCOMPARE(warnings.all().size(), std::size_t{4});
+    for (int i = 0; i < 5000; ++i) warnings.judge({{Rule::Power, 5.0, 3.0}}, 10.0 * i, "a");
+    QCOMPARE(warnings.all().size(), LatheWarnings::kMost);
+  }
+
+  // By name, by id, and the usual one of other words; what is worn needs more.
+  void materials() {
+    const WorkMaterials all = WorkMaterials::standard();
+    QCOMPARE(all.called("brass").id, std::string("brass"));
+    QCOMPARE(all.called("GREY CAST IRON, ferritic-pearlitic").id, std::string("grey-iron"));
+    QCOMPARE(all.called("").id, std::string(kUsualMaterial));
+    const LatheTools tools = shippedLatheTools();
+    for (const ForceLaw law : {ForceLaw::Kosilova, ForceLaw::Kienzle, ForceLaw::Network}) {
+      const LatheMaterial material = latheMaterial(all.called("brass"), law, tools);
+      QCOMPARE(material.laws.size(), tools.size());
+      for (std::size_t i = 0; i < tools.size(); ++i) QCOMPARE(material.lawOf(i) == nullptr, tools[i]->isAbrasive());
+      QVERIFY(!material.lawOf(tools.size()));
+      QVERIFY(material.modulus < 200e3);
+    }
+  }
+};
+
+HANDWHEEL_TEST(LatheLoadTest)
+#include "LatheLoadTest.moc"
