@@ -38,6 +38,7 @@ TurnedProfile::Range cutByPoint(TurnedProfile& profile, TurningSide side, const 
 }  // namespace
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b) {
+  if (how.thread) return {};
   if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
   if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
   if (how.method == TurningMethod::Poles)
@@ -60,6 +61,7 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progre
 
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass) {
   constexpr double kMost = 1e18;
+  if (pass.thread) return 0;
   const PoleCut poles(profile, pass.resolution);
   double sum = 0.0;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {

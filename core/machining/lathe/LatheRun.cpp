@@ -156,9 +156,26 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
     const double lift = std::max(0.0, tried.cut.depth - tool.depthPerTurn * tried.motion.turns);
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
   }
-  step.cut = cutWithTool(m_profile, tool, step.from, step.to);
+  step.thread = threadOf(tried);
+  if (step.thread)
+    step.cut.depth = tried.cut.depth;
+  else
+    step.cut = cutWithTool(m_profile, tool, step.from, step.to);
   m_lastTool = tried.tool;
   m_lastPlace = step.to;
+}
+
+// The tool is at a height for each turn; turns are those of the work, against which the tool goes about it.
+std::optional<ThreadCut> LatheRun::threadOf(const Try& tried) const {
+  const LatheState& state = m_machine.state();
+  const bool isLed = state.lead != 0.0 && state.isNutClosed && !tried.isQuill && !tried.isIndexed;
+  if (!isLed || tried.tool->kind != LatheToolKind::Threading) return std::nullopt;
+  ThreadCut thread;
+  thread.pitch = std::abs(state.lead);
+  thread.isLeft = state.lead > 0.0;
+  const double middle = tried.to.y() + tried.tool->noseCentre().y() - state.lead * state.turns;
+  thread.offset = middle - thread.pitch * std::floor(middle / thread.pitch);
+  return thread.isSound() ? std::optional(thread) : std::nullopt;
 }
 
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machining/lathe/LatheCollisions.h"
+#include "machining/thread/ThreadCut.h"
 
 #include <span>
 
@@ -14,6 +15,7 @@ struct LatheStep {
   std::shared_ptr<const LatheTool> tool;      // that moved; null: none was in use
   ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm: where its tip went, as far as it cut, (r, z)
   double turns = 0.0;                         // of the spindle, not signed
+  std::optional<ThreadCut> thread;            // the half-nut leads a threading tool, which leaves the profile as it is
   double time = 0.0;                          // s, of the machine after the step
   bool isCrash = false;                       // the last of LatheRun::collisions() is of this step
   bool isHeld = false;                        // the depth limit, or the work, held the slide back
@@ -52,6 +54,7 @@ class LatheRun {
   std::shared_ptr<const LatheTool> drill() const;
   void crash(LatheStep& step, LatheCollision collision, const LatheState& before);
   void cut(LatheStep& step, const Try& tried);
+  std::optional<ThreadCut> threadOf(const Try& tried) const;
 
   LatheMachine m_machine;
   LatheTools m_tools;

@@ -28,7 +28,8 @@ struct ProgramCollision {
 // The upper end of the part is z = 0 of the program; it is gripped at the lower end, where the chuck begins. A tool
 // cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
 // the outside, or the axis for a tool whose tip points outwards. A feed along the axis drills, with the nose for a
-// drill. A rapid move cuts, too, and is a collision where it does. Cost: O(samples below the moves). One thread.
+// drill. A rapid move cuts, too, and is a collision where it does. A thread is a pass of its own, which leaves the
+// profile as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves). One thread.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
@@ -65,6 +66,14 @@ class ProgramSimulation {
   void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end);
   void meet(const ToolMove& move, const Removal& removal, double seconds, double length);
   void collide(ProgramCollision::Kind kind, const ToolMove& move);
+  // How the spindle stands while threads follow one another: turns since the first of them began.
+  struct Lead {
+    ProfilePoint end{0, 0};  // of the tip, after the last move
+    double turns = 0.0;
+  };
+  TurningPass threadOf(const ToolMove& move) const;
+  void cutThread(const ToolMove& move);
+  bool leavesThread(const ToolMove& move) const;
   bool reachesChuck(const ToolMove& move, double nose) const;
 
   TurnedProfile m_part;
@@ -79,6 +88,7 @@ class ProgramSimulation {
   std::size_t m_collisionCount = 0;
   std::uint32_t m_lastCollision = 0;  // line
   std::vector<TurningPass> m_passes;
+  std::optional<Lead> m_lead;  // the last move was a thread
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

@@ -7,6 +7,31 @@
 
 namespace handwheel {
 
+namespace {
+
+// Whether a threading tool is in the material.
+bool cutsThread(const LatheStep& step) {
+  return step.thread && step.cut.depth > 0.0;
+}
+
+// A thread goes on as long as its helix is the same.
+bool goesOn(const TurningPass& pass, const LatheStep& step) {
+  constexpr double kSame = 1e-6;  // mm
+  if (!pass.thread || !step.thread) return !pass.thread && !step.thread;
+  const double apart = pass.thread->offset - step.thread->offset, pitch = step.thread->pitch;
+  return pass.thread->pitch == pitch && pass.thread->isLeft == step.thread->isLeft &&
+         std::abs(apart - pitch * std::round(apart / pitch)) < kSame;
+}
+
+// Whether the last point of a path lies between the one before and the next, at the same radius.
+bool isStraightOn(const std::vector<ProfilePoint>& path, const ProfilePoint& next) {
+  if (path.size() < 2) return false;
+  const ProfilePoint &before = path[path.size() - 2], &last = path.back();
+  return before.x() == last.x() && last.x() == next.x() && (last.y() - before.y()) * (next.y() - last.y()) >= 0.0;
+}
+
+}  // namespace
+
 LatheSimulation::LatheSimulation(LatheRun run, TurnedSurface surface, double base,
                                  std::shared_ptr<LatheChannel> channel)
     : m_run(std::move(run)),
@@ -44,21 +69,37 @@ void LatheSimulation::takeCommands(std::span<const SimulationInput> inputs) {
 // of the same tool ended.
 void LatheSimulation::record(const LatheStep& step) {
   if (!step.tool || (!step.hasMoved() && step.cut.isEmpty())) return;
-  const bool isOther =
-      m_passes.empty() || m_passes.back().tool != step.tool || m_passes.back().path.back() != step.from;
-  if (isOther && step.cut.isEmpty()) return;
+  const bool isOther = m_passes.empty() || m_passes.back().tool != step.tool ||
+                       m_passes.back().path.back() != step.from || !goesOn(m_passes.back(), step);
+  if (isOther && step.cut.isEmpty() && !cutsThread(step)) return;
   if (isOther) {
     TurningPass pass;
     pass.tool = step.tool;
     pass.noseRadius = std::max(step.tool->noseRadius, TurningPass::kLeastNose);
     pass.side = step.tool->side;
+    pass.thread = step.thread;
     pass.path.push_back(step.from);
     pass.times.push_back(0.0);
     m_begin = step.time - m_recording.dt;
     m_passes.push_back(std::move(pass));
   }
-  m_passes.back().path.push_back(step.to);
-  m_passes.back().times.push_back(step.time - m_begin);
+  TurningPass& pass = m_passes.back();
+  if (pass.thread && isStraightOn(pass.path, step.to)) {
+    pass.path.pop_back();
+    pass.times.pop_back();
+  }
+  pass.path.push_back(step.to);
+  pass.times.push_back(step.time - m_begin);
+  if (pass.thread) m_threaded.extend(samplesBeside(step));
+}
+
+// Those whose triangles a step of a thread may change: with its run-out, and half a groove on both sides.
+TurnedProfile::Range LatheSimulation::samplesBeside(const LatheStep& step) const {
+  const auto [low, high] = std::minmax(step.from.y(), step.to.y());
+  const double reach = 2.0 * step.thread->lead(), spacing = m_run.profile().spacing();
+  const double last = static_cast<double>(m_run.profile().size());
+  return {static_cast<std::size_t>(std::clamp((low - reach) / spacing, 0.0, last)),
+          static_cast<std::size_t>(std::clamp((high + reach) / spacing, 0.0, last))};
 }
 
 // A step goes over a part of a sample mostly, so that what it removes comes in bursts.
@@ -67,7 +108,7 @@ void LatheSimulation::measure(const LatheStep& step, double dt) {
   constexpr double kStill = 0.5;  // s
   const double way = (step.to - step.from).norm(), spacing = m_run.profile().spacing();
   const double kept = std::exp(-way / (kSamples * spacing));
-  const bool isCut = !step.cut.isEmpty();
+  const bool isCut = !step.cut.isEmpty() || cutsThread(step);
   m_area = kept * m_area + step.cut.area;
   m_way = kept * m_way + way;
   m_turns = kept * m_turns + step.turns;
@@ -122,6 +163,14 @@ void LatheSimulation::publish() {
   m_sincePublished = 0.0;
   if (!m_changed.isEmpty()) m_surface.update(m_run.profile(), m_changed);
   m_changed = {};
+  if (!m_threaded.isEmpty()) {
+    std::shared_ptr<const PartThreads> threads = m_surface.threads();
+    for (; m_shownPasses < m_passes.size(); ++m_shownPasses)
+      threads = PartThreads::with(threads, m_passes[m_shownPasses]);
+    m_shownPasses = m_passes.size() - 1;  // the last one may go on
+    m_surface.setThreads(m_run.profile(), std::move(threads), m_threaded);
+  }
+  m_threaded = {};
   m_now.profile = m_run.profile();
   m_now.surface = m_surface;
   m_now.machine = m_run.machine().state();

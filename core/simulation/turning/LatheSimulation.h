@@ -69,6 +69,7 @@ class LatheSimulation : public Simulation {
  private:
   void takeCommands(std::span<const SimulationInput> inputs);
   void record(const LatheStep& step);
+  TurnedProfile::Range samplesBeside(const LatheStep& step) const;
   void measure(const LatheStep& step, double dt);
   void publish();
 
@@ -81,8 +82,10 @@ class LatheSimulation : public Simulation {
   std::vector<TurningPass> m_passes;
   double m_begin = 0.0;  // s, of the first point of the last pass
   TurnedProfile::Range m_changed;
-  double m_sincePublished = 0.0;  // s
-  bool m_isPlacing = false;       // a device acts
+  TurnedProfile::Range m_threaded;  // whose triangles miss the last part of a thread
+  std::size_t m_shownPasses = 0;    // whose threads are shown whole
+  double m_sincePublished = 0.0;    // s
+  bool m_isPlacing = false;         // a device acts
   // Of the last few samples of the profile, with weights that fall along the way: mm², mm, turns of the spindle.
   double m_area = 0.0, m_way = 0.0, m_turns = 0.0;
   double m_wayClear = 0.0;  // mm since material left
