@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/TurnedSurface.h"
 
+#include "machining/thread/HelicalBand.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,20 +36,23 @@ std::shared_ptr<const std::vector<ProfilePoint>> unitCircle(std::uint32_t segmen
 }
 
 // Adds rings of points around the axis and the bands between them; a ring of radius 0 is one point. The material is on
-// the left of the way from ring to ring, as (r, z) is drawn.
+// the left of the way from ring to ring, as (r, z) is drawn. Where there is a thread the rings follow its groove.
 class RingBuilder {
  public:
-  RingBuilder(TriangleSoup& soup, const std::vector<ProfilePoint>& circle)
-      : m_soup(soup), m_circle(circle), m_segments(static_cast<std::uint32_t>(circle.size())) {}
+  RingBuilder(TriangleSoup& soup, const std::vector<ProfilePoint>& circle, const PartThreads* threads)
+      : m_soup(soup), m_circle(circle), m_threads(threads), m_segments(static_cast<std::uint32_t>(circle.size())) {}
 
-  void add(double radius, double z) {
-    const auto first = static_cast<std::uint32_t>(m_soup.points.size());
-    const std::uint32_t count = radius > 0.0 ? m_segments : 1;
-    for (std::uint32_t k = 0; k < count; ++k)
-      m_soup.points.emplace_back(radius * m_circle[k].x(), radius * m_circle[k].y(), z);
-    if (m_hasLast) join(m_first, m_count, first, count);
-    m_first = first;
-    m_count = count;
+  // otherSide: mm, radius of the other side of the wall.
+  void add(TurningSide side, double radius, double otherSide, double z) {
+    const Ring ring{
+        {static_cast<std::uint32_t>(m_soup.points.size()), radius, otherSide, z}, radius > 0.0 ? m_segments : 1, side};
+    const bool isThreaded = ring.count > 1 && m_threads && m_threads->between(side, z, z, radius, radius);
+    for (std::uint32_t k = 0; k < ring.count; ++k) {
+      const double r = isThreaded ? m_threads->radius(side, radius, otherSide, z, 2.0 * M_PI * k / m_segments) : radius;
+      m_soup.points.emplace_back(r * m_circle[k].x(), r * m_circle[k].y(), z);
+    }
+    if (m_hasLast) join(m_last, ring);
+    m_last = ring;
     m_hasLast = true;
   }
 
@@ -55,7 +60,21 @@ class RingBuilder {
   void interrupt() { m_hasLast = false; }
 
  private:
-  void join(std::uint32_t a, std::uint32_t countA, std::uint32_t b, std::uint32_t countB) {
+  struct Ring : SurfaceRing {
+    std::uint32_t count = 0;
+    TurningSide side = TurningSide::Outside;
+  };
+
+  void join(const Ring& a, const Ring& b) {
+    const bool isBand = m_threads && a.side == b.side && a.z != b.z && a.count > 1 && b.count > 1;
+    const Ring &lower = a.z < b.z ? a : b, &upper = a.z < b.z ? b : a;
+    const ThreadGroove* groove =
+        isBand ? m_threads->between(a.side, lower.z, upper.z, lower.radius, upper.radius) : nullptr;
+    if (groove) return addHelicalBand(m_soup, m_circle, *m_threads, *groove, lower, upper);
+    joinPlainly(a.first, a.count, b.first, b.count);
+  }
+
+  void joinPlainly(std::uint32_t a, std::uint32_t countA, std::uint32_t b, std::uint32_t countB) {
     for (std::uint32_t k = 0; k < m_segments; ++k) {
       const std::uint32_t next = k + 1 == m_segments ? 0 : k + 1;
       const std::uint32_t a0 = a + (countA > 1 ? k : 0), a1 = a + (countA > 1 ? next : 0);
@@ -67,8 +86,9 @@ class RingBuilder {
 
   TriangleSoup& m_soup;
   const std::vector<ProfilePoint>& m_circle;
+  const PartThreads* m_threads;
   std::uint32_t m_segments;
-  std::uint32_t m_first = 0, m_count = 0;
+  Ring m_last;
   bool m_hasLast = false;
 };
 
@@ -111,8 +131,8 @@ class RingPlaces {
 
 }  // namespace
 
-TurnedSurface::TurnedSurface(const TurnedProfile& profile, double chord)
-    : m_chord(chord), m_circle(unitCircle(segmentsFor(profile, chord))) {
+TurnedSurface::TurnedSurface(const TurnedProfile& profile, double chord, std::shared_ptr<const PartThreads> threads)
+    : m_chord(chord), m_threads(std::move(threads)), m_circle(unitCircle(segmentsFor(profile, chord))) {
   const std::size_t count = (profile.size() - 2) / kBlockSamples + 1;
   for (std::size_t b = 0; b < count; ++b) m_blocks.push_back(build(profile, b));
 }
@@ -125,10 +145,22 @@ void TurnedSurface::update(const TurnedProfile& profile, const TurnedProfile::Ra
   for (std::size_t b = first; b <= last; ++b) m_blocks[b] = build(profile, b);
 }
 
+void TurnedSurface::setThreads(const TurnedProfile& profile, std::shared_ptr<const PartThreads> threads,
+                               const TurnedProfile::Range& changed) {
+  m_threads = std::move(threads);
+  update(profile, changed);
+}
+
 // Up the outside with the flat ends of the part, and down the bore.
 std::shared_ptr<const TriangleSoup> TurnedSurface::build(const TurnedProfile& profile, std::size_t block) const {
   auto soup = std::make_shared<TriangleSoup>();
-  RingBuilder rings(*soup, *m_circle);
+  RingBuilder rings(*soup, *m_circle, m_threads.get());
+  const auto outer = [&](std::size_t i) {
+    rings.add(TurningSide::Outside, profile.radius(i), profile.inner(i), profile.z(i));
+  };
+  const auto inner = [&](std::size_t i) {
+    rings.add(TurningSide::Bore, profile.inner(i), profile.radius(i), profile.z(i));
+  };
   const std::size_t first = block * kBlockSamples;
   const std::size_t last = std::min(first + kBlockSamples, profile.size() - 1);
   const auto isGap = [&](std::size_t i, std::size_t j) { return !profile.hasMaterial(i) && !profile.hasMaterial(j); };
@@ -136,18 +168,18 @@ std::shared_ptr<const TriangleSoup> TurnedSurface::build(const TurnedProfile& pr
   std::vector<std::size_t> places = outside.between(first, last);
   soup->points.reserve((places.size() + 2) * m_circle->size());
   soup->triangles.reserve(2 * (places.size() + 2) * m_circle->size());
-  if (first == 0 && profile.hasMaterial(0)) rings.add(profile.inner(0), 0.0);
+  if (first == 0 && profile.hasMaterial(0)) inner(0);
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (k > 0 && isGap(places[k - 1], places[k])) rings.interrupt();
-    rings.add(profile.radius(places[k]), profile.z(places[k]));
+    outer(places[k]);
   }
-  if (last == profile.size() - 1 && profile.hasMaterial(last)) rings.add(profile.inner(last), profile.z(last));
+  if (last == profile.size() - 1 && profile.hasMaterial(last)) inner(last);
   if (!profile.isBored()) return soup;
   rings.interrupt();
   places = RingPlaces(profile, true, 0.5 * m_chord).between(first, last);
   for (std::size_t k = places.size(); k-- > 0;) {
     if (k + 1 < places.size() && isGap(places[k], places[k + 1])) rings.interrupt();
-    rings.add(profile.inner(places[k]), profile.z(places[k]));
+    inner(places[k]);
   }
   return soup;
 }

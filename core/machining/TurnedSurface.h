@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machining/TurnedProfile.h"
+#include "machining/thread/PartThreads.h"
 #include "mesh/structure/TriangleSoup.h"
 
 #include <memory>
@@ -17,11 +18,15 @@ class TurnedSurface {
  public:
   static constexpr std::size_t kBlockSamples = 256;
 
-  // chord: mm, tolerance of the triangles.
-  TurnedSurface(const TurnedProfile& profile, double chord);
+  // chord: mm, tolerance of the triangles. threads: null for none.
+  TurnedSurface(const TurnedProfile& profile, double chord, std::shared_ptr<const PartThreads> threads = {});
 
   // Builds the blocks with these samples anew. O(changed samples).
   void update(const TurnedProfile& profile, const TurnedProfile::Range& changed);
+  // The same with threads that changed there.
+  void setThreads(const TurnedProfile& profile, std::shared_ptr<const PartThreads> threads,
+                  const TurnedProfile::Range& changed);
+  const std::shared_ptr<const PartThreads>& threads() const { return m_threads; }  // null: none
 
   // The blocks from the lower end to the upper. Those at the ends have the flat ends of the part.
   const std::vector<std::shared_ptr<const TriangleSoup>>& blocks() const { return m_blocks; }
@@ -30,6 +35,7 @@ class TurnedSurface {
   std::shared_ptr<const TriangleSoup> build(const TurnedProfile& profile, std::size_t block) const;
 
   double m_chord;
+  std::shared_ptr<const PartThreads> m_threads;
   std::shared_ptr<const std::vector<ProfilePoint>> m_circle;  // the points of each ring at radius 1, as (x, y)
   std::vector<std::shared_ptr<const TriangleSoup>> m_blocks;
 };

@@ -86,6 +86,7 @@ double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const Pro
 }
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b) {
+  if (how.thread) return {};
   if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
   if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
   if (how.method == TurningMethod::Poles)
@@ -108,6 +109,7 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progre
 
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass) {
   constexpr double kMost = 1e18;
+  if (pass.thread) return 0;
   const PoleCut poles(profile, pass.resolution);
   double sum = 0.0;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {

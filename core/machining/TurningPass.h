@@ -5,6 +5,9 @@
 #include "base/Progress.h"
 #include "machining/PoleCut.h"
 #include "machining/lathe/LatheTool.h"
+#include "machining/thread/ThreadCut.h"
+
+#include <optional>
 
 namespace handwheel {
 
@@ -26,6 +29,8 @@ struct TurningPass {
   double resolution = 1.0;  // mm, between control points where these are moved
   // Of a lathe: its shape cuts, and the path is that of its tip. Null: the round nose alone.
   std::shared_ptr<const LatheTool> tool = {};
+  // Of a thread: the pass leaves a groove (PartThreads) in the profile, which stays as it is: the envelope.
+  std::optional<ThreadCut> thread = {};
 };
 
 // Cuts as this pass does, with the centre of its nose from a to b. Returns the samples that changed.

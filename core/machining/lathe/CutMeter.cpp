@@ -12,7 +12,7 @@ void CutMeter::add(const Move& move, double spacing) {
   constexpr double kStill = 0.5;  // s
   m_spacing = spacing;
   const double kept = std::exp(-move.length / (kSamples * spacing));
-  const bool isCut = move.area > 0.0;
+  const bool isCut = move.area > 0.0 || move.isThread;
   m_area = kept * m_area + move.area;
   m_volume = kept * m_volume + move.volume;
   m_way = kept * m_way + move.length;

@@ -29,11 +29,12 @@ class CutMeter {
 
   // What a step did.
   struct Move {
-    double length = 0.0;  // mm, of the way of the tool
-    double area = 0.0;    // mm², of the half section, that left
-    double volume = 0.0;  // mm³, that left
-    double turns = 0.0;   // of the spindle
-    double time = 0.0;    // s
+    double length = 0.0;    // mm, of the way of the tool
+    double area = 0.0;      // mm², of the half section, that left
+    double volume = 0.0;    // mm³, that left
+    double turns = 0.0;     // of the spindle
+    double time = 0.0;      // s
+    bool isThread = false;  // in the material, with a tool whose groove has no section
   };
   // spacing: mm, between the samples of the profile.
   void add(const Move& move, double spacing);

@@ -162,7 +162,11 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   } else if (tool.side == TurningSide::Outside) {
     step.to.x() += m_compliance * m_load.forces.radial;
   }
-  step.cut = cutWithTool(m_profile, tool, step.from, step.to);
+  step.thread = threadOf(tried);
+  if (step.thread)
+    step.cut.depth = tried.cut.depth;
+  else
+    step.cut = cutWithTool(m_profile, tool, step.from, step.to);
   m_lastTool = tried.tool;
   m_lastPlace = step.to;
 }
@@ -175,7 +179,8 @@ bool LatheRun::isStalled(double speedBefore) const {
 
 // The law says the force of the cut as it was over the last samples.
 void LatheRun::measure(const LatheStep& step, double dt) {
-  m_meter.add({(step.to - step.from).norm(), step.cut.area, step.cut.volume, step.turns, dt}, m_profile.spacing());
+  const double length = (step.to - step.from).norm();
+  m_meter.add({length, step.cut.area, step.cut.volume, step.turns, dt, step.cutsThread()}, m_profile.spacing());
   const double speed = m_machine.state().speed;
   LatheLoad load;
   load.isCutting = m_meter.isCutting();
@@ -217,6 +222,19 @@ void LatheRun::judge() {
   for (const CutWarning& warning : broken) {
     if (warning.rule == CutWarning::Rule::Chatter) m_chatter = std::min(1.0, warning.value / warning.limit - 1.0);
   }
+}
+
+// The tool is at a height for each turn; turns are those of the work, against which the tool goes about it.
+std::optional<ThreadCut> LatheRun::threadOf(const Try& tried) const {
+  const LatheState& state = m_machine.state();
+  const bool isLed = state.lead != 0.0 && state.isNutClosed && !tried.isQuill && !tried.isIndexed;
+  if (!isLed || tried.tool->kind != LatheToolKind::Threading) return std::nullopt;
+  ThreadCut thread;
+  thread.pitch = std::abs(state.lead);
+  thread.isLeft = state.lead > 0.0;
+  const double middle = tried.to.y() + tried.tool->noseCentre().y() - state.lead * state.turns;
+  thread.offset = middle - thread.pitch * std::floor(middle / thread.pitch);
+  return thread.isSound() ? std::optional(thread) : std::nullopt;
 }
 
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {

@@ -6,6 +6,7 @@
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheMaterial.h"
 #include "machining/lathe/LatheWarnings.h"
+#include "machining/thread/ThreadCut.h"
 
 #include <span>
 
@@ -17,11 +18,13 @@ struct LatheStep {
   std::shared_ptr<const LatheTool> tool;      // that moved; null: none was in use
   ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm: where its tip went, as far as it cut, (r, z)
   double turns = 0.0;                         // of the spindle, not signed
+  std::optional<ThreadCut> thread;            // the half-nut leads a threading tool, which leaves the profile as it is
   double time = 0.0;                          // s, of the machine after the step
   bool isCrash = false;                       // the last of LatheRun::collisions() is of this step
   bool isHeld = false;                        // the depth limit, or the work, held the slide back
 
   bool hasMoved() const { return from != to; }
+  bool cutsThread() const { return thread && cut.depth > 0.0; }
   // mm, across the way of the tool, and mm in a turn; 0 where nothing was cut.
   double depthOfCut() const;
   double feed() const;
@@ -70,6 +73,7 @@ class LatheRun {
   void measure(const LatheStep& step, double dt);
   void judge();
   bool isStalled(double speedBefore) const;
+  std::optional<ThreadCut> threadOf(const Try& tried) const;
 
   LatheMachine m_machine;
   LatheTools m_tools;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramSimulation.h"
 
+#include "machining/thread/ThreadGroove.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,16 @@ int piecesOf(const ToolMove& move) {
   const double radius = std::max((move.from - move.centre).norm(), 1e-9);
   const double step = 2.0 * std::acos(std::max(0.0, 1.0 - ProgramSimulation::kChord / radius));
   return std::clamp(static_cast<int>(std::ceil(std::abs(sweepOf(move)) / std::max(step, 1e-6))), 1, kMostArcPieces);
+}
+
+// A spiral on a face has no groove along the axis, and what is finer than any thread is a feed: both are cut as any
+// other move is.
+bool isThread(const ToolMove& move) {
+  const double along = std::abs(move.to.y() - move.from.y()), length = lengthOf(move);
+  if (move.kind != ToolMove::Kind::Thread || !(along > 1e-3 * length)) return false;
+  const double pitch = move.feed * along / length;
+  return pitch >= ThreadCut::kLeastPitch && pitch <= ThreadCut::kLargestPitch &&
+         along / pitch <= ThreadGroove::kMostTurns;
 }
 
 }  // namespace
@@ -101,7 +113,7 @@ ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape,
 
 void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin,
                                double end, double speed) {
-  const bool goesOn = !m_passes.empty() && m_passes.back().noseRadius == shape.noseRadius &&
+  const bool goesOn = !m_passes.empty() && !m_passes.back().thread && m_passes.back().noseRadius == shape.noseRadius &&
                       m_passes.back().side == shape.side && m_passes.back().path.back() == a &&
                       m_passes.back().path.size() < kPassPoints;
   if (!goesOn) {
@@ -148,6 +160,14 @@ bool ProgramSimulation::step() {
   m_time += move.time;
   if (move.kind == ToolMove::Kind::Dwell) return true;
   followDrill(move);
+  if (isThread(move)) {
+    if (reachesChuck(move, m_setup.toolOf(move).noseRadius)) collide(ProgramCollision::Kind::Chuck, move);
+    cutThread(move);
+    return true;
+  }
+  const bool isLeaving = leavesThread(move);
+  m_lead.reset();
+  if (isLeaving) return true;
   const TurningPass shape = shapeOf(move);
   if (reachesChuck(move, shape.noseRadius)) collide(ProgramCollision::Kind::Chuck, move);
   const ProgramTool& tool = m_setup.toolOf(move);
@@ -174,6 +194,64 @@ bool ProgramSimulation::step() {
   }
   judge(move, deepest, shape.noseRadius);
   return true;
+}
+
+// A tool is drawn back out of its groove, between the flanks.
+bool ProgramSimulation::leavesThread(const ToolMove& move) const {
+  if (!m_lead || move.turn != 0 || m_lead->end != move.from) return false;
+  const ProfilePoint way = move.to - move.from;
+  return std::abs(way.y()) <= std::abs(way.x()) * std::tan(0.5 * ThreadCut().angle) + kOnAxis;
+}
+
+// The work turns against the tool: where the spindle runs forward and the tool goes towards the chuck the thread is
+// right-hand. The first move of several begins in the half plane of +x.
+TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
+  const ProgramTool& tool = m_setup.toolOf(move);
+  const double length = m_part.length(), nose = tool.noseRadius;
+  const ProfilePoint shift = ProfilePoint(0.0, length) - nose * tipDirection(m_setup.dialect, tool.orientation);
+  const double way = move.to.y() - move.from.y();
+  TurningPass pass;
+  pass.noseRadius = nose;
+  pass.path = {move.from + shift, move.to + shift};
+  pass.times = {0.0, move.time};
+  const ProfilePoint middle = 0.5 * (pass.path[0] + pass.path[1]);
+  pass.speeds.assign(2, move.spin == 0 ? 0.0 : spindleAt(move, middle.x()));
+  const double at = std::clamp(middle.y() / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
+  const auto sample = static_cast<std::size_t>(at);
+  const double bore = m_part.inner(sample);
+  if (bore > 0.0 && middle.x() - bore < m_part.radius(sample) - middle.x()) pass.side = TurningSide::Bore;
+  ThreadCut thread;
+  thread.pitch = move.feed * std::abs(way) / lengthOf(move);
+  const double forward = move.spin < 0 ? -1.0 : 1.0;
+  thread.isLeft = way * forward > 0.0;
+  const double turned = m_lead ? -forward * m_lead->turns : 0.0;  // of the tool about the work
+  const double offset = pass.path[0].y() - thread.rise() * turned;
+  thread.offset = offset - thread.pitch * std::floor(offset / thread.pitch);
+  pass.thread = thread;
+  return pass;
+}
+
+// Of several moves the passes are one where they go on with the same lead.
+void ProgramSimulation::cutThread(const ToolMove& move) {
+  if (m_lead && m_lead->end != move.from) m_lead.reset();
+  TurningPass pass = threadOf(move);
+  const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
+  if (!grooves.empty() && grooves.front().touches(m_part)) {
+    const bool goesOn = m_lead && !m_passes.empty() && m_passes.back().thread && m_passes.back().side == pass.side &&
+                        m_passes.back().path.back() == pass.path.front() &&
+                        std::abs(m_passes.back().thread->pitch - pass.thread->pitch) < kOnAxis &&
+                        m_passes.back().thread->isLeft == pass.thread->isLeft;
+    if (goesOn) {
+      m_passes.back().path.push_back(pass.path.back());
+      m_passes.back().times.push_back(std::max(m_time - m_passBegin, m_passes.back().times.back()));
+      m_passes.back().speeds.push_back(pass.speeds.back());
+    } else {
+      m_passBegin = m_time - move.time;
+      m_passes.push_back(std::move(pass));
+    }
+  }
+  const double turns = m_lead ? m_lead->turns : 0.0;
+  m_lead = Lead{move.to, turns + lengthOf(move) / move.feed};
 }
 
 TurnedProfile::Range ProgramSimulation::samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const {

@@ -31,7 +31,8 @@ struct ProgramCollision {
 // cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
 // the outside, or the axis for a tool whose tip points outwards. A feed along the axis towards the chuck drills, with
 // the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so does a feed with the spindle at
-// rest or reversed; each is a collision where it meets material. Cost: O(samples below the moves). One thread.
+// rest or reversed; each is a collision where it meets material. A thread is a pass of its own, which leaves the profile
+// as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves). One thread.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
@@ -74,6 +75,14 @@ class ProgramSimulation {
               double speed);
   void meet(const ToolMove& move, const Removal& removal, double seconds, double length);
   void collide(ProgramCollision::Kind kind, const ToolMove& move);
+  // How the spindle stands while threads follow one another: turns since the first of them began.
+  struct Lead {
+    ProfilePoint end{0, 0};  // of the tip, after the last move
+    double turns = 0.0;
+  };
+  TurningPass threadOf(const ToolMove& move) const;
+  void cutThread(const ToolMove& move);
+  bool leavesThread(const ToolMove& move) const;
   bool reachesChuck(const ToolMove& move, double nose) const;
 
   TurnedProfile m_part;
@@ -92,6 +101,7 @@ class ProgramSimulation {
   int m_drill = -1;           // its number
   std::vector<TurningPass> m_passes;
   double m_passBegin = 0.0;  // s, of the program, where the last pass begins
+  std::optional<Lead> m_lead;  // the last move was a thread
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

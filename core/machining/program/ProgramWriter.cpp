@@ -164,6 +164,20 @@ std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double 
   return kept;
 }
 
+// The way of the tip that cuts a thread once more, as deep and in the same groove: the spindle runs forward, so a
+// right-hand one goes towards the chuck, and all passes begin a whole number of pitches from one another.
+std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint& toTip) {
+  std::vector<ProfilePoint> tips;
+  for (const ProfilePoint& point : pass.path) tips.emplace_back(point.x() - pass.noseRadius, point.y());
+  if ((tips.front().y() < tips.back().y()) != pass.thread->isLeft) std::reverse(tips.begin(), tips.end());
+  const double pitch = pass.thread->lead(), offset = pass.thread->offset;
+  const double turns = (tips.front().y() - offset) / pitch;
+  const double start = offset + pitch * (pass.thread->isLeft ? std::floor(turns) : std::ceil(turns));
+  if (start != tips.front().y()) tips.insert(tips.begin(), {tips.front().x(), start});
+  for (ProfilePoint& tip : tips) tip.y() += toTip.y();
+  return tips;
+}
+
 }  // namespace
 
 int PassTool::orientationIn(ProgramDialect dialect) const {
@@ -233,6 +247,21 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
   go(ToolMove::Kind::Rapid, move.to);
   for (const TurningPass& pass : passes) {
     if (pass.path.empty()) continue;
+    if (pass.thread) {
+      const std::vector<ProfilePoint> tips = threadTips(pass, toTip);
+      move.feed = 100.0;
+      go(ToolMove::Kind::Rapid, {above, move.to.y()});
+      go(ToolMove::Kind::Rapid, {above, tips.front().y()});
+      go(ToolMove::Kind::Rapid, tips.front());
+      for (std::size_t i = 1; i < tips.size(); ++i) {
+        const ProfilePoint way = tips[i] - tips[i - 1];
+        if (way.y() == 0.0) continue;
+        move.feed = pass.thread->lead() * way.norm() / std::abs(way.y());
+        go(ToolMove::Kind::Thread, tips[i]);
+      }
+      go(ToolMove::Kind::Rapid, {above, move.to.y()});
+      continue;
+    }
     const std::vector<ProfilePoint> path = thinned(pass.path, how.tolerance);
     double way = 0.0;
     for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();

@@ -8,6 +8,26 @@
 
 namespace handwheel {
 
+namespace {
+
+// A thread goes on as long as its helix is the same.
+bool goesOn(const TurningPass& pass, const LatheStep& step) {
+  constexpr double kSame = 1e-6;  // mm
+  if (!pass.thread || !step.thread) return !pass.thread && !step.thread;
+  const double apart = pass.thread->offset - step.thread->offset, pitch = step.thread->pitch;
+  return pass.thread->pitch == pitch && pass.thread->isLeft == step.thread->isLeft &&
+         std::abs(apart - pitch * std::round(apart / pitch)) < kSame;
+}
+
+// Whether the last point of a path lies between the one before and the next, at the same radius.
+bool isStraightOn(const std::vector<ProfilePoint>& path, const ProfilePoint& next) {
+  if (path.size() < 2) return false;
+  const ProfilePoint &before = path[path.size() - 2], &last = path.back();
+  return before.x() == last.x() && last.x() == next.x() && (last.y() - before.y()) * (next.y() - last.y()) >= 0.0;
+}
+
+}  // namespace
+
 LatheSimulation::LatheSimulation(LatheRun run, TurnedSurface surface, double base,
                                  std::shared_ptr<LatheChannel> channel)
     : m_run(std::move(run)),
@@ -47,23 +67,40 @@ void LatheSimulation::takeCommands(std::span<const SimulationInput> inputs) {
 // of the same tool ended.
 void LatheSimulation::record(const LatheStep& step) {
   if (!step.tool || (!step.hasMoved() && step.cut.isEmpty())) return;
-  const bool isOther =
-      m_passes.empty() || m_passes.back().tool != step.tool || m_passes.back().path.back() != step.from;
-  if (isOther && step.cut.isEmpty()) return;
+  const bool isOther = m_passes.empty() || m_passes.back().tool != step.tool ||
+                       m_passes.back().path.back() != step.from || !goesOn(m_passes.back(), step);
+  if (isOther && step.cut.isEmpty() && !step.cutsThread()) return;
   if (isOther) {
     TurningPass pass;
     pass.tool = step.tool;
     pass.noseRadius = std::max(step.tool->noseRadius, TurningPass::kLeastNose);
     pass.side = step.tool->side;
+    pass.thread = step.thread;
     pass.path.push_back(step.from);
     pass.times.push_back(0.0);
     pass.speeds.push_back(60.0 * step.turns / m_recording.dt);
     m_begin = step.time - m_recording.dt;
     m_passes.push_back(std::move(pass));
   }
-  m_passes.back().path.push_back(step.to);
-  m_passes.back().times.push_back(step.time - m_begin);
-  m_passes.back().speeds.push_back(60.0 * step.turns / m_recording.dt);
+  TurningPass& pass = m_passes.back();
+  if (pass.thread && isStraightOn(pass.path, step.to)) {
+    pass.path.pop_back();
+    pass.times.pop_back();
+    pass.speeds.pop_back();
+  }
+  pass.path.push_back(step.to);
+  pass.times.push_back(step.time - m_begin);
+  pass.speeds.push_back(60.0 * step.turns / m_recording.dt);
+  if (pass.thread) m_threaded.extend(samplesBeside(step));
+}
+
+// Those whose triangles a step of a thread may change: with its run-out, and half a groove on both sides.
+TurnedProfile::Range LatheSimulation::samplesBeside(const LatheStep& step) const {
+  const auto [low, high] = std::minmax(step.from.y(), step.to.y());
+  const double reach = 2.0 * step.thread->lead(), spacing = m_run.profile().spacing();
+  const double last = static_cast<double>(m_run.profile().size());
+  return {static_cast<std::size_t>(std::clamp((low - reach) / spacing, 0.0, last)),
+          static_cast<std::size_t>(std::clamp((high + reach) / spacing, 0.0, last))};
 }
 
 void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
@@ -77,7 +114,7 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   record(step);
   m_changed.extend(step.cut.changed);
   const LatheMachine& machine = m_run.machine();
-  m_now.isCut = m_now.isCut || !step.cut.isEmpty();
+  m_now.isCut = m_now.isCut || !step.cut.isEmpty() || step.cutsThread();
   m_now.sinceCut = m_run.sinceCut();
   m_now.load = m_run.load();
   m_now.isHeld = step.isHeld;
@@ -107,6 +144,14 @@ void LatheSimulation::publish() {
   m_sincePublished = 0.0;
   if (!m_changed.isEmpty()) m_surface.update(m_run.profile(), m_changed);
   m_changed = {};
+  if (!m_threaded.isEmpty()) {
+    std::shared_ptr<const PartThreads> threads = m_surface.threads();
+    for (; m_shownPasses < m_passes.size(); ++m_shownPasses)
+      threads = PartThreads::with(threads, m_passes[m_shownPasses]);
+    m_shownPasses = m_passes.size() - 1;  // the last one may go on
+    m_surface.setThreads(m_run.profile(), std::move(threads), m_threaded);
+  }
+  m_threaded = {};
   m_now.profile = m_run.profile();
   m_now.surface = m_surface;
   m_now.machine = m_run.machine().state();

@@ -68,6 +68,7 @@ class LatheSimulation : public Simulation {
  private:
   void takeCommands(std::span<const SimulationInput> inputs);
   void record(const LatheStep& step);
+  TurnedProfile::Range samplesBeside(const LatheStep& step) const;
   void publish();
 
   LatheRun m_run;
@@ -79,9 +80,11 @@ class LatheSimulation : public Simulation {
   std::vector<TurningPass> m_passes;
   double m_begin = 0.0;  // s, of the first point of the last pass
   TurnedProfile::Range m_changed;
-  double m_sincePublished = 0.0;  // s
-  bool m_isPlacing = false;       // a device acts
-  std::uint64_t m_warned = 0;     // changes of the warnings that are in m_now
+  TurnedProfile::Range m_threaded;  // whose triangles miss the last part of a thread
+  std::size_t m_shownPasses = 0;    // whose threads are shown whole
+  double m_sincePublished = 0.0;    // s
+  bool m_isPlacing = false;         // a device acts
+  std::uint64_t m_warned = 0;       // changes of the warnings that are in m_now
   LatheMoment m_now;
   std::shared_ptr<const LatheMoment> m_state;
 };

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace handwheel {
+
+// What makes a pass the pass of a thread: the work turns in step with the tool, which leaves a groove between straight
+// flanks. The bottom of the groove is as wide as the flat, and rounded into the flanks with the radius of the nose.
+struct ThreadCut {
+  static constexpr double kLeastPitch = 0.05, kLargestPitch = 100.0;  // mm
+  static constexpr double kLeastAngle = 0.01, kLargestAngle = 3.0;    // radian
+  static constexpr int kMostStarts = 64;
+
+  double pitch = 1.0;         // mm, from groove to groove along the axis
+  int starts = 1;             // grooves side by side; each rises by pitch · starts in a turn
+  bool isLeft = false;        // left-hand
+  double angle = M_PI / 3.0;  // radian, between the flanks
+  double flat = 0.0;          // mm
+  double offset = 0.0;        // mm, height of the middle of a groove in the half plane of +x
+
+  double lead() const { return pitch * starts; }             // mm in a turn
+  double rise() const { return isLeft ? -lead() : lead(); }  // mm in a turn about +z
+  bool isSound() const;                                      // all within the limits
+  bool operator==(const ThreadCut&) const = default;
+
+  // The height of the groove's edge above its bottom at this distance (mm) from its middle, along the axis; mm.
+  double heightAt(double distance, double noseRadius) const;
+  // The distance at which the edge is this high (mm, not negative) above the bottom: the inverse.
+  double distanceAt(double height, double noseRadius) const;
+};
+
+// The ISO metric profile (ISO 68-1, with the rounded root of ISO 965-1, R = H/6): a groove of this depth, with this
+// radius of the nose, leaves a crest of P/8 and the thread's nominal pitch diameter. mm.
+inline double isoMetricDepth(double pitch) {
+  return 17.0 / 24.0 * std::sqrt(3.0) / 2.0 * pitch;
+}
+inline double isoMetricInnerDepth(double pitch) {  // of a nut, with a flat root of P/8
+  return 5.0 / 16.0 * std::sqrt(3.0) * pitch;
+}
+inline double isoMetricNose(double pitch) {
+  return std::sqrt(3.0) / 12.0 * pitch;
+}
+
+}  // namespace handwheel
