@@ -285,7 +285,7 @@ class RepairTest : public QObject {
     QVERIFY(after.at("non_manifold_vertices").get<int>() <= report.at("before").at("non_manifold_vertices").get<int>());
     const Json thickness = report.at("sheet_thickness_mm");
     QVERIFY(thickness.at("vertices").get<int>() > 40'000);
-    QVERIFY(thickness.at("thin_vertices").get<int>() < thickness.at("vertices").get<int>() / 10);
+    QVERIFY(thickness.at("thin_vertices").get<int>() < thickness.at("vertices").get<int>() / 100);
   }
 };
 

@@ -3,13 +3,10 @@
 #include "mesh/boundary/BorderVertices.h"
 
 #include "mesh/structure/CancelPolling.h"
-#include "mesh/structure/PositionKey.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 #include <unordered_map>
 
 namespace handwheel {
@@ -67,11 +64,11 @@ BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>
   m_places = TriangleHierarchy(points, places);
 }
 
-std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without,
-                                                          double nearWeld, Progress progress) {
+VertexPairs nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, double nearWeld,
+                               Progress progress) {
   const BorderVertices vertices(mesh, without, progress.part(0.0, 0.3));
   const std::unordered_map<Vertex, double> reach = reaches(mesh, nearWeld, progress.part(0.3, 0.5));
-  std::vector<std::pair<Vertex, Vertex>> pairs;
+  VertexPairs pairs;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (!pollProgress(i, vertices.size(), progress.part(0.5, 1.0), 1)) break;  // many may lie within the reach
     const Vertex v = vertices.all()[i];
@@ -89,43 +86,6 @@ std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& me
     if (nearest != kNone) pairs.emplace_back(nearest, v);
   }
   return pairs;
-}
-
-std::vector<std::pair<Vertex, Vertex>> closingPairs(const HalfEdgeMesh& mesh,
-                                                    const std::vector<std::pair<Vertex, Vertex>>& pairs,
-                                                    Progress progress) {
-  if (pairs.empty()) return {};
-  std::map<PointKey, PointKey> onto;
-  for (const auto& [a, b] : pairs) {
-    const auto target = onto.find(positionKey(mesh.position(a)));
-    const PointKey goal = target == onto.end() ? positionKey(mesh.position(a)) : target->second;
-    onto.emplace(positionKey(mesh.position(b)), goal);
-  }
-  const auto goalOf = [&](Vertex v) {
-    const PointKey own = positionKey(mesh.position(v));
-    const auto target = onto.find(own);
-    return target == onto.end() ? own : target->second;
-  };
-  std::map<std::pair<PointKey, PointKey>, std::vector<HalfEdge>> edges;
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
-    if (!pollProgress(h, mesh.halfEdgeSlots(), progress)) return {};
-    if (mesh.isBorder(h)) edges[{goalOf(mesh.from(h)), goalOf(mesh.to(h))}].push_back(h);
-  }
-  std::set<PointKey> closing;  // of the vertices that have to move for it
-  for (const auto& [ends, halfEdges] : edges) {
-    const auto others = edges.find({ends.second, ends.first});
-    if (others == edges.end()) continue;
-    for (const HalfEdge h : halfEdges) {
-      const PointKey from = positionKey(mesh.position(mesh.from(h))), to = positionKey(mesh.position(mesh.to(h)));
-      for (const HalfEdge g : others->second) {
-        if (positionKey(mesh.position(mesh.to(g))) != from) closing.insert(from);
-        if (positionKey(mesh.position(mesh.from(g))) != to) closing.insert(to);
-      }
-    }
-  }
-  std::vector<std::pair<Vertex, Vertex>> found = pairs;
-  std::erase_if(found, [&](const auto& pair) { return !closing.contains(positionKey(mesh.position(pair.second))); });
-  return found;
 }
 
 }  // namespace handwheel

@@ -43,20 +43,13 @@ class BorderVertices {
   TriangleHierarchy m_places;      // each as a triangle that is a point
 };
 
+using VertexPairs = std::vector<std::pair<Vertex, Vertex>>;
+
 // Finds pairs of border vertices that are close, but not at the same position. They are nearer than nearWeldReach() and
 // than tolerance::kNearWeldEdge of the longer border edge at either: most often one vertex of the scan, separated by
 // the rounding of its file. Each is paired with its nearest of smaller number. Vertices marked in "without" are
-// ignored. The result is invalid if cancelled.
-std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh,
-                                                          const std::vector<bool>& without = {},
-                                                          double nearWeld = tolerance::kNearWeld,
-                                                          Progress progress = {});
-
-// Those of such pairs whose second vertex, when each second one moves onto its first, closes an open edge with another,
-// or shrinks one to a point. Others only touch: two parts that meet in a vertex, or that were separated there. O(n log
-// n) for the border. The result is invalid if cancelled.
-std::vector<std::pair<Vertex, Vertex>> closingPairs(const HalfEdgeMesh& mesh,
-                                                    const std::vector<std::pair<Vertex, Vertex>>& pairs,
-                                                    Progress progress = {});
+// ignored. By rising second vertex. The result is invalid if cancelled.
+VertexPairs nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {},
+                               double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 }  // namespace handwheel

@@ -2,164 +2,139 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/Stitching.h"
 
-#include "mesh/boundary/BorderVertices.h"
-#include "mesh/structure/CancelPolling.h"
+#include "mesh/boundary/PairMerging.h"
+#include "mesh/boundary/TJunctions.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
 #include <optional>
+#include <set>
 
 namespace handwheel {
 namespace {
 
-// Edges are looked along in pieces no longer than this share of the diagonal.
-constexpr double kLongestPiece = 1.0 / 32.0;
-
-struct Openness {
+struct MeshOpenness {
   std::size_t border = 0;
   std::size_t nonManifold = 0;
 
-  bool improvesOn(const Openness& before) const { return border < before.border && nonManifold <= before.nonManifold; }
+  bool improvesOn(const MeshOpenness& before) const {
+    return border < before.border && nonManifold <= before.nonManifold;
+  }
 };
 
-Openness measure(const HalfEdgeMesh& mesh, const BuildReport& report) {
-  Openness o;
+// Links the mesh anew.
+MeshOpenness relinked(HalfEdgeMesh& mesh, Progress progress) {
+  const BuildReport report = relink(mesh, progress);
+  MeshOpenness o;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) o.border += mesh.isBorder(h);
   o.nonManifold = report.nonManifoldEdges + report.unpairedHalfEdges;
   return o;
 }
 
-bool isIn(const std::vector<bool>& set, Vertex v) {
-  return v < set.size() && set[v];
-}
+// A mesh, and what is known of it.
+class Stitcher {
+ public:
+  explicit Stitcher(HalfEdgeMesh& mesh) : m_mesh(mesh) {}
 
-using Pairs = std::vector<std::pair<Vertex, Vertex>>;
-
-// How often the mesh is linked anew to find the pairs that may be merged, where not all may.
-constexpr int kMostTrials = 64;
-
-// Moves each vertex of a near pair onto the one with the smaller number.
-std::vector<Vertex> merge(HalfEdgeMesh& mesh, const Pairs& pairs) {
-  std::vector<Vertex> moved;
-  std::map<Vertex, Vertex> onto;
-  for (const auto& [a, b] : pairs) {
-    const auto target = onto.find(a);
-    const Vertex goal = target == onto.end() ? a : target->second;
-    if (goal == b || !onto.emplace(b, goal).second) continue;
-    const Vec3 p = mesh.position(goal);
-    mesh.setPosition(b, p);
-    moved.push_back(b);
-  }
-  return moved;
-}
-
-// Splits a border edge at a place: its face (a b c) keeps (a m c), the new face is (m b c). Only what is border and
-// what is not stays true; the mesh must be relinked afterwards.
-void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
-  const HalfEdge hn = HalfEdgeMesh::next(h);
-  const Vertex b = mesh.to(h), c = mesh.to(hn);
-  const HalfEdge behind = mesh.opposite(hn);
-  const Vertex m = mesh.addVertex(p);
-  mesh.setCorner(hn, m);
-  const Face f = mesh.addFace({m, b, c});
-  mesh.setOpposite(3 * f + 1, behind);
-  mesh.pair(hn, 3 * f + 2);
-}
-
-// The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
-std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices, double diagonal,
-                                 double nearWeld) {
-  const Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
-  const Vec3 d = b - a;
-  const double length = d.stableNorm();
-  if (length == 0.0) return std::nullopt;
-  const double reach = std::min(nearWeld * diagonal, tolerance::kNearWeldEdge * length);
-  const Vec3& apex = mesh.position(mesh.from(HalfEdgeMesh::previous(h)));
-  std::optional<Vec3> best;
-  double bestOffset = 0.5;
-  const auto consider = [&](Vertex v) {
-    const Vec3& p = mesh.position(v);
-    const double t = (p - a).dot(d) / (length * length);
-    if (t * length <= reach || (1.0 - t) * length <= reach) return;
-    if ((p - (a + t * d)).norm() > reach || std::abs(t - 0.5) > bestOffset) return;
-    if (isDegenerate({a, p, apex}) || isDegenerate({p, b, apex})) return;
-    bestOffset = std::abs(t - 0.5);
-    best = p;
-  };
-  // In pieces: the box of a long slanting edge would hold much of the model.
-  const auto pieces = static_cast<int>(std::ceil(length / (kLongestPiece * diagonal)));
-  for (int i = 0; i < pieces; ++i) {
-    const Vec3 begin = a + double(i) / pieces * d, end = a + double(i + 1) / pieces * d;
-    const Vec3 slack = Vec3::Constant(reach);
-    vertices.forEachInBox(Box(begin.cwiseMin(end) - slack, begin.cwiseMax(end) + slack), consider);
-  }
-  return best;
-}
-
-std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
-  const BorderVertices vertices(mesh, fixed, progress.part(0.0, 0.3));
-  const double diagonal = modelDiagonal(mesh);
-  std::size_t splits = 0;
-  const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting
-  const std::size_t most = mesh.halfEdgeSlots() + 3 * limit;
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit; ++h) {
-    if (!pollProgress(h, most, progress.part(0.3, 1.0))) break;
-    while (splits < limit && mesh.isBorder(h)) {
-      if (progress.cancelled()) return splits;  // many may lie near a long edge
-      if (isIn(fixed, mesh.from(h)) || isIn(fixed, mesh.to(h))) break;
-      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal, nearWeld);
-      if (!p) break;
-      // The new face's half-edges are visited later in this very loop.
-      splitAt(mesh, h, *p);
-      ++splits;
+  // Links the trial anew, and keeps it where it is better.
+  bool keepIfBetter(HalfEdgeMesh trial, Progress progress) {
+    if (!m_openness) {
+      HalfEdgeMesh unchanged = m_mesh;
+      m_openness = relinked(unchanged, progress.part(0.0, 0.5));
     }
+    const MeshOpenness after = relinked(trial, progress.part(0.5, 1.0));
+    if (progress.cancelled() || !after.improvesOn(*m_openness)) return false;
+    m_mesh = std::move(trial);
+    m_openness = after;
+    return true;
   }
-  return splits;
+
+ private:
+  HalfEdgeMesh& m_mesh;
+  std::optional<MeshOpenness> m_openness;
+};
+
+// What closes once border edges are split at the vertices on them.
+struct SplitClosing {
+  VertexPairs pairs;  // with vertices that only the split mesh has
+  VertexPairs near;
+  std::vector<ClosingEdge> edges;
+
+  // Of the ends of the edges that have one of these pairs.
+  std::set<PointKey> placesOf(const VertexPairs& chosen) const {
+    const std::set<std::pair<Vertex, Vertex>> wanted(chosen.begin(), chosen.end());
+    std::set<PointKey> places;
+    for (const ClosingEdge& edge : edges) {
+      const auto isWanted = [&](std::size_t i) { return wanted.contains(near[i]); };
+      if (std::any_of(edge.pairs.begin(), edge.pairs.end(), isWanted))
+        places.insert(edge.places.begin(), edge.places.end());
+    }
+    return places;
+  }
+};
+
+SplitClosing closingWhenSplit(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
+  HalfEdgeMesh split = mesh;
+  if (splitTJunctions(split, {}, progress.part(0.0, 0.5), nearWeld) == 0) return {};
+  SplitClosing closing;
+  closing.near = nearBorderVertices(split, {}, nearWeld, progress.part(0.5, 0.9));
+  closing.edges = closingEdges(split, closing.near, progress.part(0.9, 1.0));
+  closing.pairs = closingPairs(closing.near, closing.edges);
+  return closing;
 }
 
 }  // namespace
 
 std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress,
                                   double nearWeld) {
-  // Relinks what was changed; keeps it when it is better.
-  const auto keepIfBetter = [&](HalfEdgeMesh trial, Progress part) {
-    HalfEdgeMesh unchanged = mesh;
-    const Openness before = measure(unchanged, relink(unchanged, part.part(0.0, 0.5)));
-    const Openness after = measure(trial, relink(trial, part.part(0.5, 1.0)));
-    if (part.cancelled() || !after.improvesOn(before)) return false;
-    mesh = trial;
-    return true;
-  };
-  std::vector<Vertex> moved;
-  int trials = 0;
-  // All together, then by halves.
-  const std::function<void(const Pairs&)> mergeBetter = [&](const Pairs& pairs) {
-    if (pairs.empty() || progress.cancelled() || ++trials > kMostTrials) return;
-    HalfEdgeMesh trial = mesh;
-    const std::vector<Vertex> these = merge(trial, pairs);
-    if (keepIfBetter(std::move(trial), progress.part(0.5, 0.5))) {  // nobody knows how many trials it takes
-      moved.insert(moved.end(), these.begin(), these.end());
-    } else if (pairs.size() > 1) {
-      const auto middle = pairs.begin() + static_cast<std::ptrdiff_t>(pairs.size() / 2);
-      mergeBetter(Pairs(pairs.begin(), middle));
-      mergeBetter(Pairs(middle, pairs.end()));
-    }
-  };
-  const Pairs near = nearBorderVertices(mesh, fixed, nearWeld, progress.part(0.0, 0.15));
-  const Pairs closing = closingPairs(mesh, near, progress.part(0.15, 0.2));
+  Stitcher stitcher(mesh);
+  const std::size_t vertices = mesh.vertexSlots();
+  const VertexPairs near = nearBorderVertices(mesh, fixed, nearWeld, progress.part(0.0, 0.15));
   HalfEdgeMesh trial = mesh;
-  if (!closing.empty()) moved = merge(trial, near);
-  if (!moved.empty() && !keepIfBetter(std::move(trial), progress.part(0.2, 0.5))) {
-    moved.clear();
-    mergeBetter(closing);
-  }
+  std::vector<Vertex> moved = mergeClosingPairs(trial, near, progress.part(0.15, 0.3));
+  if (!moved.empty() && !stitcher.keepIfBetter(std::move(trial), progress.part(0.3, 0.5))) moved.clear();
   trial = mesh;
-  if (splitTJunctions(trial, fixed, progress.part(0.5, 0.7), nearWeld) > 0)
-    keepIfBetter(trial, progress.part(0.7, 1.0));
+  if (progress.cancelled() || splitTJunctions(trial, fixed, progress.part(0.5, 0.7), nearWeld) == 0) return moved;
+  const VertexPairs nearThen = nearBorderVertices(trial, fixed, nearWeld, progress.part(0.7, 0.75));
+  std::vector<Vertex> movedThen = mergeClosingPairs(trial, nearThen, progress.part(0.75, 0.8));
+  if (!stitcher.keepIfBetter(std::move(trial), progress.part(0.8, 1.0))) return moved;
+  std::erase_if(movedThen, [&](Vertex v) { return v >= vertices; });
+  moved.insert(moved.end(), movedThen.begin(), movedThen.end());
   return moved;
+}
+
+VertexPairs stitchablePairs(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
+  const VertexPairs near = nearBorderVertices(mesh, {}, nearWeld, progress.part(0.0, 0.4));
+  VertexPairs found = closingPairs(near, closingEdges(mesh, near, progress.part(0.4, 0.5)));
+  if (found.size() == near.size()) return found;
+  const VertexPairs more = closingWhenSplit(mesh, nearWeld, progress.part(0.5, 1.0)).pairs;
+  for (const auto& pair : more)
+    if (pair.second < mesh.vertexSlots()) found.push_back(pair);
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+std::vector<bool> fixedBut(const HalfEdgeMesh& mesh, const VertexPairs& chosen, double nearWeld, Progress progress) {
+  const VertexPairs near = nearBorderVertices(mesh, {}, nearWeld, progress.part(0.0, 0.4));
+  const std::vector<ClosingEdge> edges = closingEdges(mesh, near, progress.part(0.4, 0.5));
+  std::vector<bool> fixed(mesh.vertexSlots(), true);
+  const auto free = [&](Vertex v) {
+    if (v < fixed.size()) fixed[v] = false;
+  };
+  for (const auto& [a, b] : withPartners(chosen, near, edges)) free(a), free(b);
+  const VertexPairs plain = closingPairs(near, edges);
+  const std::set<std::pair<Vertex, Vertex>> known(plain.begin(), plain.end());
+  if (std::all_of(chosen.begin(), chosen.end(), [&](const auto& pair) { return known.contains(pair); })) return fixed;
+  const std::set<PointKey> places = closingWhenSplit(mesh, nearWeld, progress.part(0.5, 1.0)).placesOf(chosen);
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!mesh.isBorder(h)) continue;
+    const Vertex from = mesh.from(h), to = mesh.to(h);
+    if (places.contains(positionKey(mesh.position(from))) || places.contains(positionKey(mesh.position(to))))
+      free(from), free(to);  // an edge is split only where both of its ends are free
+  }
+  return fixed;
 }
 
 }  // namespace handwheel

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/defects/Defects.h"
 
-#include "mesh/boundary/BorderVertices.h"
 #include "mesh/boundary/Islands.h"
+#include "mesh/boundary/Stitching.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/defects/InsideOutShells.h"
 #include "mesh/defects/NonManifoldVertices.h"
@@ -96,10 +96,7 @@ Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress
       [&](Progress p) { findCrowded(*byPosition, defects, p); },
       [&](Progress p) { findDegenerate(mesh, defects, p); },
       [&](Progress p) { defects.insideOut = findInsideOutShells(mesh, p); },
-      [&](Progress p) {
-        const auto near = nearBorderVertices(mesh, {}, nearWeld, p.part(0.0, 0.9));
-        defects.nearVertices = closingPairs(mesh, near, p.part(0.9, 1.0));
-      },
+      [&](Progress p) { defects.nearVertices = stitchablePairs(mesh, nearWeld, p); },
       [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
       [&](Progress p) {
         if (defects.components.size() > 1) countIslands(mesh, defects.loops, p);

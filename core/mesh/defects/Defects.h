@@ -34,7 +34,7 @@ struct Defects {
   std::vector<std::vector<Face>> insideOut;             // the faces of each body that is inside out
   std::vector<Face> degenerateFaces;                    // zero area
   std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
-  std::vector<std::pair<Vertex, Vertex>> nearVertices;  // on open borders, within the near weld, as closingPairs()
+  std::vector<std::pair<Vertex, Vertex>> nearVertices;  // as stitchablePairs()
   std::vector<Component> components;                    // largest area first
   Box box;                                              // of all live faces
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/defects/MeshReport.h"
 
-#include "mesh/boundary/BorderVertices.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/boundary/Islands.h"
+#include "mesh/boundary/Stitching.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/defects/InsideOutShells.h"
@@ -60,12 +60,11 @@ std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells
 // What is no defect of the file by itself, or takes longer to find.
 void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport& report, Progress progress) {
   report.reversedFaces = built.report.reversedFaces.size();
-  report.nearVertices =
-      closingPairs(built.mesh, nearBorderVertices(built.mesh, {}, tolerance::kNearWeld, progress), progress).size();
-  const std::vector<Component> components = findComponents(built.mesh, progress);
+  report.nearVertices = stitchablePairs(built.mesh, tolerance::kNearWeld, progress.part(0.0, 0.5)).size();
+  const std::vector<Component> components = findComponents(built.mesh, progress.part(0.5, 0.8));
   report.debris = static_cast<std::size_t>(
       std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; }));
-  if (components.size() > 1) countIslands(built.mesh, loops, progress);
+  if (components.size() > 1) countIslands(built.mesh, loops, progress.part(0.8, 1.0));
 }
 
 }  // namespace
@@ -91,9 +90,10 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   DisjointSets shells(welded.triangles.size());
   countEdges(welded, report, shells, progress.part(0.03, 0.06));
   if (progress.cancelled()) return report;
-  report.components = FaceComponents(welded.triangles, welded.points.size()).count();
+  report.components = FaceComponents(welded.triangles, welded.points.size(), progress.part(0.06, 0.07)).count();
+  if (progress.cancelled()) return report;
   report.nonManifoldVertices =
-      findNonManifoldVertices(welded.triangles, welded.points.size(), progress.part(0.06, 0.1)).size();
+      findNonManifoldVertices(welded.triangles, welded.points.size(), progress.part(0.07, 0.1)).size();
   if (progress.cancelled()) return report;
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
   report.manifold = report.nonManifoldEdges == 0 && report.nonManifoldVertices == 0;

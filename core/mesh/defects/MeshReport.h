@@ -36,7 +36,7 @@ struct MeshReport : MeshState {
   std::size_t insideOutBodies = 0;  // counted where all edges are consistent
   // Counted with the self-intersections only.
   std::size_t reversedFaces = 0;  // that face the other way than most of their neighbours
-  std::size_t nearVertices = 0;   // pairs on open borders within the near weld
+  std::size_t nearVertices = 0;   // pairs that could close an open edge (stitchablePairs())
   std::size_t debris = 0;         // pieces
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;

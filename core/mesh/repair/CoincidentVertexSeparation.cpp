@@ -7,7 +7,6 @@
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeOperations.h"
-#include "mesh/structure/PositionKey.h"
 #include "mesh/structure/PositionTriangles.h"
 #include "proximity/TriangleHierarchy.h"
 
@@ -16,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -254,14 +254,20 @@ class Parter {
   double m_reach = 0.0;  // no vertex is farther from where the hierarchy has it
 };
 
-// Moves fans off their common position, small ones first, until one is left.
-void partFans(Parter& parter, Fans& fans, std::vector<Vertex>& moved) {
-  std::vector<std::pair<std::size_t, Vertex>> order;
-  for (const auto& [v, fan] : fans) order.emplace_back(fan.size(), v);
+bool isKept(const HalfEdgeMesh& mesh, const std::vector<HalfEdge>& fan, const SeparationLimits& limits) {
+  return limits.kept && !mesh.hasOpposite(fan.front()) &&
+         limits.kept->contains(positionKey(mesh.position(mesh.from(fan.front()))));
+}
+
+// Moves fans off their common position until one is left: new ones first, then small ones.
+void partFans(Parter& parter, const HalfEdgeMesh& mesh, Fans& fans, const SeparationLimits& limits,
+              std::vector<Vertex>& moved) {
+  std::vector<std::tuple<bool, std::size_t, Vertex>> order;
+  for (const auto& [v, fan] : fans) order.emplace_back(v < limits.firstNew, fan.size(), v);
   std::sort(order.begin(), order.end());
-  for (const auto& [size, v] : order) {
+  for (const auto& [isOld, size, v] : order) {
     if (fans.size() == 1) return;
-    if (!parter.part(fans[v])) continue;
+    if (isKept(mesh, fans[v], limits) || !parter.part(fans[v])) continue;
     moved.push_back(v);
     fans.erase(v);
   }
@@ -296,13 +302,13 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, const Places& only, std
 }
 
 void partAll(Parter& parter, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& found, const Places& only,
-             std::vector<Vertex>& moved, Progress progress) {
+             const SeparationLimits& limits, std::vector<Vertex>& moved, Progress progress) {
   // What cannot move at first may once its neighbours along the edge have.
   for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
     before = moved.size();
     for (auto& [c, fans] : found) {
       if (progress.cancelled()) return;
-      partFans(parter, fans, moved);
+      partFans(parter, mesh, fans, limits, moved);
     }
   }
   partEdges(parter, mesh, only, moved, progress);
@@ -312,7 +318,7 @@ void partAll(Parter& parter, const HalfEdgeMesh& mesh, std::map<std::uint32_t, F
 
 std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress,
                                                const std::function<std::size_t()>& spareCrossings,
-                                               const std::vector<Vertex>& at) {
+                                               const std::vector<Vertex>& at, const SeparationLimits& limits) {
   Places only;
   for (const Vertex v : at) only.insert(positionKey(mesh.position(v)));
   const auto fans = [&](Progress now) { return at.empty() ? nonManifoldFans(mesh, now) : fansAt(mesh, at, now); };
@@ -320,19 +326,20 @@ std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType nu
   if (found.empty() && at.empty()) return {};
   Parter parter(mesh, numbers, progress.part(0.5, 0.8), progress.part(0.8, 0.8));
   std::vector<Vertex> moved;
-  partAll(parter, mesh, found, only, moved, progress.part(0.8, 0.9));
+  partAll(parter, mesh, found, only, limits, moved, progress.part(0.8, 0.9));
   if (!spareCrossings || progress.cancelled()) return moved;
   found = fans(progress.part(0.9, 0.95));
   if (found.empty()) return moved;
   parter.mayCross(spareCrossings());
-  partAll(parter, mesh, found, only, moved, progress.part(0.95, 1.0));
+  partAll(parter, mesh, found, only, limits, moved, progress.part(0.95, 1.0));
   return moved;
 }
 
-std::vector<Vertex> separateTouchingVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+std::vector<Vertex> separateTouchingVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress,
+                                             const SeparationLimits& limits) {
   const std::vector<Vertex> touching = findNonManifoldVertices(mesh, progress.part(0.0, 0.2));
   if (touching.empty()) return {};
-  return separateCoincidentVertices(mesh, numbers, progress.part(0.2, 1.0), {}, touching);
+  return separateCoincidentVertices(mesh, numbers, progress.part(0.2, 1.0), {}, touching, limits);
 }
 
 }  // namespace handwheel

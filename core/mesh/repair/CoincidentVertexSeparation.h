@@ -3,12 +3,18 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/structure/HalfEdgeMesh.h"
+#include "mesh/structure/PositionKey.h"
 
 #include <functional>
 #include <vector>
 
 namespace handwheel {
+
+// What separating spares.
+struct SeparationLimits {
+  const std::set<PointKey>* kept = nullptr;  // a vertex of an open fan at one of these places is not moved
+  Vertex firstNew = 0;                       // the vertices from this number on are moved rather than those before
+};
 
 // Moves vertices with equal positions apart where welding them would harm edges. A file holds positions, not fans:
 // where several vertices share a position, writing welds them, and edges that are manifold in the mesh may have four
@@ -20,9 +26,10 @@ namespace handwheel {
 // harmed.
 std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {},
                                                const std::function<std::size_t()>& spareCrossings = {},
-                                               const std::vector<Vertex>& at = {});
+                                               const std::vector<Vertex>& at = {}, const SeparationLimits& limits = {});
 
 // Does the same wherever parts of the surface touch in a vertex without a common edge. The mesh is to be relinked.
-std::vector<Vertex> separateTouchingVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
+std::vector<Vertex> separateTouchingVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {},
+                                             const SeparationLimits& limits = {});
 
 }  // namespace handwheel

@@ -310,12 +310,22 @@ class Closer {
     const IntersectionRemoval report = removeSelfIntersections(changed, newFaces, m_options.numbers, m_crossings, now);
     now.spend(m_mesh.faceSlots());
     if (report.intersectionsAfter > m_crossings) return rejected();
-    if (hasBacks && !separateNewTouchings(changed, m_mesh, m_options.numbers, now)) return rejected();
+    std::optional<std::vector<Vec3>> separated;
+    if (hasBacks) {
+      if (!m_touching) m_touching = touchingPlaces(m_mesh, now);
+      const auto firstNew = static_cast<Vertex>(m_before.vertexSlots());
+      separated =
+          separateNewTouchings(changed, *m_touching, m_options.numbers, {&m_options.keptCorners, firstNew}, now);
+      if (now.cancelled()) m_touching.reset();
+      if (!separated) return rejected();
+    }
     const std::size_t bad = countBadEdges(changed, now);
     if (now.cancelled() || bad >= m_badEdges) return rejected();
     m_badEdges = bad;
     m_crossings = report.intersectionsAfter;
     m_mesh = std::move(changed);
+    m_touching.reset();
+    if (separated) m_result.separated.insert(m_result.separated.end(), separated->begin(), separated->end());
     m_proposals.clear();  // their loops are no longer those of the mesh
     if (report.changed) m_result.cutFaces += report.cutFaces;
     for (std::size_t i = 0; i < closings.size(); ++i) {
@@ -337,6 +347,7 @@ class Closer {
   std::size_t m_badEdges;
   Way m_way = kWays[0];
   std::vector<Proposal> m_proposals;
+  std::optional<std::set<PointKey>> m_touching;  // places of the mesh, once they are asked for
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ struct ObstructedClosings {
   std::vector<ObstructedClosing> holes;  // one for each
   std::size_t cutFaces = 0;              // of the part, where patches intersect it
   SheetOutcomes sheets;                  // of those that were to be thickened
+  std::vector<Vec3> separated;           // where vertices were that thin bodies would touch, before they were moved
 };
 
 // Closes obstructed holes by patches that may intersect the part, or by thickening. Where a patch intersects the part,

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 
 namespace handwheel {
 namespace {
@@ -136,14 +135,18 @@ class Repairer {
       const std::size_t are = countSelfIntersections(m_mesh, m_options.fill.numbers, progress);
       return are < were ? were - are : 0;
     };
-    return note(separateCoincidentVertices(m_mesh, m_options.fill.numbers, progress, spareCrossings), before, progress);
+    return note(separateCoincidentVertices(m_mesh, m_options.fill.numbers, progress, spareCrossings, {}, spared()),
+                before, progress);
   }
 
   // What is left of it: parts that touch in a vertex without harm to an edge.
   void separateTouching(Progress progress) {
     const HalfEdgeMesh before = m_mesh;
-    note(separateTouchingVertices(m_mesh, m_options.fill.numbers, progress), before, progress);
+    note(separateTouchingVertices(m_mesh, m_options.fill.numbers, progress, spared()), before, progress);
   }
+
+  // What stays open stays where it is; what the repair made moves rather than what there was.
+  SeparationLimits spared() const { return {&m_options.fill.keptCorners, static_cast<Vertex>(m_input.vertexSlots())}; }
 
   bool note(const std::vector<Vertex>& separated, const HalfEdgeMesh& before, const Progress& progress) {
     for (Vertex v : separated) {
@@ -221,6 +224,8 @@ class Repairer {
     const ObstructedClosings closings = closeObstructedHoles(m_mesh, holes, m_options.fill, m_thickness, progress);
     m_report.cutFaces += closings.cutFaces;
     m_report.sheets.extend(closings.sheets);
+    m_report.separatedVertices += closings.separated.size();
+    m_touchedHomes.insert(m_touchedHomes.end(), closings.separated.begin(), closings.separated.end());
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
     m_cutShort.clear();
@@ -342,28 +347,7 @@ class Repairer {
     for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
       if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));
     }
-    if (m_report.separatedVertices > 0) noteLostPlaces();
     m_report.touchedVertices = verticesAt(m_touchedHomes, progress.part(0.4, 1.0));
-  }
-
-  // Where a vertex of the input was and none is any more: each of its copies was moved or removed.
-  void noteLostPlaces() {
-    const auto isBefore = [](const Vec3& a, const Vec3& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    };
-    const auto placesOf = [&](const HalfEdgeMesh& mesh) {
-      std::vector<Vec3> places;
-      for (Face f = 0; f < mesh.faceSlots(); ++f) {
-        if (!mesh.isLive(f)) continue;
-        const TrianglePoints points = mesh.points(f);
-        places.insert(places.end(), points.begin(), points.end());
-      }
-      std::sort(places.begin(), places.end(), isBefore);
-      places.erase(std::unique(places.begin(), places.end()), places.end());
-      return places;
-    };
-    const std::vector<Vec3> are = placesOf(m_mesh), were = placesOf(m_input);
-    std::set_difference(were.begin(), were.end(), are.begin(), are.end(), std::back_inserter(m_touchedHomes), isBefore);
   }
 
   // The vertices of the input at these positions, sorted. Once cancelled, none.

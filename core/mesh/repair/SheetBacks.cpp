@@ -10,6 +10,9 @@ namespace {
 
 // The offset is a 256th of the thickness at last: nearer than that, single precision shows hardly any.
 constexpr int kMostOffsetHalvings = 8;
+// Below this share of what was asked for, a body counts as thinner. Where more than three planes meet, no offset has
+// all of them at the same distance, and on a smooth sheet they differ by less.
+constexpr double kThin = 0.9;
 
 }  // namespace
 
@@ -57,13 +60,13 @@ SheetThickness SheetBacks::reached() const {
       const SheetOffset* const offset = offsetOf(v);
       if (!offset || offset->direction.isZero()) continue;
       const double depth = (m_mesh.position(v) - offset->from).norm() / offset->direction.norm();
-      reached.extend({depth, depth});
+      reached.extend({depth * offset->reach, depth});
     }
   }
   if (m_sharpVertices > 0) reached.least = 0.0;
   std::unordered_set<Vertex> nearer;
   for (const auto& [v, offset] : m_offsets)
-    if (offset.halvings > 0 && offset.front != kNone) nearer.insert(offset.front);
+    if (offset.front != kNone && std::ldexp(offset.reach, -offset.halvings) < kThin) nearer.insert(offset.front);
   reached.vertices = m_vertices;
   reached.thinVertices = m_sharpVertices + nearer.size();
   return reached;
@@ -90,6 +93,11 @@ SheetBacks::Corner SheetBacks::cornerOf(HalfEdge h) const {
                      on.stableNormalized()});
   }
   corner.behind = fanBack(faces, !corner.isOpen);
+  for (std::size_t i = 0; i < faces.size() && !corner.stays(); ++i) {
+    const std::size_t k = corner.behind.offsetOf(i);
+    if (const Vec3& normal = faces[i].face.normal; !normal.isZero())
+      corner.reaches[k] = std::min(corner.reaches[k], -normal.dot(corner.behind.offsets[k]));
+  }
   return corner;
 }
 
@@ -120,7 +128,8 @@ Vertex SheetBacks::back(Vertex v, Face f) {
   Corner& c = m_corners.at(v);
   if (c.stays()) return v;
   const std::size_t k = c.offsetOf(f);
-  if (c.backs[k] == kNone) c.backs[k] = behind({m_mesh.position(v), c.behind.offsets[k], m_thickness, v, c.isOpen});
+  if (c.backs[k] == kNone)
+    c.backs[k] = behind({m_mesh.position(v), c.behind.offsets[k], m_thickness, c.reaches[k], v, c.isOpen});
   return c.backs[k];
 }
 
@@ -134,7 +143,7 @@ Vertex SheetBacks::middle(HalfEdge h) {
     const Vec3 a = m_mesh.position(m_mesh.from(h)), b = m_mesh.position(m_mesh.to(h));
     const Vec3 offset = offsetBehind(
         {{unitNormal(m_mesh, HalfEdgeMesh::face(h)), 1.0}, {unitNormal(m_mesh, HalfEdgeMesh::face(g)), 1.0}});
-    at->second = behind({0.5 * (a + b), offset, m_thickness, kNone, false});
+    at->second = behind({0.5 * (a + b), offset, m_thickness, 1.0, kNone, false});
   }
   return at->second;
 }
@@ -178,7 +187,7 @@ void SheetBacks::coverWhole(Face f, const std::array<Vertex, 3>& v) {
     return;
   }
   const TrianglePoints p = m_mesh.points(f);
-  const Vertex c = behind({(p[0] + p[1] + p[2]) / 3.0, -unitNormal(m_mesh, f), m_thickness, kNone, false});
+  const Vertex c = behind({(p[0] + p[1] + p[2]) / 3.0, -unitNormal(m_mesh, f), m_thickness, 1.0, kNone, false});
   for (int k = 0; k < 3; ++k) add(v[k], v[(k + 1) % 3], c);
 }
 

@@ -15,6 +15,7 @@ struct SheetOffset {
   Vec3 from;
   Vec3 direction;  // as of offsetBehind()
   double depth;    // times the direction
+  double reach;    // mm behind the nearest plane of its faces for each mm of depth, at most 1
   Vertex front;    // of which it is the back; kNone behind the middle of an edge or face
   bool isOnOutline;
   int halvings = 0;
@@ -45,6 +46,7 @@ class SheetBacks {
     std::vector<HalfEdge> fan;
     bool isOpen = false;
     FanBack behind;
+    std::array<double, 2> reaches{1.0, 1.0};  // of the offsets
     std::array<Vertex, 2> backs{kNone, kNone};
 
     bool stays() const { return behind.offsets.empty(); }

@@ -4,9 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "mesh/defects/NonManifoldVertices.h"
-#include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "mesh/structure/PositionKey.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,12 +19,6 @@ double thicknessUnasked(const HalfEdgeMesh& mesh, const std::vector<Face>& faces
     for (std::size_t k = 0; k < 3; ++k) shortest = std::min(shortest, (p[(k + 1) % 3] - p[k]).norm());
   }
   return tolerance::kSheetOffsetEdge * shortest;
-}
-
-std::set<PointKey> touchingPlaces(const HalfEdgeMesh& mesh, Progress progress) {
-  std::set<PointKey> places;
-  for (const Vertex v : findNonManifoldVertices(mesh, progress)) places.insert(positionKey(mesh.position(v)));
-  return places;
 }
 
 }  // namespace
@@ -52,17 +44,27 @@ SheetTrial thickenAt(HalfEdgeMesh& mesh, std::span<const LoopOfSheet> loops, dou
   return trial;
 }
 
-bool separateNewTouchings(HalfEdgeMesh& mesh, const HalfEdgeMesh& before, NumberType numbers, Progress progress) {
-  std::vector<Vertex> touching = findNonManifoldVertices(mesh, progress.part(0.0, 0.2));
-  if (touching.empty()) return true;
-  const std::set<PointKey> known = touchingPlaces(before, progress.part(0.2, 0.4));
+std::set<PointKey> touchingPlaces(const HalfEdgeMesh& mesh, Progress progress) {
+  std::set<PointKey> places;
+  for (const Vertex v : findNonManifoldVertices(mesh, progress)) places.insert(positionKey(mesh.position(v)));
+  return places;
+}
+
+std::optional<std::vector<Vec3>> separateNewTouchings(HalfEdgeMesh& mesh, const std::set<PointKey>& known,
+                                                      NumberType numbers, const SeparationLimits& limits,
+                                                      Progress progress) {
   const auto isKnown = [&](Vertex v) { return known.contains(positionKey(mesh.position(v))); };
+  std::vector<Vertex> touching = findNonManifoldVertices(mesh, progress.part(0.0, 0.2));
   std::erase_if(touching, isKnown);
-  if (touching.empty()) return true;
-  separateCoincidentVertices(mesh, numbers, progress.part(0.4, 0.8), {}, touching);
+  std::vector<Vec3> homes;
+  if (touching.empty()) return homes;
+  const HalfEdgeMesh before = mesh;
+  for (const Vertex v : separateCoincidentVertices(mesh, numbers, progress.part(0.2, 0.8), {}, touching, limits))
+    if (v < before.vertexSlots()) homes.push_back(before.position(v));
   relink(mesh, progress.part(0.8, 0.9));
   touching = findNonManifoldVertices(mesh, progress.part(0.9, 1.0));
-  return std::all_of(touching.begin(), touching.end(), isKnown);
+  if (!std::all_of(touching.begin(), touching.end(), isKnown)) return std::nullopt;
+  return homes;
 }
 
 bool hasCornerAmong(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet, const std::set<PointKey>& places) {

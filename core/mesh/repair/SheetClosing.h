@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/ObstructedHoles.h"
 
 namespace handwheel {
@@ -23,9 +24,14 @@ struct SheetTrial {
 SheetTrial thickenAt(HalfEdgeMesh& mesh, std::span<const LoopOfSheet> loops, double thickness, NumberType numbers,
                      Progress progress);
 
-// Separates the vertices at which faces touch without a common edge where they did not in another version of the mesh.
-// False where such a vertex remains. The mesh is linked anew if it is changed. O(n log n).
-bool separateNewTouchings(HalfEdgeMesh& mesh, const HalfEdgeMesh& before, NumberType numbers, Progress progress);
+// The places at which faces touch without a common edge.
+std::set<PointKey> touchingPlaces(const HalfEdgeMesh& mesh, Progress progress);
+
+// Separates the vertices at which faces touch without a common edge, except at known places. Returns where the vertices
+// were that it moved; none where such a vertex remains. The mesh is linked anew if it is changed. O(n log n).
+std::optional<std::vector<Vec3>> separateNewTouchings(HalfEdgeMesh& mesh, const std::set<PointKey>& known,
+                                                      NumberType numbers, const SeparationLimits& limits,
+                                                      Progress progress);
 
 // Whether a face of the sheet has a corner at one of these places.
 bool hasCornerAmong(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet, const std::set<PointKey>& places);

@@ -6,9 +6,8 @@
 
 namespace handwheel {
 
-// The components of a mesh, or pieces: faces connected through shared vertex positions. A face with a
-// repeated vertex joins nothing. Every count of pieces is
-// theirs.
+// The components of a mesh, or pieces: faces connected through shared vertex positions. A face with a repeated vertex
+// joins nothing. Every count of pieces is theirs.
 class FaceComponents {
  public:
   // The result is invalid if cancelled.

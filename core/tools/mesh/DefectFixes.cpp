@@ -161,10 +161,6 @@ const FaceSelection* onlyOf(const FaceSelection& faces) {
   return faces.empty() ? nullptr : &faces;
 }
 
-}  // namespace
-
-namespace {
-
 // Says before and after.
 MeshChange fix(MeshChange change, std::string step) {
   change.isFix = true;
@@ -198,10 +194,9 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
   step.options(values);
   return fix({meshOperation("near-vertices").title,
               [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-                std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
-                for (const auto& [a, b] : pairs)
-                  if (std::max(a, b) < fixed.size()) fixed[a] = fixed[b] = false;
-                stitchBorders(mesh, fixed, progress, nearWeld);
+                std::vector<bool> fixed;
+                if (!pairs.empty()) fixed = fixedBut(mesh, pairs, nearWeld, progress.part(0.0, 0.4));
+                stitchBorders(mesh, fixed, progress.part(0.4, 1.0), nearWeld);
               },
               kClosesNothing},
              step.text());

@@ -15,8 +15,8 @@ namespace handwheel {
 // Why defects may remain, as MeshChange::reason.
 inline constexpr const char* kPlateSides =
     QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed");
-inline constexpr const char* kClosesNothing =
-    QT_TRANSLATE_NOOP("Tool", "merging them would close no open edge, or make edges with more than two triangles");
+inline constexpr const char* kClosesNothing = QT_TRANSLATE_NOOP(
+    "Tool", "merging them would make edges with more than two triangles, or change a boundary that is to stay open");
 inline constexpr const char* kNotSeparable =
     QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself");
 inline constexpr const char* kNoCleanCut =

@@ -42,8 +42,6 @@ class BorderVerticesTest : public QObject {
   void findsAllInABox();
   void nearPairs();
   void detailOfALargeModel();
-  void closingPairsOfASlit();
-  void noneWhereOnlyCornersMeet();
 };
 
 void BorderVerticesTest::diagonal() {
@@ -121,29 +119,6 @@ void BorderVerticesTest::detailOfALargeModel() {
   QVERIFY(nearBorderVertices(mesh).empty());
   for (Vec3& p : soup.points) p *= 1e300;
   QCOMPARE(nearWeldReach(buildMesh(soup).mesh), 0.0);
-}
-
-// A sheet that is torn along a line, by less than the reach: all pairs along it but none elsewhere.
-void BorderVerticesTest::closingPairsOfASlit() {
-  TriangleSoup soup = test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
-  TriangleSoup torn = test::moved(soup, {4.0 + 1e-6, 0, 0});
-  test::append(soup, torn);
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const auto near = nearBorderVertices(mesh);
-  QCOMPARE(near.size(), std::size_t{5});
-  QVERIFY(closingPairs(mesh, near) == near);
-}
-
-// Two squares whose corners are nearer than the reach share no edge when they are merged.
-void BorderVerticesTest::noneWhereOnlyCornersMeet() {
-  TriangleSoup soup = test::grid(3, 3, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
-  const TriangleSoup other = test::moved(soup, {2.0 + 1e-6, 2.0 + 1e-6, 0});
-  test::append(soup, other);
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const auto near = nearBorderVertices(mesh);
-  QCOMPARE(near.size(), std::size_t{1});
-  QVERIFY(closingPairs(mesh, near).empty());
-  QVERIFY(closingPairs(mesh, {}).empty());
 }
 
 HANDWHEEL_TEST(BorderVerticesTest)

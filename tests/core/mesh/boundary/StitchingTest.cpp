@@ -9,6 +9,7 @@
 #include "mesh/defects/Defects.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
+#include "mesh/structure/PositionKey.h"
 
 #include <rapidcheck.h>
 
@@ -78,6 +79,9 @@ class StitchingTest : public QObject {
   void shapesInPieces();
   void nothingToGain();
   void verticesBeyondTheFixedOnes();
+  void cornersThatOnlyTouchStay();
+  void refusedPairsHideNone();
+  void aTearWithAVertexMoreOnOneSide();
 };
 
 void StitchingTest::roundedApart() {
@@ -233,6 +237,80 @@ void StitchingTest::verticesBeyondTheFixedOnes() {
   HalfEdgeMesh mesh = buildMesh(looseCube(1e-7)).mesh;
   QCOMPARE(stitchBorders(mesh, {}).size(), std::size_t{24 - 8});
   QVERIFY(test::countEdges(mesh).sound());
+}
+
+// A tear is closed; squares that only come near each other at a corner are not moved.
+void StitchingTest::cornersThatOnlyTouchStay() {
+  TriangleSoup s = looseCube(1e-7);
+  const TriangleSoup square =
+      test::grid(2, 2, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
+  for (int i = 0; i < 12; ++i) test::append(s, test::moved(square, Vec3(3 + i * (1 + 1e-7), i * (1 + 1e-7), 0)));
+  const HalfEdgeMesh before = buildMesh(s).mesh;
+  HalfEdgeMesh mesh = before;
+  const std::vector<Vertex> moved = stitch(mesh);
+  QCOMPARE(moved.size(), std::size_t{24 - 8});
+  for (const Vertex v : moved) QVERIFY(before.position(v).x() < 2);
+  QVERIFY(findDefects(mesh).nonManifoldVertices.empty());
+}
+
+// Edges that must not be closed, since four faces would meet there, come first in number; the tear after them is
+// closed, however many there are, and one edge of the same run that must not be closed does not keep the rest open.
+void StitchingTest::refusedPairsHideNone() {
+  TriangleSoup s;
+  const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) { test::append(s, {{a, b, c}, {{0, 1, 2}}}); };
+  const int refused = 100;
+  for (int i = 0; i < refused; ++i) {
+    // Two faces that share an edge, and another that comes near it: a third face there.
+    const Vec3 p(3.0 * i, 0, 0), q = p + Vec3(0, 1, 0), off(0, 0, 1e-5);
+    triangle(p, q, p + Vec3(1, 0, 0));
+    triangle(q, p, p + Vec3(-1, 0, 0));
+    triangle(p + off, q + off, p + Vec3(0, 0.5, 1));
+    triangle(q + off + off, p + off + off, p + Vec3(0.3, 0.5, 1));
+  }
+  const TriangleSoup sheet =
+      test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j + 20, 0); });
+  test::append(s, sheet);
+  test::append(s, test::moved(sheet, {4.0 + 1e-5, 0, 0}));
+  // A fin on one edge of the tear.
+  test::append(s, {{Vec3(4, 21, 0), Vec3(4, 22, 0), Vec3(4, 21.5, 1)}, {{0, 1, 2}}});
+  test::append(s, {{Vec3(4, 22, 0), Vec3(4, 21, 0), Vec3(4.2, 21.5, 1)}, {{0, 1, 2}}});
+  const HalfEdgeMesh before = buildMesh(s).mesh;
+  HalfEdgeMesh mesh = before;
+  stitch(mesh);
+  QCOMPARE(validate(mesh), std::string());
+  std::size_t closed = 0, most = 0;
+  std::map<EdgeKey, std::size_t> faces;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
+    if (mesh.isProper(HalfEdgeMesh::face(h))) ++faces[positionKey(mesh, h)];
+  for (const auto& [edge, count] : faces) {
+    closed += count == 2 && edge[0][0] == 4.0 && edge[1][0] == 4.0 && edge[0][1] >= 20.0;
+    most = std::max(most, count);
+  }
+  QVERIFY(closed >= 2);
+  QVERIFY2(most <= 4, qPrintable(QString::number(most)));
+}
+
+// A–B against A′–M–B′, whose ends rounding has moved apart: M lies on A–B, but merging alone closes nothing.
+void StitchingTest::aTearWithAVertexMoreOnOneSide() {
+  const double apart = 1e-6;
+  TriangleSoup s{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, -1, 0), Vec3(0, apart, 0), Vec3(0.5, apart / 2, 0),
+                  Vec3(1, apart, 0), Vec3(0.5, 1, 0)},
+                 {{1, 0, 2}, {3, 4, 6}, {4, 5, 6}}};
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  QCOMPARE(test::countBorder(mesh), std::size_t{3 + 5 - 1});
+  const VertexPairs listed = stitchablePairs(mesh);
+  QVERIFY(listed == (VertexPairs{{1, 3}, {0, 6}}));
+  for (const auto& pair : listed) {
+    HalfEdgeMesh one = mesh;
+    QVERIFY(!stitchBorders(one, fixedBut(one, {pair}, tolerance::kNearWeld)).empty());
+    QCOMPARE(validate(one), std::string());
+    // An edge that is split is closed along all of its length.
+    QCOMPARE(test::countBorder(one), std::size_t{4});
+  }
+  QCOMPARE(stitch(mesh).size(), std::size_t{2});
+  QCOMPARE(validate(mesh), std::string());
+  QCOMPARE(test::countBorder(mesh), std::size_t{4});
+  QVERIFY(stitchablePairs(mesh).empty());
 }
 
 HANDWHEEL_TEST(StitchingTest)

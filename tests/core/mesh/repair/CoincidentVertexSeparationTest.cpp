@@ -49,6 +49,8 @@ class CoincidentVertexSeparationTest : public QObject {
   void randomCells();
   void largeFans();
   void largeFansStopSoon();
+  void keptBoundariesStay();
+  void newOnesMoveRather();
 };
 
 void CoincidentVertexSeparationTest::cubesSharingAnEdge() {
@@ -142,6 +144,41 @@ void CoincidentVertexSeparationTest::largeFans() {
     QCOMPARE(intersections(written), std::size_t{0});
   }
   QVERIFY2(steps[1] < 5 * steps[0], qPrintable(QString("%1, %2 steps").arg(steps[0]).arg(steps[1])));
+}
+
+// A triangle and a cube touch at a corner: the vertex of an open boundary that is kept stays, the other
+// moves.
+void CoincidentVertexSeparationTest::keptBoundariesStay() {
+  TriangleSoup soup = test::cube();  // (1, 1, 1) is touched by the corner of an open triangle
+  test::append(soup, {{Vec3(1, 1, 1), Vec3(2, 1, 1.5), Vec3(1, 2, 1.5)}, {{0, 1, 2}}});
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  const std::set<PointKey> kept{positionKey(Vec3(1, 1, 1))};
+  for (const bool isKept : {false, true}) {
+    HalfEdgeMesh mesh = before;
+    const std::vector<Vertex> moved =
+        separateTouchingVertices(mesh, NumberType::Float32, {}, {isKept ? &kept : nullptr, 0});
+    QCOMPARE(moved.size(), std::size_t{1});
+    // The smaller fan moves unless it is kept.
+    QCOMPARE(mesh.points(12)[0] == Vec3(1, 1, 1), isKept);
+    QVERIFY(findDefects(buildMesh(asWritten(mesh, NumberType::Float32)).mesh).nonManifoldVertices.empty());
+  }
+}
+
+// Of two cubes that touch in a vertex the new one moves, whichever has the larger fan there, and the one that was there
+// stays.
+void CoincidentVertexSeparationTest::newOnesMoveRather() {
+  const TriangleSoup low = test::cube(), high = test::cube(1.0, {1, 1, 1});
+  for (const bool isLowOld : {false, true}) {
+    TriangleSoup soup = isLowOld ? low : high;
+    const auto firstNew = static_cast<Vertex>(soup.points.size());
+    test::append(soup, isLowOld ? high : low);
+    const HalfEdgeMesh before = buildMesh(soup).mesh;
+    HalfEdgeMesh mesh = before;
+    const std::vector<Vertex> moved = separateTouchingVertices(mesh, NumberType::Float32, {}, {nullptr, firstNew});
+    QCOMPARE(moved.size(), std::size_t{1});
+    for (Face f = 0; f < 12; ++f) QVERIFY(mesh.points(f) == before.points(f));
+    QVERIFY(findDefects(buildMesh(asWritten(mesh, NumberType::Float32)).mesh).nonManifoldVertices.empty());
+  }
 }
 
 // Whatever is allowed: no more is done beyond it than one face needs, and the passes over the mesh that end there.

@@ -55,6 +55,7 @@ class DefectFixesTest : public QObject {
   void duplicates();
   void nearVertices();
   void onlyOnePair();
+  void eachPairOfATear();
   void touchingCubes();
   void oneSide();
   void crossings();
@@ -132,6 +133,23 @@ void DefectFixesTest::onlyOnePair() {
   make(*document, nearVertexFix(tolerance::kNearWeld, {pairs[1]}));
   QCOMPARE(document->defects().nearVertices.size(), std::size_t(1));
   QVERIFY(document->mesh().position(pairs[0].first) != document->mesh().position(pairs[0].second));
+}
+
+// A tear closes at two pairs only: the row of each closes an edge, together with its neighbour.
+void DefectFixesTest::eachPairOfATear() {
+  const TriangleSoup sheet =
+      test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
+  TriangleSoup torn = sheet;
+  test::append(torn, test::moved(sheet, {4.0 + 1e-6, 0, 0}));
+  for (std::size_t row = 0; row < 5; ++row) {
+    const auto document = open(torn);
+    const auto pairs = document->defects().nearVertices;
+    QCOMPARE(pairs.size(), std::size_t(5));
+    const std::size_t border = test::countBorder(document->mesh());
+    make(*document, nearVertexFix(tolerance::kNearWeld, {pairs[row]}));
+    QCOMPARE(test::countBorder(document->mesh()), border - 2);
+    QCOMPARE(document->defects().nearVertices.size(), std::size_t(3));
+  }
 }
 
 // Along an edge: four triangles meet there in the file.

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/boundary/ClosingEdges.h"
+
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+TriangleSoup flatGrid(std::uint32_t n) {
+  return test::grid(n, n, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
+}
+
+VertexPairs closing(const HalfEdgeMesh& mesh) {
+  const VertexPairs near = nearBorderVertices(mesh);
+  return closingPairs(near, closingEdges(mesh, near));
+}
+
+}  // namespace
+
+class ClosingEdgesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void ofASlit();
+  void partnersOfARow();
+  void noneWhereOnlyCornersMeet();
+  void runs();
+  void manySheetsOverOneEdge();
+};
+
+// A sheet that is torn along a line, by less than the reach: all pairs along it but none elsewhere. Each edge takes the
+// two pairs at its ends.
+void ClosingEdgesTest::ofASlit() {
+  TriangleSoup soup = flatGrid(5);
+  test::append(soup, test::moved(soup, {4.0 + 1e-6, 0, 0}));
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const VertexPairs near = nearBorderVertices(mesh);
+  QCOMPARE(near.size(), std::size_t{5});
+  QVERIFY(closing(mesh) == near);
+  const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
+  QCOMPARE(edges.size(), std::size_t{4});
+  for (const ClosingEdge& edge : edges) {
+    QCOMPARE(edge.pairs.size(), std::size_t{2});
+    QCOMPARE(edge.places.size(), std::size_t{4});
+  }
+}
+
+void ClosingEdgesTest::partnersOfARow() {
+  TriangleSoup soup = flatGrid(5);
+  test::append(soup, test::moved(soup, {4.0 + 1e-6, 0, 0}));
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const VertexPairs near = nearBorderVertices(mesh);
+  const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
+  for (const auto& pair : near) {
+    const VertexPairs both = withPartners({pair}, near, edges);
+    QCOMPARE(both.size(), std::size_t{2});
+    QVERIFY(std::find(both.begin(), both.end(), pair) != both.end());
+    // They are neighbours along the tear.
+    QCOMPARE((mesh.position(both[0].first) - mesh.position(both[1].first)).norm(), 1.0);
+  }
+  QVERIFY(withPartners(near, near, edges) == near);
+}
+
+// Two squares whose corners are nearer than the reach share no edge when they are merged.
+void ClosingEdgesTest::noneWhereOnlyCornersMeet() {
+  TriangleSoup soup = flatGrid(3);
+  test::append(soup, test::moved(soup, {2.0 + 1e-6, 2.0 + 1e-6, 0}));
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(nearBorderVertices(mesh).size(), std::size_t{1});
+  QVERIFY(closing(mesh).empty());
+  QVERIFY(closingEdges(mesh, {}).empty());
+}
+
+// Two tears, which share no pair, are two runs.
+void ClosingEdgesTest::runs() {
+  const TriangleSoup sheet = flatGrid(5);
+  TriangleSoup soup = sheet;
+  test::append(soup, test::moved(sheet, {4.0 + 1e-6, 0, 0}));
+  test::append(soup, test::moved(sheet, {8.0 + 2e-6, 0, 0}));
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const VertexPairs near = nearBorderVertices(mesh);
+  const auto runs = connectedRuns(closingEdges(mesh, near), near.size());
+  QCOMPARE(runs.size(), std::size_t{2});
+  for (const std::vector<ClosingEdge>& run : runs) QCOMPARE(run.size(), std::size_t{4});
+}
+
+// The pairs of a stack of sheets over one edge are each named once.
+void ClosingEdgesTest::manySheetsOverOneEdge() {
+  TriangleSoup soup;
+  const int sheets = 200;
+  for (int i = 0; i < sheets; ++i) {
+    const double angle = 3.0 * i / sheets, shift = i * 1e-9;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0.5);
+    test::append(soup, {{Vec3(0, 0, shift), Vec3(0, shift, 1), out}, {i % 2 ? Triangle{0, 1, 2} : Triangle{1, 0, 2}}});
+  }
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const VertexPairs near = nearBorderVertices(mesh);
+  const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
+  QCOMPARE(edges.size(), std::size_t{1});
+  std::set<std::size_t> distinct(edges[0].pairs.begin(), edges[0].pairs.end());
+  QCOMPARE(distinct.size(), edges[0].pairs.size());
+  QCOMPARE(closingPairs(near, edges).size(), near.size());
+}
+
+HANDWHEEL_TEST(ClosingEdgesTest)
+#include "ClosingEdgesTest.moc"
