@@ -159,8 +159,6 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
                               const PassProgram& how) {
   std::vector<ToolMove> moves;
   if (passes.empty()) return moves;
-  const double nose = passes.front().noseRadius;
-  const ProfilePoint toTip(-nose, -nose - length);
   const double above = radius + how.clearance;
   ToolMove move;
   move.tool = 1;
@@ -176,6 +174,8 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
   go(ToolMove::Kind::Rapid, move.to);
   for (const TurningPass& pass : passes) {
     if (pass.path.empty()) continue;
+    const double toNose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a lathe's tool is that of its tip
+    const ProfilePoint toTip(-toNose, -toNose - length);
     const std::vector<ProfilePoint> path = thinned(pass.path, how.tolerance);
     double way = 0.0;
     for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();

@@ -22,8 +22,8 @@ struct PassProgram {
   double clearance = 2.0;   // mm, above the part between passes
 };
 
-// The moves that repeat recorded passes with a tool for the outside, whose nose is that of the first pass: to each
-// pass from above, along it at its mean speed, and away. length: mm, of the part, whose upper end is z = 0.
+// The moves that repeat recorded passes with a tool for the outside and their nose: to each pass from above, along it
+// at its mean speed, and away. length: mm, of the part, whose upper end is z = 0.
 std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double length,
                               const PassProgram& how);
 

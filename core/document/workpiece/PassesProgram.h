@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/program/ProgramWriter.h"
+
+namespace handwheel {
+
+// The passes of a workpiece as a program, and the nose (mm) with which it makes the same part again.
+struct PassesProgram {
+  std::string text;
+  double nose = 0.0;
+};
+
+// Writes them. Errors: NoPasses, BoredPasses, OtherTools.
+Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect, const PassProgram& how);
+
+}  // namespace handwheel
