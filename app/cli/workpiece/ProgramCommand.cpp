@@ -6,14 +6,9 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/workpiece/TurnedFigures.h"
-#include "document/FileBytes.h"
-#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/PassesProgram.h"
 #include "machining/TurningFidelity.h"
-#include "machining/program/ProgramInterpreter.h"
-#include "machining/program/ProgramSimulation.h"
-#include "machining/program/ProgramWriter.h"
-#include "machining/program/RoughAndFinish.h"
-#include "machining/target/TargetDeviation.h"
+#include "machining/program/CycleProgram.h"
 
 #include <cmath>
 #include <fstream>
@@ -21,8 +16,6 @@
 namespace handwheel {
 
 namespace {
-
-constexpr double kGouge = 0.005;  // mm, of the target that cycles may cut into
 
 struct ProgramRequest {
   std::string from, output;
@@ -69,33 +62,6 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
   return {};
 }
 
-// What a program makes of the bar, before it is given away: a sentence, or nothing where all is well.
-std::string problemOf(const std::string& text, const TargetProfile& target, const ProgramRequest& request,
-                      Progress progress) {
-  ProgramSetup setup;
-  setup.dialect = request.dialect;
-  setup.standard = {request.cycles.nose, outsideOrientation(request.dialect), {0, 0}};
-  setup.reference = {0.5 * request.stock->diameter + 100.0, 100.0};
-  const Result<ToolPath> path = runProgram(text, setup, progress.part(0.0, 0.3));
-  if (!path) return sentenceFor(path.error());
-  ProgramSimulation simulation(TurnedProfile(*request.stock, turnSpacingSetting().standard), *path, setup);
-  if (!simulation.run(progress.part(0.3, 0.8))) return "Cancelled.";
-  if (simulation.collisionCount() > 0)
-    return "The cycles collide in line " + std::to_string(simulation.collisions().front().line) +
-           ": use a smaller nose or depth.";
-  const TurnedProfile& part = simulation.part();
-  const double base = target.upperEnd() - part.length();
-  const TargetDeviation deviation = deviationFrom(target, part, base, progress.part(0.8, 1.0));
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const double z = part.z(i) + base;
-    if (z > target.lowerEnd() + part.spacing() && z < target.upperEnd() - part.spacing() &&
-        deviation.outer[i] < -kGouge)
-      return "The cycles cut " + roundedText(-deviation.outer[i], 3) + " mm into the target at Z " +
-             roundedText(z - target.upperEnd(), 4) + ": use a smaller nose.";
-  }
-  return {};
-}
-
 struct Written {
   std::string text, problem;
   std::optional<Error> error;
@@ -104,33 +70,21 @@ struct Written {
 Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
   const Result<TargetProfile> target = readTarget(request.from, kinds, progress.part(0.0, 0.2));
   if (!target) return {{}, {}, target.error()};
-  const auto moves = roughAndFinish(*target, 0.5 * request.stock->diameter, request.cycles);
-  if (!moves) return {{}, {}, moves.error()};
-  Written written{programText(*moves, request.dialect, "rough and finish"), {}, {}};
-  written.problem = problemOf(written.text, *target, request, progress.part(0.2, 1.0));
-  return written;
+  const TurnedProfile bar(*request.stock, turnSpacingSetting().standard);
+  const CycleTask task{*target, *request.stock, bar, target->upperEnd() - bar.length()};
+  auto text = cycleProgram(task, request.dialect, request.cycles, progress.part(0.2, 1.0));
+  if (!text) return {{}, {}, text.error()};
+  return {std::move(text.value()), {}, {}};
 }
 
 Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
   const Result<OpenedFile> opened = kinds.open(request.from, {}, progress);
   if (!opened) return {{}, {}, opened.error()};
   const auto* const workpiece = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
-  if (!workpiece || !workpiece->part || workpiece->part->passes.empty())
-    return {{}, request.from + " has no passes. With --stock cycles are made for it as a target.", {}};
-  std::vector<TurningPass> passes;
-  for (const auto& pass : workpiece->part->passes) {
-    if (!isProgrammable(*pass))
-      return {{},
-              pass->tool ? "Passes of the tool " + pass->tool->id + " cannot be written as a program."
-                         : "Passes in a bore cannot be written as a program.",
-              {}};
-    passes.push_back(*pass);
-  }
-  std::vector<std::string> tools;
-  for (const PassTool& tool : toolsOf(passes)) tools.push_back(descriptionOf(tool, request.dialect));
-  const StockCylinder& stock = workpiece->stock;
-  const auto moves = movesOf(passes, 0.5 * stock.diameter, stock.length, request.passes);
-  return {programText(moves, request.dialect, "recorded passes", tools), {}, {}};
+  if (!workpiece) return {{}, request.from + " is not a workpiece. With --stock cycles are made for a drawing.", {}};
+  const auto program = passesProgram(*workpiece, request.dialect, request.passes);
+  if (!program) return {{}, {}, program.error()};
+  return {program->text, {}, {}};
 }
 
 int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {

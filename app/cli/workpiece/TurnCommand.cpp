@@ -15,13 +15,12 @@
 #include "cli/workpiece/TurnRequest.h"
 #include "cli/workpiece/TurnedFigures.h"
 #include "document/FileBytes.h"
+#include "document/workpiece/ProgramTrial.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/ExerciseStock.h"
 #include "haptics/recording/RecordingCsv.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
-#include "machining/program/ProgramInterpreter.h"
-#include "machining/program/ProgramSimulation.h"
 #include "text/NoteText.h"
 
 #include <cmath>
@@ -33,8 +32,6 @@ namespace {
 
 constexpr double kRecordedNose = 1.0;  // mm, unless another is given
 constexpr const char* kTouchesNothing = "The path does not touch the part.";
-
-constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
 
 // A path is one pass: its distance from the axis and its height above the lower end of the bar.
 Result<std::vector<TurningPass>> passAlong(const std::vector<HandPose>& poses, double noseRadius, double base) {
@@ -158,10 +155,7 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
 }
 
 Result<ProgramSetup> setupOf(const TurnRequest& request, const StockCylinder& stock) {
-  ProgramSetup setup;
-  setup.dialect = request.dialect;
-  setup.standard = {request.noseRadius.value_or(0.0), outsideOrientation(request.dialect), {0, 0}};
-  setup.reference = {0.5 * stock.diameter + kHomeDistance, kHomeDistance};
+  ProgramSetup setup = usualSetup(request.dialect, stock, request.noseRadius.value_or(0.0));
   if (request.tools.empty()) return setup;
   const Result<std::string> text = readFileBytes(request.tools);
   if (!text) return text.error();
@@ -195,34 +189,27 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   if (!text) return text.error();
   const Result<ProgramSetup> setup = setupOf(request, workpiece.stock);
   if (!setup) return setup.error();
-  const Result<ToolPath> path = runProgram(*text, *setup, progress.part(0.0, 0.3));
-  if (!path) {
-    Error error = path.error();
-    error.subject = request.program.string();
-    return error;
-  }
   CuttingEdge edge;
   if (request.noseRadius) edge.noseRadius = request.noseRadius;
   const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
-  const TurnedPart before = partOf(workpiece, request.spacing);
-  ProgramSimulation simulation(before.profile, *path, *setup, model.get());
-  if (!simulation.run(progress.part(0.3, 1.0))) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  const ForcePeaks peaks = simulation.peaks();
-  figures.force = peaks.force;
-  figures.power = peaks.power;
-  figures.collisions = simulation.collisionCount();
-  figures.time = path->time;
-  for (const ToolPath::Note& note : path->notes)
+  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, model.get(), progress);
+  if (!trial) {
+    Error error = trial.error();
+    error.subject = request.program.string();
+    return error;
+  }
+  const ProgramTrial& tried = **trial;
+  figures.force = tried.peaks().force;
+  figures.power = tried.peaks().power;
+  figures.collisions = tried.collisionCount();
+  figures.time = tried.path().time;
+  for (const ToolPath::Note& note : tried.path().notes)
     remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
-  for (const ToolPath::Note& note : simulation.notes())
+  for (const ToolPath::Note& note : tried.notes())
     remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
-  for (const ProgramCollision& collision : simulation.collisions())
+  for (const ProgramCollision& collision : tried.collisions())
     remarks.push_back("line " + std::to_string(collision.line) + ": " + sentenceOf(collision.kind));
-  std::vector<TurningPass> passes = simulation.takePasses();
-  if (passes.empty()) return workpiece;
-  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes, before.crashes};
-  for (TurningPass& pass : passes) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
-  workpiece.part = std::make_shared<const TurnedPart>(std::move(part));
+  if (tried.part()) workpiece.part = tried.part();
   return workpiece;
 }
 

@@ -19,4 +19,20 @@ const ErrorDescription WorkpieceError::ClosedHollow{
     .sentences = {translatable("ErrorText", "the part has %1 closed hollows, which the file cannot contain")},
     .advice = {translatable("ErrorText", "Bore the part open from an end, or export triangles, for example STL.")}};
 
+const ErrorDescription WorkpieceError::NoPasses{
+    .id = "NoPasses",
+    .sentences = {translatable("ErrorText", "nothing was cut yet, so there are no passes to write")},
+    .advice = {translatable("ErrorText", "Cut the part by hand first, or make cycles for a target.")}};
+
+const ErrorDescription WorkpieceError::BoredPasses{
+    .id = "BoredPasses",
+    .sentences = {translatable("ErrorText", "passes in a bore cannot be written as a program")},
+    .advice = {translatable("ErrorText", "Write a program of your own for the bore.")}};
+
+const ErrorDescription WorkpieceError::OtherTools{
+    .id = "OtherTools",
+    .sentences = {translatable("ErrorText",
+                               "pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk")},
+    .advice = {translatable("ErrorText", "Write passes that were made with turning tools.")}};
+
 }  // namespace handwheel

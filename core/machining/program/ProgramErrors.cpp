@@ -18,6 +18,16 @@ const ErrorDescription ProgramError::TooManyMoves{
     .sentences = {translatable("ErrorText", "the tool path has more than %1 moves")},
     .advice = {translatable("ErrorText", "Take a larger depth of cut, or divide the program.")}};
 
+const ErrorDescription ProgramError::CyclesCollide{
+    .id = "ProgramCyclesCollide",
+    .sentences = {translatable("ErrorText", "the cycles collide in line %1")},
+    .advice = {translatable("ErrorText", "Take a smaller nose or depth of cut.")}};
+
+const ErrorDescription ProgramError::CyclesGouge{
+    .id = "ProgramCyclesGouge",
+    .sentences = {translatable("ErrorText", "the cycles cut %1 mm into the target at Z %2")},
+    .advice = {translatable("ErrorText", "Take a smaller nose.")}};
+
 void refuse(const ProgramPlace& place, const std::string& word, const std::string& reason, const std::string& remedy) {
   constexpr std::size_t kMostShown = 40;
   std::string shown = word.substr(0, kMostShown);

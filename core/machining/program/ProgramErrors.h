@@ -9,9 +9,11 @@
 // The codes of errors of lathe programs. Their position is the line.
 namespace handwheel::ProgramError {
 
-extern const ErrorDescription Refused;       // {column, word, what is wrong with it, what to do}
-extern const ErrorDescription Endless;       // {blocks} more were executed than any program has
-extern const ErrorDescription TooManyMoves;  // {moves}
+extern const ErrorDescription Refused;        // {column, word, what is wrong with it, what to do}
+extern const ErrorDescription Endless;        // {blocks} more were executed than any program has
+extern const ErrorDescription TooManyMoves;   // {moves}
+extern const ErrorDescription CyclesCollide;  // {line} made for a target
+extern const ErrorDescription CyclesGouge;    // {mm, z} into the target
 
 }  // namespace handwheel::ProgramError
 

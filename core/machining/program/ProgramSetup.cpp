@@ -85,6 +85,15 @@ int outsideOrientation(ProgramDialect dialect) {
   return dialect == ProgramDialect::Fanuc ? 3 : 2;
 }
 
+ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double nose) {
+  constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
+  ProgramSetup setup;
+  setup.dialect = dialect;
+  setup.standard = {nose, outsideOrientation(dialect), {0, 0}};
+  setup.reference = {0.5 * stock.diameter + kHomeDistance, kHomeDistance};
+  return setup;
+}
+
 const ProgramTool& ProgramSetup::tool(int number) const {
   const auto found = tools.find(number);
   return found == tools.end() ? standard : found->second;

@@ -5,6 +5,7 @@
 #include "base/Result.h"
 #include "machining/program/ToolPath.h"
 #include "nurbs/BezierArc.h"
+#include "nurbs/StockCylinder.h"
 
 #include <map>
 #include <string_view>
@@ -41,6 +42,10 @@ struct ProgramSetup {
   const ProgramTool& tool(int number) const;
   const ProgramTool& toolOf(const ToolMove& move) const { return tool(move.shape != 0 ? move.shape : move.tool); }
 };
+
+// The machine for a bar whose upper end is z = 0: every tool turns the outside with this nose (mm; 0: an ideal point),
+// and machine zero is 100 mm above and beside the bar.
+ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double nose);
 
 // The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Error: Refused.
 Result<std::map<int, ProgramTool>> readToolTable(std::string_view text);

@@ -168,13 +168,14 @@ std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double 
 // right-hand one goes towards the chuck, and all passes begin a whole number of pitches from one another.
 std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint& toTip) {
   std::vector<ProfilePoint> tips;
-  for (const ProfilePoint& point : pass.path) tips.emplace_back(point.x() - pass.noseRadius, point.y());
+  const double middle = pass.tool ? pass.tool->noseCentre().y() : 0.0;  // of the groove, from the path
+  for (const ProfilePoint& point : pass.path) tips.emplace_back(point.x() + toTip.x(), point.y() + middle);
   if ((tips.front().y() < tips.back().y()) != pass.thread->isLeft) std::reverse(tips.begin(), tips.end());
   const double pitch = pass.thread->lead(), offset = pass.thread->offset;
   const double turns = (tips.front().y() - offset) / pitch;
   const double start = offset + pitch * (pass.thread->isLeft ? std::floor(turns) : std::ceil(turns));
   if (start != tips.front().y()) tips.insert(tips.begin(), {tips.front().x(), start});
-  for (ProfilePoint& tip : tips) tip.y() += toTip.y();
+  for (ProfilePoint& tip : tips) tip.y() += toTip.y() - middle;
   return tips;
 }
 
@@ -206,7 +207,7 @@ std::string descriptionOf(const PassTool& tool, ProgramDialect dialect) {
 
 bool isProgrammable(const TurningPass& pass) {
   if (pass.side == TurningSide::Bore) return false;
-  if (!pass.tool) return true;
+  if (!pass.tool || pass.thread) return true;
   switch (pass.tool->kind) {
     case LatheToolKind::RightTurning:
     case LatheToolKind::LeftTurning:
@@ -216,7 +217,7 @@ bool isProgrammable(const TurningPass& pass) {
     case LatheToolKind::Form:
       return true;
     default:
-      return false;  // bores and drills; threads, whose feed follows the spindle; file, paper and disk follow the hand
+      return false;  // bores and drills; file, paper and disk follow the hand
   }
 }
 
@@ -247,6 +248,9 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
   go(ToolMove::Kind::Rapid, move.to);
   for (const TurningPass& pass : passes) {
     if (pass.path.empty()) continue;
+    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
+    const ProfilePoint toTip(-nose, -nose - length);
+    move.tool = static_cast<std::uint16_t>(numberIn(tools, pass));
     if (pass.thread) {
       const std::vector<ProfilePoint> tips = threadTips(pass, toTip);
       move.feed = 100.0;
@@ -267,10 +271,7 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
     for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
     const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
     move.feed = seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : 100.0;
-    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
-    const ProfilePoint toTip(-nose, -nose - length);
     const ProfilePoint first = path.front() + toTip;
-    move.tool = static_cast<std::uint16_t>(numberIn(tools, pass));
     go(ToolMove::Kind::Rapid, {above, move.to.y()});
     go(ToolMove::Kind::Rapid, {above, first.y()});
     for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point + toTip);

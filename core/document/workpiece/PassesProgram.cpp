@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/PassesProgram.h"
+
+#include "document/workpiece/WorkpieceErrors.h"
+
+namespace handwheel {
+
+Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect,
+                                    const PassProgram& how) {
+  if (!workpiece.part || workpiece.part->passes.empty()) return Error{WorkpieceError::NoPasses, {}, {}, {}};
+  std::vector<TurningPass> passes;
+  for (const auto& pass : workpiece.part->passes) {
+    if (pass->side == TurningSide::Bore) return Error{WorkpieceError::BoredPasses, {}, {}, {}};
+    if (!isProgrammable(*pass)) return Error{WorkpieceError::OtherTools, {std::to_string(passes.size() + 1)}, {}, {}};
+    passes.push_back(*pass);
+  }
+  PassesProgram program;
+  std::vector<std::string> comments;
+  for (const PassTool& tool : toolsOf(passes)) {
+    comments.push_back(descriptionOf(tool, dialect));
+    program.tools[tool.number] = {tool.noseRadius, tool.orientationIn(dialect), {0.0, 0.0}};
+  }
+  const StockCylinder& stock = workpiece.stock;
+  const auto moves = movesOf(passes, 0.5 * stock.diameter, stock.length, how);
+  program.text = programText(moves, dialect, "recorded passes", comments);
+  return program;
+}
+
+}  // namespace handwheel

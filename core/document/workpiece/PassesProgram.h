@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/program/ProgramWriter.h"
+
+#include <map>
+
+namespace handwheel {
+
+// The passes of a workpiece as a program, and the tools with which it makes the same part again.
+struct PassesProgram {
+  std::string text;
+  std::map<int, ProgramTool> tools;  // by number, T1 is that of the first pass
+};
+
+// Writes them. Errors: NoPasses, BoredPasses, OtherTools.
+Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect, const PassProgram& how);
+
+}  // namespace handwheel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/ProgramTrial.h"
+
+#include "document/workpiece/TurnedPartEdit.h"
+#include "machining/program/ProgramInterpreter.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kVersions = 100;  // kept of a path
+constexpr std::size_t kLook = 16;       // moves between two looks at the cancel flag
+
+}  // namespace
+
+Result<ProgramTrial::Pointer> ProgramTrial::run(const WorkpieceSnapshot& workpiece, std::string_view text,
+                                                ProgramSetup setup, double spacing, const CuttingForceModel* model,
+                                                Progress progress) {
+  Result<ToolPath> path = runProgram(text, setup, progress.part(0.0, 0.3));
+  if (!path) return path.error();
+  const std::shared_ptr<ProgramTrial> trial(new ProgramTrial(std::move(path.value()), std::move(setup)));
+  if (!trial->simulate(workpiece, partOf(workpiece, spacing), model, progress.part(0.3, 1.0)))
+    return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return Pointer(trial);
+}
+
+bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, const CuttingForceModel* model,
+                            Progress progress) {
+  const std::size_t moves = m_path.moves.size();
+  const std::size_t stride = moves / kVersions + 1;
+  ProgramSimulation simulation(before.profile, m_path, m_setup, model);
+  m_versions.push_back({0, before.profile});
+  while (simulation.step()) {
+    const std::size_t done = simulation.done();
+    if (done % stride == 0) m_versions.push_back({done, simulation.part()});
+    if (done % kLook != 0) continue;
+    if (progress.cancelled()) return false;
+    progress.set(static_cast<double>(done) / static_cast<double>(moves));
+  }
+  if (progress.cancelled()) return false;
+  m_peaks = simulation.peaks();
+  m_notes = simulation.notes();
+  m_collisions = simulation.collisions();
+  m_collisionCount = simulation.collisionCount();
+  std::vector<TurningPass> passes = simulation.takePasses();
+  if (passes.empty()) return true;
+  m_removed = before.profile.volume() - simulation.part().volume();
+  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes, before.crashes};
+  for (TurningPass& pass : passes) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  m_part = std::make_shared<const TurnedPart>(std::move(part));
+  return true;
+}
+
+std::optional<TurnedProfile> ProgramTrial::profileAt(const ProgramPosition& position, Progress progress) const {
+  const auto later = std::upper_bound(m_versions.begin(), m_versions.end(), position.done,
+                                      [](std::size_t done, const Version& version) { return done < version.done; });
+  const Version& version = *std::prev(later);
+  ToolPath rest;
+  const auto from = m_path.moves.begin() + static_cast<std::ptrdiff_t>(version.done);
+  const auto to = m_path.moves.begin() + static_cast<std::ptrdiff_t>(std::min(position.done, m_path.moves.size()));
+  rest.moves.assign(from, to);
+  if (position.fraction > 0.0 && position.done < m_path.moves.size()) {
+    rest.moves.push_back(m_path.moves[position.done]);
+    rest.moves.back().to = pointOn(rest.moves.back(), position.fraction);
+  }
+  ProgramSimulation simulation(version.profile, rest, m_setup);
+  while (simulation.step()) {
+    if (progress.cancelled()) return std::nullopt;
+  }
+  return simulation.part();
+}
+
+}  // namespace handwheel

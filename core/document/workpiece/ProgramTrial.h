@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/program/ProgramSimulation.h"
+#include "machining/program/ProgramSteps.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// A program that was tried on a workpiece: its tool path, what it makes of the part, and the part after any of its
+// moves. Nothing of the document changes by it. Immutable; any thread.
+class ProgramTrial {
+ public:
+  using Pointer = std::shared_ptr<const ProgramTrial>;
+
+  // spacing: mm, of the samples of a bar that was not cut yet. model: of the forces; may be null. Errors: those of
+  // runProgram(), Cancelled.
+  static Result<Pointer> run(const WorkpieceSnapshot& workpiece, std::string_view text, ProgramSetup setup,
+                             double spacing, const CuttingForceModel* model, Progress progress = {});
+  ProgramTrial(const ProgramTrial&) = delete;
+  ProgramTrial& operator=(const ProgramTrial&) = delete;
+
+  const ToolPath& path() const { return m_path; }
+  const ProgramSteps& steps() const { return m_steps; }
+  const ProgramSetup& setup() const { return m_setup; }
+  // The part with the passes of the program behind its own; null where the program touches nothing.
+  const std::shared_ptr<const TurnedPart>& part() const { return m_part; }
+  const std::vector<ToolPath::Note>& notes() const { return m_notes; }  // of the simulation
+  const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
+  std::size_t collisionCount() const { return m_collisionCount; }
+  const ForcePeaks& peaks() const { return m_peaks; }
+  double removed() const { return m_removed; }  // mm³
+
+  // The part as it is at a place of the path: simulated from the nearest version that was kept, so that it costs a
+  // hundredth of the whole. None: cancelled.
+  std::optional<TurnedProfile> profileAt(const ProgramPosition& position, Progress progress = {}) const;
+
+ private:
+  ProgramTrial(ToolPath path, ProgramSetup setup) : m_path(std::move(path)), m_setup(setup), m_steps(m_path) {}
+  bool simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, const CuttingForceModel* model,
+                Progress progress);
+
+  struct Version {
+    std::size_t done = 0;  // moves
+    TurnedProfile profile;
+  };
+  ToolPath m_path;
+  ProgramSetup m_setup;
+  ProgramSteps m_steps;
+  std::vector<Version> m_versions;  // ascending; they share their pages
+  std::shared_ptr<const TurnedPart> m_part;
+  std::vector<ToolPath::Note> m_notes;
+  std::vector<ProgramCollision> m_collisions;
+  std::size_t m_collisionCount = 0;
+  ForcePeaks m_peaks;
+  double m_removed = 0.0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurnedProfile.h"
+#include "machining/program/ProgramSetup.h"
+#include "machining/program/RoughAndFinish.h"
+
+#include <string>
+
+namespace handwheel {
+
+// What cycles are made for: a target and the part that it is cut from.
+struct CycleTask {
+  const TargetProfile& target;
+  const StockCylinder& stock;  // the bar
+  const TurnedProfile& part;   // the bar, or what was cut from it
+  double base = 0.0;           // mm, z of the part's lower end in the coordinates of the target
+};
+
+// The cycles of roughAndFinish() as a program whose z = 0 is the upper end of the part. It is simulated before it is
+// given away: it collides nowhere, and cuts no more than 0.005 mm into the target. Errors: CyclesCollide, CyclesGouge,
+// Cancelled, those of roughAndFinish().
+Result<std::string> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
+                                 Progress progress = {});
+
+}  // namespace handwheel

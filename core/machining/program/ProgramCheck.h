@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "machining/program/ProgramSetup.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// Everything that keeps a program from running, in the order in which it is met: the first is what runProgram() says.
+// To find the next ones, what was refused is left out and the program is run again; so an error may be one that an
+// earlier one causes. At most kMostProblems, and fewer of long programs. Empty: it runs. Any thread.
+inline constexpr std::size_t kMostProblems = 100;
+std::vector<Error> programProblems(std::string_view text, const ProgramSetup& setup, Progress progress = {});
+
+// The dialect that the words of a program tell; none where it could be either. Cost: linear in the text.
+std::optional<ProgramDialect> recognisedDialect(std::string_view text);
+
+}  // namespace handwheel
