@@ -29,13 +29,61 @@ TurnedProfile::Range cutByPoint(TurnedProfile& profile, TurningSide side, const 
   for (auto i = static_cast<std::size_t>(std::max(low, 0.0)); i <= end; ++i) {
     const double t = std::clamp((profile.z(i) - a.y()) / along, 0.0, 1.0);
     const double radius = std::max(0.0, a.x() + t * (b.x() - a.x()));
+    // In the bore, or around the part, it is beside the material.
+    const bool isBeside =
+        side == TurningSide::Bore ? radius >= profile.radius(i) : profile.inner(i) > 0.0 && radius <= profile.inner(i);
+    if (isBeside) continue;
     const bool isCut = side == TurningSide::Bore ? profile.limitInner(i, radius) : profile.limitOuter(i, radius);
     if (isCut) changed.extend({i, i + 1});
   }
   return changed;
 }
 
+// The wall that a place is certainly in: of all samples from the one below it to the one above. Between two samples
+// that a shoulder lies between the profile does not tell where; so a tool that leaves the shoulder is not in it.
+struct Wall {
+  double inner = 0.0, outer = 0.0;  // mm; the same where there is none
+};
+
+Wall wallBetween(const TurnedProfile& profile, double low, double high) {
+  constexpr double kShare = 1e-6;  // of a spacing: on a sample
+  const double first = std::floor(low + kShare) == std::floor(low - kShare) ? std::floor(low) : std::round(low) - 1.0;
+  const double last = std::ceil(high + kShare) == std::ceil(high - kShare) ? std::ceil(high) : std::round(high) + 1.0;
+  if (first < 0.0 || last > static_cast<double>(profile.size() - 1)) return {};
+  Wall wall{0.0, profile.radius(static_cast<std::size_t>(first))};
+  for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
+    wall.inner = std::max(wall.inner, profile.inner(i));
+    wall.outer = std::min(wall.outer, profile.radius(i));
+  }
+  return wall;
+}
+
+// How deep a way between two radii is in a wall: where it is as far from both sides, or at an end of the way.
+double deepestIn(const Wall& wall, double r0, double r1) {
+  if (wall.inner >= wall.outer) return 0.0;
+  const double low = std::max(0.0, std::min(r0, r1)), high = std::max(0.0, std::max(r0, r1));
+  if (wall.inner == 0.0) return wall.outer - low;
+  const double r = std::clamp(0.5 * (wall.inner + wall.outer), low, high);
+  return std::min(wall.outer - r, r - wall.inner);
+}
+
 }  // namespace
+
+double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b) {
+  if (!a.allFinite() || !b.allFinite()) return 0.0;
+  const double spacing = profile.spacing(), from = a.y() / spacing, along = b.y() / spacing - from;
+  if (along == 0.0) return std::max(0.0, deepestIn(wallBetween(profile, from, from), a.x(), b.x()));
+  const double low = std::max(0.0, std::min(from, from + along));
+  const double high = std::min(static_cast<double>(profile.size() - 1), std::max(from, from + along));
+  double deepest = 0.0;
+  const auto radiusAt = [&](double sample) { return a.x() + (sample - from) / along * (b.x() - a.x()); };
+  for (double cell = std::floor(low); cell < high; cell += 1.0) {
+    const double begin = std::max(low, cell), end = std::min(high, cell + 1.0);
+    const double middle = 0.5 * (begin + end);
+    deepest = std::max(deepest, deepestIn(wallBetween(profile, middle, middle), radiusAt(begin), radiusAt(end)));
+  }
+  return deepest;
+}
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b) {
   if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;

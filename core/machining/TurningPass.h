@@ -30,6 +30,10 @@ struct TurningPass {
 // Cuts as this pass does, with the centre of its nose from a to b. Returns the samples that changed.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b);
 
+// How deep a point that moves straight from a to b is in the material, mm, on the radius at most; 0 outside of it, and
+// where only one of two neighbouring samples has the material. O(samples below).
+double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b);
+
 // Cuts a pass. The profile is incomplete when it was cancelled.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress = {});
 

@@ -175,6 +175,19 @@ Result<ProgramSetup> setupOf(const TurnRequest& request, const StockCylinder& st
   return setup;
 }
 
+const char* sentenceOf(ProgramCollision::Kind kind) {
+  switch (kind) {
+    case ProgramCollision::Kind::Chuck:
+      return "collision with the chuck.";
+    case ProgramCollision::Kind::SpindleAtRest:
+      return "feed into material with the spindle at rest.";
+    case ProgramCollision::Kind::SpindleReversed:
+      return "feed into material with the spindle reversed (M4).";
+    default:
+      return "rapid move through material.";
+  }
+}
+
 // The workpiece after a program. Notes and collisions go to stderr.
 Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
                                         std::vector<std::string>& remarks, Progress progress) {
@@ -201,10 +214,10 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   figures.time = path->time;
   for (const ToolPath::Note& note : path->notes)
     remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
+  for (const ToolPath::Note& note : simulation.notes())
+    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
   for (const ProgramCollision& collision : simulation.collisions())
-    remarks.push_back("line " + std::to_string(collision.line) +
-                      (collision.kind == ProgramCollision::Kind::Chuck ? ": collision with the chuck."
-                                                                       : ": rapid move through material."));
+    remarks.push_back("line " + std::to_string(collision.line) + ": " + sentenceOf(collision.kind));
   std::vector<TurningPass> passes = simulation.takePasses();
   if (passes.empty()) return workpiece;
   TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes};

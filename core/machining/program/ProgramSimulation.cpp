@@ -15,6 +15,7 @@ constexpr double kPiece = 1.0;        // mm, of a straight move, for its forces
 constexpr int kMostPieces = 16;       // of a straight move
 constexpr int kMostArcPieces = 4096;  // of an arc
 constexpr std::size_t kPassPoints = 100'000;
+constexpr std::size_t kMostRemarks = 100;
 
 int piecesOf(const ToolMove& move) {
   if (move.turn == 0) return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), 1, kMostPieces);
@@ -32,14 +33,41 @@ ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, c
 }
 
 TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
-  const ProgramTool& tool = m_setup.tool(move.tool);
+  const ProgramTool& tool = m_setup.toolOf(move);
   TurningPass shape;
   shape.noseRadius = tool.noseRadius;
-  const bool isDrilling = move.turn == 0 && move.kind != ToolMove::Kind::Rapid && std::abs(move.from.x()) <= kOnAxis &&
-                          std::abs(move.to.x()) <= kOnAxis;
   const bool isBoring = tipDirection(m_setup.dialect, tool.orientation).x() > 0.0;
-  if (isDrilling || isBoring) shape.side = TurningSide::Bore;
+  if (m_isDrilling || isBoring) shape.side = TurningSide::Bore;
   return shape;
+}
+
+// A tool that feeds along the axis towards the chuck is a drill until it leaves the axis, so that its way back through
+// the hole is one, too; a tool that has faced to the axis is not.
+void ProgramSimulation::followDrill(const ToolMove& move) {
+  const bool isOnAxis = move.turn == 0 && std::abs(move.from.x()) <= kOnAxis && std::abs(move.to.x()) <= kOnAxis;
+  const bool begins = move.kind != ToolMove::Kind::Rapid && move.to.y() < move.from.y();
+  m_isDrilling = isOnAxis && (begins || (m_isDrilling && m_drill == move.tool));
+  m_drill = move.tool;
+}
+
+// How deep a piece of a move is in the material, mm, on the radius: of a point, which takes nothing where it moves
+// straight in, from the profile between the samples. Of a nose the samples tell it.
+double ProgramSimulation::deepestOf(const ProfilePoint& a, const ProfilePoint& b, const TurningPass& shape) const {
+  return shape.noseRadius > 0.0 ? 0.0 : pointDepth(m_part, a, b);
+}
+
+void ProgramSimulation::judge(const ToolMove& move, double deepest, double nose) {
+  if (!(deepest > kTouch)) return;
+  if (move.kind == ToolMove::Kind::Rapid)
+    collide(ProgramCollision::Kind::RapidInMaterial, move);
+  else if (move.spin == 0 || !(move.spindle > 0.0))
+    collide(ProgramCollision::Kind::SpindleAtRest, move);
+  else if (move.spin < 0 && move.kind == ToolMove::Kind::Feed)
+    collide(ProgramCollision::Kind::SpindleReversed, move);
+  if (m_isDrilling && nose == 0.0 && m_notes.size() < kMostRemarks)
+    m_notes.push_back({move.line,
+                       "The drill leaves no hole: the tool has no diameter. Give it a nose radius of half the "
+                       "diameter of the drill."});
 }
 
 bool ProgramSimulation::reachesChuck(const ToolMove& move, double nose) const {
@@ -79,10 +107,11 @@ void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, 
   if (!goesOn) {
     m_passes.push_back(shape);
     m_passes.back().path.push_back(a);
-    m_passes.back().times.push_back(begin);
+    m_passes.back().times.push_back(0.0);
+    m_passBegin = begin;
   }
   m_passes.back().path.push_back(b);
-  m_passes.back().times.push_back(std::max(end, m_passes.back().times.back()));
+  m_passes.back().times.push_back(std::max(end - m_passBegin, m_passes.back().times.back()));
 }
 
 void ProgramSimulation::meet(const ToolMove& move, const Removal& removal, double seconds, double length) {
@@ -116,10 +145,12 @@ bool ProgramSimulation::step() {
   const ToolMove& move = m_path.moves[m_next++];
   m_time += move.time;
   if (move.kind == ToolMove::Kind::Dwell) return true;
+  followDrill(move);
   const TurningPass shape = shapeOf(move);
   if (reachesChuck(move, shape.noseRadius)) collide(ProgramCollision::Kind::Chuck, move);
-  const ProgramTool& tool = m_setup.tool(move.tool);
-  const ProfilePoint toCentre = -shape.noseRadius * tipDirection(m_setup.dialect, tool.orientation);
+  const ProgramTool& tool = m_setup.toolOf(move);
+  ProfilePoint toCentre = -shape.noseRadius * tipDirection(m_setup.dialect, tool.orientation);
+  if (m_isDrilling) toCentre.x() = 0.0;  // a drill turns about its own axis
   const ProfilePoint up(0.0, m_part.length());
   const double reach = m_largest + shape.noseRadius;
   const int pieces = piecesOf(move);
@@ -129,6 +160,7 @@ bool ProgramSimulation::step() {
     const ProfilePoint a = pointOn(move, static_cast<double>(i) / pieces) + toCentre + up;
     const ProfilePoint b = pointOn(move, static_cast<double>(i + 1) / pieces) + toCentre + up;
     Removal removal;
+    deepest = std::max(deepest, deepestOf(a, b, shape));
     if (std::min(a.x(), b.x()) <= reach && !samplesBelow(a, b, shape.noseRadius).isEmpty())
       removal = cutPiece(shape, a, b);
     if (removal.area > 0.0) {
@@ -138,7 +170,7 @@ bool ProgramSimulation::step() {
     meet(move, removal, seconds, length);
     deepest = std::max(deepest, removal.depth);
   }
-  if (move.kind == ToolMove::Kind::Rapid && deepest > kTouch) collide(ProgramCollision::Kind::RapidInMaterial, move);
+  judge(move, deepest, shape.noseRadius);
   return true;
 }
 

@@ -17,6 +17,8 @@ struct ProgramCollision {
   enum class Kind {
     RapidInMaterial,  // a rapid move through the part
     Chuck,            // the tip beyond the face of the chuck
+    SpindleAtRest,    // a feed into the part that does not turn
+    SpindleReversed,  // a feed into the part that turns away from the edge (M4)
   };
   Kind kind = Kind::RapidInMaterial;
   std::uint32_t line = 0;
@@ -27,8 +29,9 @@ struct ProgramCollision {
 //
 // The upper end of the part is z = 0 of the program; it is gripped at the lower end, where the chuck begins. A tool
 // cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
-// the outside, or the axis for a tool whose tip points outwards. A feed along the axis drills, with the nose for a
-// drill. A rapid move cuts, too, and is a collision where it does. Cost: O(samples below the moves). One thread.
+// the outside, or the axis for a tool whose tip points outwards. A feed along the axis towards the chuck drills, with
+// the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so does a feed with the spindle at
+// rest or reversed; each is a collision where it meets material. Cost: O(samples below the moves). One thread.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
@@ -50,6 +53,8 @@ class ProgramSimulation {
 
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
   std::size_t collisionCount() const { return m_collisionCount; }
+  // What does not come out as a reader of the program expects, such as a drill without diameter.
+  const std::vector<ToolPath::Note>& notes() const { return m_notes; }
   // The largest force and power so far; zero without a model.
   ForcePeaks peaks();
   // The moves that cut, as passes that give the same part again.
@@ -59,7 +64,10 @@ class ProgramSimulation {
   struct Removal {
     double area = 0.0, depth = 0.0, radius = 0.0;  // mm², mm, mm
   };
+  void followDrill(const ToolMove& move);
   TurningPass shapeOf(const ToolMove& move) const;
+  double deepestOf(const ProfilePoint& a, const ProfilePoint& b, const TurningPass& shape) const;
+  void judge(const ToolMove& move, double deepest, double nose);
   TurnedProfile::Range samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const;
   Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
   void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end);
@@ -78,7 +86,11 @@ class ProgramSimulation {
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;
   std::uint32_t m_lastCollision = 0;  // line
+  std::vector<ToolPath::Note> m_notes;
+  bool m_isDrilling = false;  // the tool is on the axis and has drilled there
+  int m_drill = -1;           // its number
   std::vector<TurningPass> m_passes;
+  double m_passBegin = 0.0;  // s, of the program, where the last pass begins
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramSimulation.h"
+
+#include "TestClass.h"
+#include "machining/program/ProgramInterpreter.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+using CollisionKind = ProgramCollision::Kind;
+
+constexpr double kFineSpacing = 0.013;  // mm
+constexpr StockCylinder kSimulatedBar{40.0, 100.0, 0.0};
+
+struct Simulated {
+  bool isRun = false;
+  TurnedProfile part{kSimulatedBar, 1.0};
+  std::vector<ProgramCollision> collisions;
+  std::vector<TurningPass> passes;
+  std::vector<ToolPath::Note> notes;
+};
+
+Simulated simulate(const std::string& text, const ProgramSetup& setup, const TurnedProfile& bar) {
+  Simulated result;
+  const Result<ToolPath> path = runProgram(text, setup);
+  if (!path) qWarning("line %d: %s", int(path.error().position.value), path.error().arguments.at(2).c_str());
+  if (!path) return result;
+  ProgramSimulation simulation(bar, *path, setup);
+  result.isRun = simulation.run({});
+  result.part = simulation.part();
+  result.collisions = simulation.collisions();
+  result.notes = simulation.notes();
+  result.passes = simulation.takePasses();
+  return result;
+}
+
+Simulated simulate(const std::string& text, double nose = 0.0) {
+  ProgramSetup setup;
+  setup.standard = {nose, outsideOrientation(setup.dialect), {0, 0}};
+  setup.reference = {120.0, 100.0};
+  return simulate(text, setup, TurnedProfile(kSimulatedBar, kFineSpacing));
+}
+
+double removedBy(const Simulated& simulated) {
+  return kSimulatedBar.volume() - simulated.part.volume();
+}
+
+}  // namespace
+
+// What a program does to a bar of 40 mm, and what it must not do. Z 0 is the right end.
+class ProgramSimulationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void collisions_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<double>("nose");
+    QTest::addColumn<int>("kind");  // -1: none
+    const QString begin = "G21 G18 G7\nF100 S500 M3\n", still = "G21 G18 G7\nF100 S500\n";
+    const int rapid = int(CollisionKind::RapidInMaterial), atRest = int(CollisionKind::SpindleAtRest);
+    for (const double nose : {0.0, 0.8}) {
+      const auto add = [&](const char* name, const QString& program, int kind) {
+        QTest::addRow("%s, nose %g", name, nose) << program << nose << kind;
+      };
+      add("straight in", begin + "G0 X50 Z-20\nX10\n", rapid);
+      add("straight in between samples", begin + "G0 X50 Z-20.0071\nX10\n", rapid);
+      add("slanting", begin + "G0 X50 Z-20\nX30 Z-25\n", rapid);
+      add("through the end", begin + "G0 X20 Z5\nZ-5\n", rapid);
+      add("beside", begin + "G0 X50 Z-20\nX42 Z-10\nX44 Z2\nX0\n", -1);
+      // Off a shoulder that lies between two samples, and back along the cut.
+      add("away from a shoulder", begin + "G0 X36 Z2\nG1 Z-20.0071\nG0 X50\nZ2\nX36\nG0 Z-19\n", -1);
+      add("along a cone", begin + "G0 X30 Z2\nG1 Z0\nX38 Z-20\nG0 X30 Z0\n", -1);
+      add("never turned", still + "G0 X44 Z2\nX36\nG1 Z-20\n", atRest);
+      add("stopped", begin + "G0 X44 Z2\nX36\nM5\nG1 Z-20\n", atRest);
+      add("plunge at rest", still + "G0 X44 Z-20\nG1 X30\n", atRest);
+      add("without speed", "G21 G18 G7\nF100 M3\nG0 X44 Z2\nX36\nG1 Z-20\n", atRest);
+      add("reversed", begin + "M4\nG0 X44 Z2\nX36\nG1 Z-20\n", int(CollisionKind::SpindleReversed));
+      add("at rest in the air", still + "G0 X44 Z2\nG1 Z-20\n", -1);
+    }
+  }
+  void collisions() {
+    QFETCH(QString, program);
+    QFETCH(double, nose);
+    QFETCH(int, kind);
+    const Simulated simulated = simulate(program.toStdString(), nose);
+    QVERIFY(simulated.isRun);
+    QCOMPARE(simulated.collisions.size(), std::size_t(kind < 0 ? 0 : 1));
+    if (kind >= 0) QCOMPARE(int(simulated.collisions.front().kind), kind);
+  }
+
+  // A tube of 40 and 30 mm: a point at r 10 is in the bore, one at r 25 around it, and neither takes the wall away.
+  void aPointBesideTheWallLeavesIt() {
+    TurnedProfile tube(kSimulatedBar, kFineSpacing);
+    for (std::size_t i = 0; i < tube.size(); ++i) tube.limitInner(i, 15.0);
+    TurnedProfile inside = tube, outside = tube;
+    TurningPass pass;
+    pass.noseRadius = 0.0;
+    QVERIFY(cut(inside, pass, {10.0, 102.0}, {10.0, 80.0}).isEmpty());
+    QVERIFY(inside == tube);
+    pass.side = TurningSide::Bore;
+    QVERIFY(cut(outside, pass, {25.0, 102.0}, {25.0, 80.0}).isEmpty());
+    QVERIFY(outside == tube);
+    // Within the wall it cuts as before.
+    QVERIFY(!cut(outside, pass, {18.0, 102.0}, {18.0, 80.0}).isEmpty());
+    QVERIFY(std::abs(outside.inner(outside.size() - 2) - 18.0) < 1e-12);
+  }
+
+  // A wall of 15 to 20 mm and ways through it: the depth is the distance to the nearer side.
+  void depthOfAPoint() {
+    TurnedProfile tube({40.0, 100.0, 0.0}, 0.5);
+    for (std::size_t i = 0; i < tube.size(); ++i) tube.limitInner(i, 15.0);
+    QCOMPARE(pointDepth(tube, {10.0, 50.0}, {10.0, 20.0}), 0.0);
+    QCOMPARE(pointDepth(tube, {22.0, 50.0}, {22.0, 20.0}), 0.0);
+    QCOMPARE(pointDepth(tube, {22.0, 50.0}, {10.0, 50.0}), 2.5);
+    QCOMPARE(pointDepth(tube, {22.0, 50.1}, {19.0, 50.1}), 1.0);
+    QCOMPARE(pointDepth(tube, {16.0, 90.0}, {16.0, 80.0}), 1.0);
+    QCOMPARE(pointDepth(tube, {17.0, 110.0}, {17.0, 101.0}), 0.0);
+    QCOMPARE(pointDepth(tube, {22.0, 100.0}, {10.0, 100.0}), 0.0);  // along its face
+  }
+
+  // A drill of 10 mm goes 20 mm deep: a cylinder of 15 mm above half a ball.
+  void aDrillHasTheDiameterOfItsNose_data() {
+    QTest::addColumn<int>("orientation");
+    for (const int orientation : {2, 7}) QTest::addRow("Q%d", orientation) << orientation;
+  }
+  void aDrillHasTheDiameterOfItsNose() {
+    QFETCH(int, orientation);
+    ProgramSetup setup;
+    setup.standard = {5.0, orientation, {0, 0}};
+    setup.reference = {120.0, 100.0};
+    const TurnedProfile bar(kSimulatedBar, kFineSpacing);
+    const Simulated simulated = simulate("G21 G18 G7\nF100 S500 M3\nG0 X0 Z2\nG1 Z-20\nG0 Z2\nX50\n", setup, bar);
+    QCOMPARE(simulated.collisions.size(), std::size_t{0});
+    const double expected = M_PI * 25.0 * 15.0 + 2.0 / 3.0 * M_PI * 125.0;
+    QVERIFY2(std::abs(removedBy(simulated) / expected - 1.0) < 2e-3, qPrintable(QString::number(removedBy(simulated))));
+    QVERIFY(simulated.notes.empty());
+  }
+
+  void aPointDrillsNothingAndSaysSo() {
+    const Simulated simulated = simulate("G21 G18 G7\nF100 S500 M3\nG0 X0 Z2\nG1 Z-20\nG0 Z2\n");
+    QVERIFY(std::abs(removedBy(simulated)) < 1e-6);
+    QVERIFY(!simulated.notes.empty());
+    QCOMPARE(int(simulated.notes.front().line), 4);
+  }
+
+  // Facing leaves a pip below the nose; the way back along the axis does not hit it.
+  void facingIsNotDrilling() {
+    const Simulated simulated = simulate("G21 G18 G7\nF100 S500 M3\nG0 X44 Z-0.5\nG1 X0\nG0 Z2\n", 0.8);
+    QCOMPARE(simulated.collisions.size(), std::size_t{0});
+    QVERIFY(removedBy(simulated) > 0.99 * M_PI * 400.0 * 0.5);
+  }
+
+  void timesOfAPassBeginWithIt() {
+    const Simulated simulated =
+        simulate("G21 G18 G7\nF60 S500 M3\nG0 X44 Z2\nX38\nG1 Z-20\nX44\nG0 Z2\nX36\nG1 Z-20\n");
+    QVERIFY(simulated.passes.size() >= 2);
+    for (const TurningPass& pass : simulated.passes) {
+      QCOMPARE(pass.times.front(), 0.0);
+      double way = 0.0;
+      for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
+      QVERIFY(std::abs(pass.times.back() - way) < 1e-6);  // at 1 mm/s
+    }
+  }
+};
+
+HANDWHEEL_TEST(ProgramSimulationTest)
+#include "ProgramSimulationTest.moc"
