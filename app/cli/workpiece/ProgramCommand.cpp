@@ -119,12 +119,18 @@ Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, 
     return {{}, request.from + " has no passes. With --stock cycles are made for it as a target.", {}};
   std::vector<TurningPass> passes;
   for (const auto& pass : workpiece->part->passes) {
-    if (pass->side == TurningSide::Bore) return {{}, "Passes in a bore cannot be written as a program.", {}};
+    if (!isProgrammable(*pass))
+      return {{},
+              pass->tool ? "Passes of the tool " + pass->tool->id + " cannot be written as a program."
+                         : "Passes in a bore cannot be written as a program.",
+              {}};
     passes.push_back(*pass);
   }
+  std::vector<std::string> tools;
+  for (const PassTool& tool : toolsOf(passes)) tools.push_back(descriptionOf(tool, request.dialect));
   const StockCylinder& stock = workpiece->stock;
   const auto moves = movesOf(passes, 0.5 * stock.diameter, stock.length, request.passes);
-  return {programText(moves, request.dialect, "recorded passes"), {}, {}};
+  return {programText(moves, request.dialect, "recorded passes", tools), {}, {}};
 }
 
 int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {

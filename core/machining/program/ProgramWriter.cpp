@@ -29,12 +29,11 @@ std::string decimal(double value) {
 // The words of a program, with what is modal.
 class Writer {
  public:
-  Writer(ProgramDialect dialect, const std::string& title) : m_isFanuc(dialect == ProgramDialect::Fanuc) {
-    std::string comment;
-    for (const char c : title)
-      if (c >= ' ' && c <= '~' && c != '(' && c != ')') comment += c;
-    m_text = m_isFanuc ? "%\nO0001 (" + comment + ")\nG21 G18 G40 G99\n"
-                       : "(" + comment + ")\nG21 G18 G40 G49 G90 G91.1 G7\n";
+  Writer(ProgramDialect dialect, const std::string& title, std::span<const std::string> comments)
+      : m_isFanuc(dialect == ProgramDialect::Fanuc) {
+    line((m_isFanuc ? "%\nO0001 " : "") + comment(title));
+    for (const std::string& text : comments) line(comment(text));
+    line(m_isFanuc ? "G21 G18 G40 G99" : "G21 G18 G40 G49 G90 G91.1 G7");
   }
 
   void add(const ToolMove& move) {
@@ -66,6 +65,13 @@ class Writer {
 
  private:
   void line(const std::string& words) { m_text += words + "\n"; }
+
+  static std::string comment(const std::string& text) {
+    std::string inside;
+    for (const char c : text)
+      if (c >= ' ' && c <= '~' && c != '(' && c != ')') inside += c;
+    return "(" + inside + ")";
+  }
 
   // The lead of Fanuc is measured along the longer axis.
   static double lead(const ToolMove& move) {
@@ -124,6 +130,17 @@ class Writer {
   ProfilePoint m_at{0, 0};
 };
 
+// Its number among these tools; 0: none of them.
+int toolNumberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
+  for (const PassTool& known : tools) {
+    const bool isBoth = known.tool && pass.tool;
+    const bool isSame =
+        isBoth ? *known.tool == *pass.tool : !known.tool && !pass.tool && known.noseRadius == pass.noseRadius;
+    if (isSame) return known.number;
+  }
+  return 0;
+}
+
 // The points of a path that are needed to stay within the tolerance of all.
 std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double tolerance) {
   std::vector<ProfilePoint> kept{path.front()};
@@ -149,8 +166,49 @@ std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double 
 
 }  // namespace
 
-std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title) {
-  Writer writer(dialect, title);
+int PassTool::orientationIn(ProgramDialect dialect) const {
+  if (!tool) return outsideOrientation(dialect);
+  // Tools have the numbers of ISO, which are those of Fanuc.
+  const ProfilePoint way = tipDirection(ProgramDialect::Fanuc, tool->orientation);
+  for (int i = 1; i <= 9; ++i)
+    if (tipDirection(dialect, i) == way) return i;
+  return 0;
+}
+
+std::vector<PassTool> toolsOf(std::span<const TurningPass> passes) {
+  std::vector<PassTool> tools;
+  for (const TurningPass& pass : passes) {
+    if (toolNumberIn(tools, pass) != 0) continue;
+    tools.push_back(
+        {static_cast<int>(tools.size()) + 1, pass.tool ? pass.tool->noseRadius : pass.noseRadius, pass.tool});
+  }
+  return tools;
+}
+
+std::string descriptionOf(const PassTool& tool, ProgramDialect dialect) {
+  return "T" + std::to_string(tool.number) + ": " + (tool.tool ? tool.tool->designation + ", " : "") + "nose " +
+         shortestText(tool.noseRadius) + ", orientation " + std::to_string(tool.orientationIn(dialect));
+}
+
+bool isProgrammable(const TurningPass& pass) {
+  if (pass.side == TurningSide::Bore) return false;
+  if (!pass.tool) return true;
+  switch (pass.tool->kind) {
+    case LatheToolKind::RightTurning:
+    case LatheToolKind::LeftTurning:
+    case LatheToolKind::Facing:
+    case LatheToolKind::Parting:
+    case LatheToolKind::Grooving:
+    case LatheToolKind::Form:
+      return true;
+    default:
+      return false;  // bores and drills; threads, whose feed follows the spindle; file, paper and disk follow the hand
+  }
+}
+
+std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
+                        std::span<const std::string> comments) {
+  Writer writer(dialect, title, comments);
   for (const ToolMove& move : moves) writer.add(move);
   return writer.finish();
 }
@@ -159,11 +217,10 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
                               const PassProgram& how) {
   std::vector<ToolMove> moves;
   if (passes.empty()) return moves;
-  const double nose = passes.front().noseRadius;
-  const ProfilePoint toTip(-nose, -nose - length);
+  const std::vector<PassTool> tools = toolsOf(passes);
   const double above = radius + how.clearance;
   ToolMove move;
-  move.tool = 1;
+  move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, passes.front()));
   move.spin = 1;
   move.spindle = how.spindle;
   move.from = move.to = {above, how.clearance};
@@ -181,7 +238,10 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
     for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
     const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
     move.feed = seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : 100.0;
+    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
+    const ProfilePoint toTip(-nose, -nose - length);
     const ProfilePoint first = path.front() + toTip;
+    move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, pass));
     go(ToolMove::Kind::Rapid, {above, move.to.y()});
     go(ToolMove::Kind::Rapid, {above, first.y()});
     for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point + toTip);

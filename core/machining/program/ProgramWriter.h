@@ -13,7 +13,9 @@ namespace handwheel {
 
 // Writes moves as a program that the interpreter, and a machine, reads as the same path to 1e-4 mm. Millimetres,
 // diameters, arcs with I and K. A tool of another number is changed to; what does not change is not repeated.
-std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title);
+// comments: lines of their own, after the title.
+std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
+                        std::span<const std::string> comments = {});
 
 // How recorded passes become a program.
 struct PassProgram {
@@ -22,8 +24,24 @@ struct PassProgram {
   double clearance = 2.0;   // mm, above the part between passes
 };
 
-// The moves that repeat recorded passes with a tool for the outside, whose nose is that of the first pass: to each
-// pass from above, along it at its mean speed, and away. length: mm, of the part, whose upper end is z = 0.
+// A tool of a program for recorded passes.
+struct PassTool {
+  int number = 1;                              // T
+  double noseRadius = 0.0;                     // mm
+  std::shared_ptr<const LatheTool> tool = {};  // null: a round nose alone
+  int orientationIn(ProgramDialect dialect) const;
+};
+
+// The tools of these passes, in the order in which they come, from T1. Noses of another radius are other tools.
+std::vector<PassTool> toolsOf(std::span<const TurningPass> passes);
+// For the head of a program: "T2: CNMG 120408, nose 0.8, orientation 2".
+std::string descriptionOf(const PassTool& tool, ProgramDialect dialect);
+// Whether a program can repeat what the tool does: it cuts the outside, with the work free to turn under it.
+bool isProgrammable(const TurningPass& pass);
+
+// The moves that repeat recorded passes on the outside, each with its tool of toolsOf(): to each pass from above, along
+// it at its mean speed, and away. A program moves the tip of a tool; of a round nose alone the corner of its tangents
+// towards the axis and the chuck. length: mm, of the part, whose upper end is z = 0.
 std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double length,
                               const PassProgram& how);
 

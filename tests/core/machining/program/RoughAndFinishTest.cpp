@@ -3,12 +3,14 @@
 #include "machining/program/RoughAndFinish.h"
 
 #include "TestClass.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramInterpreter.h"
 #include "machining/program/ProgramSimulation.h"
 #include "machining/program/ProgramWriter.h"
 #include "machining/target/TargetDeviation.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace handwheel;
@@ -162,6 +164,66 @@ class RoughAndFinishTest : public QObject {
       // Where the pass begins and ends the tool comes from above.
       if (std::abs(bar.z(i) - 90.0) < 1.1 || std::abs(bar.z(i) - 10.0) < 1.1) continue;
       QVERIFY(std::abs(simulation.part().radius(i) - expected.radius(i)) < 2e-3);
+    }
+  }
+
+  // Passes of two tools of the lathe, whose paths are those of their tips: Ø36 to Z -30, then a groove of the blade's
+  // width at Z -20. The program changes tools, and its tips go where those of the lathe went.
+  void passesOfToolsAreRepeated() {
+    const LatheTools shipped = shippedLatheTools();
+    TurningPass turning, groove;
+    turning.tool = toolNamed(shipped, "right-roughing");
+    groove.tool = *std::find_if(shipped.begin(), shipped.end(),
+                                [](const auto& tool) { return tool->kind == LatheToolKind::Parting; });
+    QVERIFY(turning.tool && turning.tool->noseRadius > 0.1);
+    turning.path = {{18.0, 102.0}, {18.0, 70.0}, {22.0, 70.0}};
+    turning.times = {0.0, 16.0, 18.0};
+    groove.path = {{22.0, 80.0}, {12.0, 80.0}, {22.0, 80.0}};
+    groove.times = {0.0, 20.0, 40.0};
+    const std::vector<TurningPass> passes{turning, groove, turning};
+    const std::vector<PassTool> tools = toolsOf(passes);
+    QCOMPARE(tools.size(), std::size_t{2});
+    QCOMPARE(tools[0].noseRadius, turning.tool->noseRadius);
+    for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
+      QVERIFY(tipDirection(dialect, tools[0].orientationIn(dialect)) == ProfilePoint(-1, -1));
+      const std::vector<std::string> comments{descriptionOf(tools[0], dialect)};
+      const std::string text = programText(movesOf(passes, kBarRadius, kBarLength, {}), dialect, "two", comments);
+      QVERIFY(text.find(turning.tool->designation) != std::string::npos);
+      const auto path = runProgram(text, setupFor(dialect, 0.0));
+      QVERIFY(bool(path));
+      const auto tipGoes = [&](int tool, const ProfilePoint& a, const ProfilePoint& b) {
+        return std::any_of(path->moves.begin(), path->moves.end(), [&](const ToolMove& m) {
+          return m.kind == ToolMove::Kind::Feed && m.tool == tool && (m.from - a).norm() < 1e-4 &&
+                 (m.to - b).norm() < 1e-4;
+        });
+      };
+      QVERIFY(tipGoes(1, {18.0, 2.0}, {18.0, -30.0}) && tipGoes(1, {18.0, -30.0}, {22.0, -30.0}));
+      QVERIFY(tipGoes(2, {22.0, -20.0}, {12.0, -20.0}));
+    }
+    // With the nose in the table the program leaves the cylinder that the lathe has left.
+    ProgramSetup setup = setupFor(ProgramDialect::LinuxCnc, 0.0);
+    setup.tools[1] = {tools[0].noseRadius, tools[0].orientationIn(setup.dialect), {0, 0}};
+    const std::vector<TurningPass> first{turning};
+    const TurnedProfile bar({2.0 * kBarRadius, kBarLength, 0.0}, 0.05);
+    const auto path = runProgram(programText(movesOf(first, kBarRadius, kBarLength, {}), setup.dialect, "one"), setup);
+    QVERIFY(bool(path));
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    TurnedProfile expected = bar;
+    cut(expected, turning);
+    for (std::size_t i = 0; i < bar.size(); ++i) {
+      if (bar.z(i) < 72.0) continue;  // the back of the insert is not that of a round nose
+      QVERIFY(std::abs(simulation.part().radius(i) - expected.radius(i)) < 1e-4);
+    }
+  }
+
+  void someToolsAreNotForPrograms() {
+    for (const auto& tool : shippedLatheTools()) {
+      TurningPass pass;
+      pass.tool = tool;
+      pass.side = tool->side;
+      const bool isTurning = tool->kind <= LatheToolKind::Form;
+      QVERIFY2(isProgrammable(pass) == (isTurning && tool->side == TurningSide::Outside), tool->id.c_str());
     }
   }
 
