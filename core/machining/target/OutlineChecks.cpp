@@ -138,15 +138,20 @@ void turnLeft(Segments& segments, bool isClockwise) {
   for (ProfileSegment& s : segments) s = s.reversed();
 }
 
-std::optional<ProfilePoint> ownCrossing(const Segments& segments, bool isClosed) {
+// Where it crosses itself. Error: TooIntricate.
+Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool isClosed) {
+  constexpr std::size_t kPairsOfEach = 100, kLeastPairs = 1'000'000;  // whose boxes meet: a second or two
+  const std::size_t most = std::max(kLeastPairs, kPairsOfEach * segments.size());
+  std::size_t pairs = 0;
   const SegmentTree tree(segments);
   const std::size_t n = segments.size();
   const ProfilePoint slack(kJoin, kJoin);
   std::optional<ProfilePoint> found;
-  for (std::size_t i = 0; i < n && !found; ++i) {
+  for (std::size_t i = 0; i < n && !found && pairs <= most; ++i) {
     ProfileBox box = segments[i].box();
     box = ProfileBox(box.min() - slack, box.max() + slack);
     tree.meeting(box, [&](std::size_t k) {
+      if (++pairs > most) return false;
       if (k <= i) return true;
       const bool isNext = k == i + 1, isBefore = isClosed && i == 0 && k + 1 == n;
       if (isNext && isBefore) return true;  // two arcs that are a whole ring
@@ -156,6 +161,7 @@ std::optional<ProfilePoint> ownCrossing(const Segments& segments, bool isClosed)
       return !found;
     });
   }
+  if (!found && pairs > most) return Error{TargetError::TooIntricate, {}, {}, {}};
   return found;
 }
 
@@ -174,8 +180,9 @@ Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments) {
   const double area = signedArea(segments);
   if (!(std::abs(area) > kJoin * kJoin)) return Error{TargetError::NoArea, {}, {}, {}};
   turnLeft(segments, area < 0.0);
-  if (const auto crossing = ownCrossing(segments, outline.isClosed))
-    return errorAt(TargetError::CrossesItself, *crossing);
+  const auto crossing = ownCrossing(segments, outline.isClosed);
+  if (!crossing) return crossing.error();
+  if (*crossing) return errorAt(TargetError::CrossesItself, **crossing);
   outline.segments = std::move(segments);
   return outline;
 }

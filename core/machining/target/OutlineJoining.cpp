@@ -62,8 +62,12 @@ struct Edge {
   bool isUsed = false;
 };
 
-// The segments as edges, none of them twice.
-std::vector<Edge> edgesOf(const Segments& segments, Places& places, double gap) {
+Error crossingAt(const ProfilePoint& p) {
+  return {TargetError::CrossesItself, {shownText(p.x()), shownText(p.y())}, {}, {}};
+}
+
+// The segments as edges, none of them twice. Error: CrossesItself, where more than two go between the same places.
+Result<std::vector<Edge>> edgesOf(const Segments& segments, Places& places, double gap) {
   std::vector<Edge> edges;
   std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> known;
   for (const ProfileSegment& s : segments) {
@@ -78,6 +82,7 @@ std::vector<Edge> edgesOf(const Segments& segments, Places& places, double gap) 
       return (edges[k].segment.at(0.5) - middle).norm() <= 2.0 * gap;
     });
     if (isTwice) continue;
+    if (between.size() == 2) return crossingAt(edge.segment.from);  // so each is compared with two at most
     between.push_back(edges.size());
     edges.push_back(edge);
   }
@@ -92,10 +97,7 @@ Result<EdgesAt> edgesAt(const std::vector<Edge>& edges, const Places& places) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (const std::size_t end : edges[i].ends) {
       auto& there = at[end];
-      if (there[1] != kNobody) {
-        const ProfilePoint& p = places.point(end);
-        return Error{TargetError::CrossesItself, {shownText(p.x()), shownText(p.y())}, {}, {}};
-      }
+      if (there[1] != kNobody) return crossingAt(places.point(end));
       there[there[0] == kNobody ? 0 : 1] = i;
     }
   }
@@ -158,7 +160,9 @@ bool joinByFaces(std::vector<Segments>& chains, double gap) {
 
 Result<std::vector<ProfileSegment>> joinedOutline(std::vector<ProfileSegment> segments, double gap) {
   Places places(gap);
-  std::vector<Edge> edges = edgesOf(segments, places, gap);
+  Result<std::vector<Edge>> joined = edgesOf(segments, places, gap);
+  if (!joined) return joined.error();
+  std::vector<Edge>& edges = joined.value();
   if (edges.empty()) return Error{TargetError::NoProfile, {}, {}, {}};
   const Result<EdgesAt> at = edgesAt(edges, places);
   if (!at) return at.error();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace handwheel {
 
@@ -19,7 +18,14 @@ bool isOn(const ProfileSegment& segment, const ProfilePoint& p, double slack) {
   return (segment.nearest(p) - p).norm() <= slack;
 }
 
-using Candidates = std::vector<ProfilePoint>;
+// At most two where curves meet, and the ends of both.
+struct Candidates {
+  std::array<ProfilePoint, 6> points;
+  std::size_t count = 0;
+  void add(const ProfilePoint& p) { points[count++] = p; }
+  const ProfilePoint* begin() const { return points.data(); }
+  const ProfilePoint* end() const { return points.data() + count; }
+};
 
 // The supporting line or circle of a segment.
 struct Support {
@@ -35,7 +41,7 @@ struct Support {
 
 void addLines(const Support& a, const Support& b, Candidates& found) {
   const double sine = wedge(a.along, b.along);
-  if (std::abs(sine) > 1e-12) found.push_back(a.point + wedge(b.point - a.point, b.along) / sine * a.along);
+  if (std::abs(sine) > 1e-12) found.add(a.point + wedge(b.point - a.point, b.along) / sine * a.along);
 }
 
 void addLineCircle(const Support& line, const Support& circle, Candidates& found) {
@@ -43,8 +49,8 @@ void addLineCircle(const Support& line, const Support& circle, Candidates& found
   const ProfilePoint middle = line.point + foot * line.along;
   const double off = (middle - circle.point).norm();
   const double half = std::sqrt(std::max(0.0, (circle.radius - off) * (circle.radius + off)));
-  found.push_back(middle - half * line.along);
-  found.push_back(middle + half * line.along);
+  found.add(middle - half * line.along);
+  found.add(middle + half * line.along);
 }
 
 void addCircles(const Support& a, const Support& b, Candidates& found) {
@@ -54,8 +60,8 @@ void addCircles(const Support& a, const Support& b, Candidates& found) {
   const double foot = 0.5 * (distance + (a.radius - b.radius) * (a.radius + b.radius) / distance);
   const double half = std::sqrt(std::max(0.0, (a.radius - foot) * (a.radius + foot)));
   const ProfilePoint along = between / distance, across(-along.y(), along.x());
-  found.push_back(a.point + foot * along - half * across);
-  found.push_back(a.point + foot * along + half * across);
+  found.add(a.point + foot * along - half * across);
+  found.add(a.point + foot * along + half * across);
 }
 
 // Where the curves behind two segments meet, and the ends of both, which tell of overlaps.
@@ -69,7 +75,7 @@ Candidates candidates(const ProfileSegment& a, const ProfileSegment& b) {
   } else {
     addLines(s, t, found);
   }
-  for (const ProfilePoint& end : {a.from, a.to, b.from, b.to}) found.push_back(end);
+  for (const ProfilePoint& end : {a.from, a.to, b.from, b.to}) found.add(end);
   return found;
 }
 

@@ -62,6 +62,11 @@ const ErrorDescription TargetError::NotTurned{
                                "it is not a turned part: face %1, a %2 at (%3, %4, %5), does not turn about its axis")},
     .advice = {translatable("ErrorText", "Remove that feature, or choose to ignore what is not turned.")}};
 
+const ErrorDescription TargetError::TooIntricate{
+    .id = "TooIntricate",
+    .sentences = {translatable("ErrorText", "the outline goes to and fro too often to be checked")},
+    .advice = {translatable("ErrorText", "Draw it with fewer lines, for example without hatching.")}};
+
 const ErrorDescription TargetError::NotOneSolid{
     .id = "NotOneSolid",
     .sentences = {translatable("ErrorText", "the file contains %1 solids, and a target is one")},

@@ -24,9 +24,9 @@ class TargetProfile {
   static constexpr double kJoin = 1e-6;              // mm: ends nearer than this are one
 
   // From segments in order, in either direction; pieces on the axis may be among them. Open ends off the axis are
-  // joined to it by flat faces, or to each other where they are at the same height. O(n log n). Errors: FileTooLarge
-  // {segments}, ValueOutOfRange {coordinate}, and TargetError: NotJoined, CrossesAxis, TouchesAxis, CrossesItself,
-  // NoArea.
+  // joined to it by flat faces, or to each other where they are at the same height. O(n log n + p), p pairs of
+  // segments whose boxes meet; too many are refused. Errors: FileTooLarge {segments}, ValueOutOfRange {coordinate}, and
+  // TargetError: NotJoined, CrossesAxis, TouchesAxis, CrossesItself, TooIntricate, NoArea.
   static Result<TargetProfile> make(std::vector<ProfileSegment> segments);
 
   std::span<const ProfileSegment> segments() const { return m_outline->segments; }

@@ -53,6 +53,14 @@ class DrawingTest : public QObject {
     }));
   }
 
+  // Two curves between two places are an outline; of more, as many as a file has room for, the third is refused.
+  void manyArcsBetweenTwoPlaces() {
+    std::vector<ProfileSegment> arcs;
+    for (int i = 0; i < 100'000; ++i) arcs.push_back({{10.0, 0.0}, {10.0, 50.0}, 1e-5 * i});
+    const auto target = targetIn(drawn(arcs));
+    QVERIFY(!target && target.error().code == TargetError::CrossesItself);
+  }
+
   void belowTheAxis() {
     Drawing drawing = drawn({{{0, 3}, {50, 3}, 0.0}, {{0, 3}, {0, 10}, 0.0}, {{50, 3}, {50, 10}, 0.0}});
     drawing.axis = 10.0;

@@ -55,6 +55,30 @@ class TargetProfileTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // Diagonals that are long and nearly parallel, so that each box meets all others: as many pairs as the square of
+  // their number, which is refused after a time in proportion to it. A profile of as many pieces that goes on is
+  // checked.
+  void aHatchingIsRefused() {
+    Segments zigzag;
+    constexpr int kLines = 100'000;
+    ProfilePoint at(1.0, 0.0);
+    for (int i = 0; i < kLines - 3; ++i) {
+      const bool isUp = i % 2 == 0;
+      const ProfilePoint to(isUp ? 1000.0 + 0.001 * i : 1.0 + 0.001 * i, isUp ? 1000.0 : 0.0005 * i);
+      zigzag.push_back({at, to, 0.0});
+      at = to;
+    }
+    QVERIFY(refusal(zigzag) == TargetError::TooIntricate || refusal(zigzag) == TargetError::CrossesItself);
+    Segments steps;
+    at = {10.0, 0.0};
+    for (int i = 0; i < kLines - 3; ++i) {
+      const ProfilePoint to(10.0 + 0.01 * (i % 2), at.y() + 0.01);
+      steps.push_back({at, to, 0.0});
+      at = to;
+    }
+    QVERIFY(TargetProfile::make(steps).hasValue());
+  }
+
   void aCylinder() {
     // As an open line, with its ends, closed along the axis, and the other way round: the same.
     const Segments open = through({{20, 0}, {20, 100}});
