@@ -21,8 +21,8 @@ constexpr const char* kContourRemedy =
 
 }  // namespace
 
-ContourCycle::ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place)
-    : m_segments(std::move(contour)), m_place(place) {}
+ContourCycle::ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleWork& work)
+    : m_work(work), m_segments(std::move(contour)), m_place(place) {}
 
 void ContourCycle::rotate() {
   for (ContourSegment& segment : m_segments) segment.turnQuarter();
@@ -100,6 +100,7 @@ void ContourCycle::finishCorners() {
 }
 
 void ContourCycle::offsetStep(double step, bool isOutward) {
+  m_work.spend(m_segments.size(), m_place);
   for (ContourSegment& segment : m_segments) segment.offset(step);
   std::erase_if(m_segments, [](const ContourSegment& segment) { return segment.size() < kLeastSegment; });
   for (std::size_t i = 0; i + 1 < m_segments.size(); ++i) {
@@ -112,11 +113,14 @@ void ContourCycle::offsetStep(double step, bool isOutward) {
     before.offset(-step);
     after.offset(-step);
     around.centre = 0.5 * (before.to + after.from);
+    m_work.spend(m_segments.size() - i, m_place);
     m_segments.insert(m_segments.begin() + static_cast<std::ptrdiff_t>(i + 1), around);
     ++i;
   }
   for (std::size_t i = 0; i + 1 < m_segments.size(); ++i) {
+    m_work.spend(1, m_place);
     const auto erase = [&](std::size_t k) {
+      m_work.spend(m_segments.size() - k, m_place);
       m_segments.erase(m_segments.begin() + static_cast<std::ptrdiff_t>(k));
       i = 0;
     };
@@ -168,13 +172,13 @@ void ContourCycle::rough(const Roughing& how, const CycleOutput& output) {
     up.to = {up.from.real(), start.imag()};
     m_segments.push_back(up);
   }
-  ContourLevels levels(m_segments, how.depth, how.retract, m_place);
+  ContourLevels levels(m_segments, how.depth, how.retract, m_place, m_work);
   levels.cut(static_cast<int>(how.pockets), out);
 }
 
 void ContourCycle::finish(const Finishing& how, const CycleOutput& output) {
   m_segments.front().from = how.start;
-  ContourCycle bare(Segments(m_segments.begin() + 1, m_segments.end()), m_place);
+  ContourCycle bare(Segments(m_segments.begin() + 1, m_segments.end()), m_place, m_work);
   bare.orient();
   if (std::any_of(bare.m_segments.begin(), bare.m_segments.end(),
                   [](const ContourSegment& segment) { return !segment.isMonotonic(); })) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machining/program/ContourSegment.h"
+#include "machining/program/CycleWork.h"
 
 namespace handwheel {
 
@@ -30,8 +31,8 @@ class ContourCycle {
   };
 
   // place: of the cycle, for refusals (ProgramRefusal): a contour that goes back, or in which the allowance does not
-  // fit.
-  ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place);
+  // fit. work: of all cycles of the program; must outlive it.
+  ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleWork& work);
 
   void rough(const Roughing& how, const CycleOutput& out);
   void finish(const Finishing& how, const CycleOutput& out);
@@ -48,6 +49,7 @@ class ContourCycle {
   void offsetBy(double distance);
   void offsetStep(double step, bool isOutward);
 
+  CycleWork& m_work;
   Segments m_segments;
   ProgramPlace m_place;
   int m_turned = 0;  // bits: 1 z mirrored, 2 r mirrored, 4 turned by a quarter

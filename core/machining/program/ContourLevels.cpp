@@ -16,10 +16,15 @@ constexpr int kMostLevelSteps = 4'000'000;
 }  // namespace
 
 ContourLevels::ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract,
-                             const ProgramPlace& place)
-    : m_contour(contour), m_depth(std::max(depth, 2.0 * kSameLevel)), m_retract(retract), m_place(place) {}
+                             const ProgramPlace& place, CycleWork& work)
+    : m_contour(contour),
+      m_depth(std::max(depth, 2.0 * kSameLevel)),
+      m_retract(retract),
+      m_place(place),
+      m_work(work) {}
 
 void ContourLevels::spend() {
+  m_work.spend(1, m_place);
   if (++m_steps > kMostLevelSteps) refuse(m_place, "I", "the cycle has too many levels", "Use a larger depth of cut.");
 }
 

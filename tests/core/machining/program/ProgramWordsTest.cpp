@@ -187,6 +187,21 @@ class ProgramWordsTest : public QObject {
     QVERIFY(!many);
   }
 
+  // A contour of thousands of lines, finished in ten thousand passes: neither blocks nor moves end it.
+  void cyclesHaveABudget() {
+    std::string text = "G18 F9\nO1 sub\nG0 X1 Z0\n";
+    for (int i = 1; i <= 3000; ++i)
+      text += "G1 X" + std::to_string(1.0 + 0.01 * i) + " Z" + std::to_string(-0.01 * i - 0.005 * (i % 2)) + "\n";
+    text += "O1 endsub\nG0 X50 Z5\nG70 Q1 X40 Z2 D1 E0.1 P10000\nM2\n";
+    ProgramSetup setup;
+    const Result<ToolPath> path = runProgram(text, setup);
+    QVERIFY(!path);
+    JobState job;
+    job.cancelled = true;
+    const Result<ToolPath> cancelled = runProgram(text, setup, Progress(job));
+    QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
+  }
+
   void isCancelled() {
     JobState job;
     job.cancelled = true;
