@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "machining/TurnedProfile.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/RoughAndFinish.h"

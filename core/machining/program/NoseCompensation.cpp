@@ -43,6 +43,7 @@ void NoseCompensation::begin(int side, double radius, const ProfilePoint& tip, c
   m_radius = radius;
   m_tip = radius * planePoint(tip);
   m_isFirst = true;
+  m_isEntry = false;
   m_contour = m_centre = at;  // as LinuxCNC: the entry move starts from the tip as if the nose's centre were there
   m_held.clear();
   m_heldFrom.reset();
@@ -100,13 +101,23 @@ void NoseCompensation::enter(const Step& programmed) {
     refuse(programmed.place, "nose compensation", "the first move is not longer than the nose radius",
            "Begin compensation farther from the part.");
   const double out = std::arg(along) + (m_side > 0 ? M_PI_2 : -M_PI_2);
-  Held held{programmed, std::polar(1.0, out), 0.0};
+  Held held{programmed, m_entersSquare ? PlanePoint{} : std::polar(1.0, out), 0.0};
+  m_isEntry = m_entersSquare;
   held.step.to = programmed.to + std::polar(m_radius, out);
   m_heldFrom = m_centre;
   m_isFirst = false;
   m_contour = programmed.to;
   m_centre = held.step.to;
   hold(std::move(held));
+}
+
+// The move in ends beside the beginning of the contour.
+void NoseCompensation::endEntryAt(const PlanePoint& offset) {
+  m_isEntry = false;
+  m_centre = m_contour + offset;
+  for (Held& held : m_held) held.step.to = m_centre;
+  flush();
+  m_heldFrom = m_centre;
 }
 
 // The arc that ends in the offset of the programmed end, towards its centre, and begins where the tool is.
@@ -160,6 +171,7 @@ void NoseCompensation::line(const Step& programmed) {
     hold(std::move(still));
     return;
   }
+  if (m_isEntry) endEntryAt(std::polar(m_radius, std::arg(along) + m_side * M_PI_2));
   double theta = angleTo(m_contour, m_centre), alpha = std::arg(along);
   if (m_side > 0 && theta < alpha) theta += 2.0 * M_PI;
   if (m_side < 0 && alpha < theta) alpha += 2.0 * M_PI;
@@ -241,13 +253,14 @@ void NoseCompensation::arc(const Step& programmed) {
   const int turn = programmed.modal.turn;
   const double arcRadius = std::abs(programmed.to - programmed.centre);
   const double inward = angleTo(m_contour, programmed.centre);
+  const double side = isInside(turn) ? m_radius : -m_radius;  // towards the centre
+  if (m_isEntry) endEntryAt(std::polar(side, inward));
   const double theta = angleTo(m_contour, m_centre) - m_side * M_PI_2;
   const double alpha = inward - turn * M_PI_2;
   double beta = m_side * (theta - alpha);
   if (beta > 1.5 * M_PI) beta -= 2.0 * M_PI;
   if (beta < -M_PI_2) beta += 2.0 * M_PI;
   if (isInside(turn) && arcRadius <= m_radius) refuseCorner(programmed.place);
-  const double side = isInside(turn) ? m_radius : -m_radius;  // towards the centre
   const PlanePoint to = programmed.to + std::polar(side, angleTo(programmed.to, programmed.centre));
 
   const bool isTangentBack = std::abs(beta - M_PI) < kCorner && !isInside(turn);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machining/program/ProgramErrors.h"
-#include "machining/program/ToolPath.h"
+#include "machining/program/ProgramSetup.h"
 
 #include <complex>
 #include <functional>
@@ -27,7 +27,8 @@ inline ProfilePoint profilePoint(const PlanePoint& p) {
 // A move is held back until the next one is known: in a concave corner it ends where the two offset moves meet; at a
 // convex corner an arc around it is put between. A corner that the nose cannot enter is refused (ProgramRefusal). The
 // rules, with the tolerance for a corner, are those of LinuxCNC 2.9 (interp_convert.cc, Chris Radek's queue), so that a
-// path is the same as on such a machine; Fanuc's differ in how a move in and out of compensation is made.
+// path is the same as on such a machine. On a Fanuc the move in ends square to the contour where that begins, not
+// square to itself; so it fits where the contour begins with less than the radius of the nose.
 class NoseCompensation {
  public:
   // What is held back: a move with everything but its places.
@@ -38,7 +39,8 @@ class NoseCompensation {
   };
   using Emit = std::function<void(const Step&)>;
 
-  explicit NoseCompensation(Emit emit) : m_emit(std::move(emit)) {}
+  NoseCompensation(ProgramDialect dialect, Emit emit)
+      : m_entersSquare(dialect == ProgramDialect::Fanuc), m_emit(std::move(emit)) {}
 
   bool isOn() const { return m_side != 0; }
 
@@ -63,6 +65,7 @@ class NoseCompensation {
   void flush();
   void endHeldAt(const PlanePoint& corner, const ProgramPlace& place);
   void enter(const Step& programmed);
+  void endEntryAt(const PlanePoint& offset);
   void enterByArc(const Step& programmed);
   void line(const Step& programmed);
   void arc(const Step& programmed);
@@ -72,6 +75,8 @@ class NoseCompensation {
   PlanePoint cornerToArc(const Step& programmed, double theta, double beta) const;
   PlanePoint cornerOfArcs(const Step& programmed) const;
 
+  bool m_entersSquare;
+  bool m_isEntry = false;  // what is held back is a straight move in, of Fanuc
   Emit m_emit;
   int m_side = 0;
   double m_radius = 0.0;

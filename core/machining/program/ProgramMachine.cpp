@@ -14,7 +14,9 @@ constexpr const char* kSpindleRemedy = "Write a speed and M3 or M4 before it, su
 }  // namespace
 
 ProgramMachine::ProgramMachine(const ProgramSetup& setup, ToolPath& path)
-    : m_setup(setup), m_path(path), m_compensation([this](const NoseCompensation::Step& step) { emit(step); }) {
+    : m_setup(setup),
+      m_path(path),
+      m_compensation(setup.dialect, [this](const NoseCompensation::Step& step) { emit(step); }) {
   m_systems.fill(-setup.reference);
   m_at = m_tip = setup.reference;
 }

@@ -17,7 +17,7 @@ constexpr double kPiece = 1.0;        // mm, of a straight move, for its forces
 constexpr int kMostPieces = 16;       // of a straight move
 constexpr int kMostArcPieces = 4096;  // of an arc
 constexpr std::size_t kPassPoints = 100'000;
-constexpr std::size_t kMostNotes = 100;
+constexpr std::size_t kMostRemarks = 100;
 
 int piecesOf(const ToolMove& move) {
   if (move.turn == 0) return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), 1, kMostPieces);
@@ -76,14 +76,14 @@ void ProgramSimulation::judge(const ToolMove& move, double deepest, double nose)
     collide(ProgramCollision::Kind::SpindleAtRest, move);
   else if (move.spin < 0 && move.kind == ToolMove::Kind::Feed)
     collide(ProgramCollision::Kind::SpindleReversed, move);
-  if (m_isDrilling && nose == 0.0 && m_notes.size() < kMostNotes)
+  if (m_isDrilling && nose == 0.0 && m_notes.size() < kMostRemarks)
     m_notes.push_back({move.line,
                        "The drill leaves no hole: the tool has no diameter. Give it a nose radius of half the "
                        "diameter of the drill."});
 }
 
 bool ProgramSimulation::reachesChuck(const ToolMove& move, double nose) const {
-  const double face = -m_part.length() - kTouch;
+  const double face = m_setup.grip - m_part.length() - kTouch;
   const double lowest = std::min(move.from.y(), move.to.y()) - nose;
   const double reach = m_largest + std::max(m_largest, 40.0);  // mm: jaws and body
   return lowest < face && std::min(move.from.x(), move.to.x()) - nose < reach;

@@ -131,7 +131,7 @@ class Writer {
 };
 
 // Its number among these tools; 0: none of them.
-int numberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
+int toolNumberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
   for (const PassTool& known : tools) {
     const bool isBoth = known.tool && pass.tool;
     const bool isSame =
@@ -193,7 +193,7 @@ int PassTool::orientationIn(ProgramDialect dialect) const {
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes) {
   std::vector<PassTool> tools;
   for (const TurningPass& pass : passes) {
-    if (numberIn(tools, pass) != 0) continue;
+    if (toolNumberIn(tools, pass) != 0) continue;
     tools.push_back(
         {static_cast<int>(tools.size()) + 1, pass.tool ? pass.tool->noseRadius : pass.noseRadius, pass.tool});
   }
@@ -235,7 +235,7 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
   const std::vector<PassTool> tools = toolsOf(passes);
   const double above = radius + how.clearance;
   ToolMove move;
-  move.tool = static_cast<std::uint16_t>(numberIn(tools, passes.front()));
+  move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, passes.front()));
   move.spin = 1;
   move.spindle = how.spindle;
   move.from = move.to = {above, how.clearance};
@@ -250,7 +250,7 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
     if (pass.path.empty()) continue;
     const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
     const ProfilePoint toTip(-nose, -nose - length);
-    move.tool = static_cast<std::uint16_t>(numberIn(tools, pass));
+    move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, pass));
     if (pass.thread) {
       const std::vector<ProfilePoint> tips = threadTips(pass, toTip);
       move.feed = 100.0;
@@ -271,7 +271,10 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
     for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
     const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
     move.feed = seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : 100.0;
+    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
+    const ProfilePoint toTip(-nose, -nose - length);
     const ProfilePoint first = path.front() + toTip;
+    move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, pass));
     go(ToolMove::Kind::Rapid, {above, move.to.y()});
     go(ToolMove::Kind::Rapid, {above, first.y()});
     for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point + toTip);

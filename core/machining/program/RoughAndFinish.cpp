@@ -59,12 +59,12 @@ ToolMove moveAlong(const ProfileSegment& segment) {
 }
 
 // The path of the centre of a nose that goes along a contour on its outside, with the way in and the overrun.
-std::vector<ToolMove> besides(const Contour& contour, double nose, double clearance, double overrun) {
+std::vector<ToolMove> offsetPath(const Contour& contour, double nose, double clearance, double overrun) {
   std::vector<ToolMove> path;
   const ProfilePoint first = contour.front().from, last = contour.back().to;
   const ProfilePoint start = first - (nose + clearance) * contour.front().direction(0.0);
   ProfilePoint at = start;
-  NoseCompensation compensation([&](const NoseCompensation::Step& step) {
+  NoseCompensation compensation(ProgramDialect::LinuxCnc, [&](const NoseCompensation::Step& step) {
     ToolMove move = step.modal;
     move.from = at;
     move.to = at = profilePoint(step.to);
@@ -201,8 +201,8 @@ Result<std::vector<ToolMove>> roughAndFinish(const TargetProfile& target, double
       refuse({}, "target", "it is thicker than the bar",
              "Take a bar of at least " + roundedText(2.0 * target.largestRadius()) + " mm.");
     const Contour contour = outsideOf(target);
-    const std::vector<ToolMove> rough = besides(contour, s.nose + s.allowance, s.clearance, s.overrun);
-    const std::vector<ToolMove> finish = besides(contour, s.nose, s.clearance, s.overrun);
+    const std::vector<ToolMove> rough = offsetPath(contour, s.nose + s.allowance, s.clearance, s.overrun);
+    const std::vector<ToolMove> finish = offsetPath(contour, s.nose, s.clearance, s.overrun);
     CyclePath path(s);
     path.tool(s.roughTool, s.roughFeed);
     path.rapid({barRadius + s.nose + s.clearance, s.nose + s.clearance});

@@ -24,26 +24,26 @@ void ThreadCycle::pass(ProgramMachine& machine, const ProgramPlace& place, doubl
   const double length = direction * taper;
   const double most = peak + depth;
   const double from = start.y() - shift(at), to = endZ + shift(most) - shift(at);
-  const auto place3 = [&](double depthHere, double z) {
+  const auto pointAt = [&](double depthHere, double z) {
     return ProfilePoint(start.x() + out * depthHere + slope * (z - start.y()), z);
   };
   const double taperPitch = taper > 0.0 ? pitch * std::hypot(taper, depth) / taper : pitch;
-  machine.rapid(place3(at - most, from), place);
+  machine.rapid(pointAt(at - most, from), place);
   double z = from;
   if (taper > 0.0 && hasEntryTaper) {
-    machine.thread(place3(at - depth, from), taperPitch, place);
-    machine.thread(place3(at, from - length), taperPitch, place);
+    machine.thread(pointAt(at - depth, from), taperPitch, place);
+    machine.thread(pointAt(at, from - length), taperPitch, place);
     z = from - length;
   } else {
-    machine.rapid(place3(at, from), place);
+    machine.rapid(pointAt(at, from), place);
   }
   if (taper > 0.0 && hasExitTaper) {
-    if (direction * (z - (to + length)) > 0.0) machine.thread(place3(at, to + length), pitch, place);
-    machine.thread(place3(at - depth, to), taperPitch, place);
+    if (direction * (z - (to + length)) > 0.0) machine.thread(pointAt(at, to + length), pitch, place);
+    machine.thread(pointAt(at - depth, to), taperPitch, place);
   } else {
-    machine.thread(place3(at, to), pitch, place);
+    machine.thread(pointAt(at, to), pitch, place);
   }
-  machine.rapid(place3(at - most, to), place);
+  machine.rapid(pointAt(at - most, to), place);
 }
 
 void ThreadCycle::run(ProgramMachine& machine, const ProgramPlace& place) const {

@@ -32,9 +32,8 @@ class SvgCurves {
   std::vector<ProfileSegment> m_found;
 };
 
-// The curves of the attribute d of a path. What follows an error in it is left out, as SVG wants it; most: more curves
-// are refused. Errors: ElementMalformed {"path", what}, FileTooLarge {segments},
-// Cancelled.
+// The curves of the attribute d of a path. An error in it refuses the file, rather than half of an outline; most: more
+// curves are refused. Errors: ElementMalformed {"path", what}, FileTooLarge {segments}, Cancelled.
 Status readSvgPath(std::string_view d, std::size_t most, SvgCurves& curves, Progress progress);
 
 // Takes the next number of a list that blanks and commas separate. False at its end, or where there is none.

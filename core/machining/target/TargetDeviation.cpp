@@ -11,7 +11,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kFacePoints = 32;  // across a flat end
-constexpr std::size_t kBetweenPolls = 1024;
+constexpr std::size_t kPlacesPerPoll = 1024;
 
 void note(TargetDeviation& deviation, double distance, const ProfilePoint& at) {
   if (distance > deviation.largestOver.distance) deviation.largestOver = {distance, at};
@@ -35,7 +35,7 @@ TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& 
     note(deviation, std::max(target.distance(at), 0.0), at);
   };
   for (std::size_t i = 0; i < part.size(); ++i) {
-    if (i % kBetweenPolls == 0) {
+    if (i % kPlacesPerPoll == 0) {
       if (progress.cancelled()) return deviation;
       progress.set(static_cast<double>(i) / static_cast<double>(part.size()));
     }

@@ -21,10 +21,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kGrid = 5;           // samples along each parameter
-constexpr double kSkew = 1e-4;     // rad: how far a normal may miss the axis
-constexpr double kOneAxis = 1e-4;  // mm and rad: axes this near are one
-constexpr std::size_t kMostAxes = 30;
+constexpr int kGrid = 5;                       // samples along each parameter
+constexpr double kSkew = 1e-4;                 // rad: how far a normal may miss the axis
+constexpr double kOneAxis = 1e-4;              // mm and rad: axes this near are one
+constexpr std::size_t kMostAxes = 30;          // that are tried on all faces
+constexpr std::size_t kMostCandidates = 1000;  // each is compared with those before it
+constexpr std::size_t kMostOfFaces = 600;      // of them from cylinders, cones and tori
+constexpr std::size_t kMostBalls = 10, kMostPlanes = 30;
 
 void sample(ExaminedFace& face) {
   for (int i = 0; i < kGrid; ++i) {
@@ -46,7 +49,7 @@ struct Candidate {
   double area;
 };
 
-void add(std::vector<Candidate>& all, const gp_Ax1& axis, double area) {
+void add(std::vector<Candidate>& all, const gp_Ax1& axis, double area, std::size_t most = kMostCandidates) {
   for (Candidate& known : all) {
     const bool isParallel = known.axis.Direction().IsParallel(axis.Direction(), kOneAxis);
     if (isParallel && gp_Lin(known.axis).Distance(axis.Location()) < kOneAxis) {
@@ -54,7 +57,7 @@ void add(std::vector<Candidate>& all, const gp_Ax1& axis, double area) {
       return;
     }
   }
-  all.push_back({axis, area});
+  if (all.size() < most) all.push_back({axis, area});
 }
 
 // The motion that leaves the samples on their surfaces, if it is a rotation: the null vector of all
@@ -106,15 +109,31 @@ std::vector<gp_Ax1> axesByNormals(const std::vector<ExaminedFace>& faces) {
   return axes;
 }
 
-// A ball has every axis through its middle; the normal of a flat face tells which.
-void addThroughBalls(const std::vector<ExaminedFace>& faces, std::vector<Candidate>& all) {
-  for (const ExaminedFace& ball : faces) {
-    if (ball.surface.GetType() != GeomAbs_Sphere) continue;
-    const gp_Pnt centre = ball.surface.Sphere().Location();
-    for (const ExaminedFace& flat : faces)
-      if (flat.surface.GetType() == GeomAbs_Plane)
-        add(all, {centre, flat.surface.Plane().Axis().Direction()}, ball.area);
-    add(all, {centre, gp_Dir(0, 0, 1)}, 0.5 * ball.area);
+// The largest faces, those of one size in their order.
+std::vector<const ExaminedFace*> bySize(const std::vector<ExaminedFace>& faces) {
+  std::vector<const ExaminedFace*> all;
+  for (const ExaminedFace& face : faces) all.push_back(&face);
+  std::stable_sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->area > b->area; });
+  return all;
+}
+
+std::vector<const ExaminedFace*> largestOf(const std::vector<const ExaminedFace*>& faces, GeomAbs_SurfaceType type,
+                                           std::size_t most) {
+  std::vector<const ExaminedFace*> found;
+  for (const ExaminedFace* const face : faces)
+    if (face->surface.GetType() == type && found.size() < most) found.push_back(face);
+  return found;
+}
+
+// A ball has every axis through its middle; the normal of a flat face tells which. Of a part with hundreds of both,
+// such as a casting with its fillets, the largest are enough.
+void addThroughBalls(const std::vector<const ExaminedFace*>& faces, std::vector<Candidate>& all) {
+  const auto planes = largestOf(faces, GeomAbs_Plane, kMostPlanes);
+  for (const ExaminedFace* const ball : largestOf(faces, GeomAbs_Sphere, kMostBalls)) {
+    const gp_Pnt centre = ball->surface.Sphere().Location();
+    for (const ExaminedFace* const flat : planes)
+      add(all, {centre, flat->surface.Plane().Axis().Direction()}, ball->area);
+    add(all, {centre, gp_Dir(0, 0, 1)}, 0.5 * ball->area);
   }
 }
 
@@ -161,25 +180,26 @@ bool isOfRevolution(const ExaminedFace& face, const gp_Ax1& axis) {
 
 std::optional<gp_Ax1> axisOf(const std::vector<ExaminedFace>& faces) {
   std::vector<Candidate> all;
-  for (const ExaminedFace& face : faces) {
-    switch (face.surface.GetType()) {
+  const std::vector<const ExaminedFace*> sorted = bySize(faces);
+  for (const ExaminedFace* const face : sorted) {
+    switch (face->surface.GetType()) {
       case GeomAbs_Cylinder:
-        add(all, face.surface.Cylinder().Axis(), face.area);
+        add(all, face->surface.Cylinder().Axis(), face->area, kMostOfFaces);
         break;
       case GeomAbs_Cone:
-        add(all, face.surface.Cone().Axis(), face.area);
+        add(all, face->surface.Cone().Axis(), face->area, kMostOfFaces);
         break;
       case GeomAbs_Torus:
-        add(all, face.surface.Torus().Axis(), face.area);
+        add(all, face->surface.Torus().Axis(), face->area, kMostOfFaces);
         break;
       case GeomAbs_SurfaceOfRevolution:
-        add(all, face.surface.AxeOfRevolution(), face.area);
+        add(all, face->surface.AxeOfRevolution(), face->area, kMostOfFaces);
         break;
       default:
         break;
     }
   }
-  addThroughBalls(faces, all);
+  addThroughBalls(sorted, all);
   for (const gp_Ax1& axis : axesByNormals(faces)) add(all, axis, 0.0);
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
   if (all.size() > kMostAxes) all.resize(kMostAxes);

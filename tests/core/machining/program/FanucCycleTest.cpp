@@ -164,6 +164,20 @@ class FanucCycleTest : public QObject {
     }
   }
 
+  // The move in ends square to the contour: with a nose of 0.8 mm above a cylinder of 30 mm, so its tip 3 is on it,
+  // also where the first move is shorter than the nose. The shoulder that follows goes on in an arc around the corner.
+  void entersSquareToTheContour() {
+    ProgramSetup setup;
+    setup.dialect = ProgramDialect::Fanuc;
+    setup.standard = {0.8, 3, {0, 0}};
+    const auto path =
+        runProgram("G21 G99 G97 S500 M3\nG0 X50. Z5.\nG42 G0 X30. Z-10.\nG1 Z-10.3 F0.1\nX20.\nG40 G0 X60.\n", setup);
+    QVERIFY(bool(path));
+    QVERIFY(goesTo(path->moves[1], 15.0, -10.8, false));  // the tip is a nose below and left of its centre
+    QVERIFY(goesTo(path->moves[2], 15.0, -11.1, true));
+    QVERIFY(path->moves[3].turn != 0 && goesTo(path->moves[3], 14.2, -11.9, true));
+  }
+
   // G97 keeps the speed that G96 had where the tool is, G96 the last surface speed; F of a thread stays.
   void speedAndFeedAreKept() {
     const CycleMoves speed =
