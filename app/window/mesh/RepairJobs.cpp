@@ -47,14 +47,24 @@ std::vector<std::pair<Vertex, FillFailure>> failuresOfOthers(const Inspection& i
   return failures;
 }
 
-// Why a repair leaves defects of these kinds.
-std::map<DefectKind, QString> reasonsOf(const Inspection& inspection) {
+constexpr const char* kPartingCutShort =
+    QT_TRANSLATE_NOOP("Tool", "separating all of them would take too long for a mesh of this size");
+constexpr const char* kNotTried =
+    QT_TRANSLATE_NOOP("Tool", "“Repair all” leaves them as they are; they can be fixed here");
+
+// Why a repair leaves defects of these kinds: what was cut short, what was refused, and what it does not try. Not all
+// kinds have a reason.
+std::map<DefectKind, QString> reasonsOf(const Inspection& inspection, const RepairReport& report,
+                                        const RepairOptions& options) {
   const auto text = [](const char* reason) { return QCoreApplication::translate("Tool", reason); };
+  const QString notSeparated = text(report.isSeparationIncomplete ? kPartingCutShort : kNotSeparable);
   std::map<DefectKind, QString> reasons{
-      {DefectKind::NonManifoldEdge, text(kNotSeparable)}, {DefectKind::NonManifoldVertex, text(kNotSeparable)},
-      {DefectKind::NearVertex, text(kClosesNothing)},     {DefectKind::Duplicate, text(kPlateSides)},
+      {DefectKind::NonManifoldEdge, notSeparated},    {DefectKind::NonManifoldVertex, notSeparated},
+      {DefectKind::NearVertex, text(kClosesNothing)}, {DefectKind::Duplicate, text(kPlateSides)},
       {DefectKind::OneSided, text(kNoCleanCut)},
   };
+  if (!options.cutCrossings) reasons[DefectKind::SelfIntersection] = text(kNotTried);
+  if (!options.removeDebris) reasons[DefectKind::Debris] = text(kNotTried);
   std::erase_if(reasons, [&](const auto& entry) { return inspection.count(entry.first) == 0; });
   return reasons;
 }
@@ -163,11 +173,12 @@ void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) 
   job.work = [this, document, revision, round, wanted, text, isSearched, nearWeld = nearWeld(),
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
-    wanted.apply(result, progress.part(0.0, 0.5));
+    wanted.apply(result, progress.part(0.0, 0.4));
     Changed change;
-    if (wanted.crossed) change.crossings = intersectionsChange(mesh, result, progress.part(0.4, 0.5));
-    if (wanted.isDeletion) change.bodiesGone = countGone(mesh, result, progress.part(0.4, 0.5));
-    if (wanted.isFix && isSearched) change.pairs = findSelfIntersections(result, progress.part(0.45, 0.5));
+    // The list of defects need not wait until the whole surface has been searched again.
+    if (wanted.crossed || (wanted.isFix && isSearched))
+      change.crossings = intersectionsChange(mesh, result, progress.part(0.4, 0.45));
+    if (wanted.isDeletion) change.bodiesGone = countGone(mesh, result, progress.part(0.45, 0.5));
     change.facesGone = mesh.liveFaceCount() - std::min(mesh.liveFaceCount(), result.liveFaceCount());
     if (progress.cancelled()) return {};
     return [this, document, revision, round, wanted, text, change,
@@ -194,14 +205,12 @@ void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QStr
   const auto before = inspection.counts();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
-    if (change.pairs) inspection.setSelfIntersections(document->document.revision(), *change.pairs);
+    if (crossings && known && known->size() < kMaxTrianglePairs)
+      inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
     if (wanted.isFix) inspection.setBefore(before);
     logChange(*document, wanted, text, command);
     if (change.bodiesGone > 0) reportBodiesGone(document, change);
-    if (!crossings) return;
-    // So the list of defects need not wait until the whole surface has been searched again.
-    if (known && known->size() < kMaxTrianglePairs)
-      document->inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
+    if (!crossings || !wanted.crossed) return;
     if (crossings->fresh > 0) reportCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
   } else if (const char* reason = reasonOf(wanted)) {
@@ -229,24 +238,22 @@ void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, cons
                            const QString& command) {
   const QString name = document.document.name();
   const LengthUnit unit = document.document.displayUnit();
-  if (done.sheets && done.sheets->leftCount() > 0) {
-    const QString how = sheetsText(*done.sheets, unit);
-    m_log.add(tr("%1: %2: %3").arg(name, text, how), command, LogEntry::Weight::Warning);
-    emit changedPartly(&document, text, how);
-  } else if (done.sheets && done.sheets->thickened > 0) {
-    const QString how = thicknessText(done.sheets->thickness, unit);
-    m_log.add(tr("%1: %2 by %3").arg(name, text, how), command);
-    if (done.sheets->thickness.thinVertices > 0) emit message(changeMessage(document, text, how));
-  } else if (done.distance && *done.distance) {
-    const QString how =
-        tr("largest distance found between the surface before and after %1").arg(lengthText(**done.distance, unit));
-    m_log.add(tr("%1: %2: %3").arg(name, text, how), command);
-    emit message(changeMessage(document, text, how));
-  } else if (const QStringList account = repairAccount(document.inspection); done.isFix && !account.isEmpty()) {
-    m_log.add(tr("%1: %2: %3").arg(name, text, account.join(QStringLiteral(", "))), command);
-    emit message(changeMessage(document, text, account.join(QStringLiteral(", "))));
-  } else {
-    m_log.add(tr("%1: %2").arg(name, text), command);
+  const bool isPartly = done.sheets && done.sheets->leftCount() > 0;
+  const bool isThickened = !isPartly && done.sheets && done.sheets->thickened > 0;
+  const bool isMeasured = done.distance && *done.distance;
+  QStringList how;
+  if (isPartly) how << sheetsText(*done.sheets, unit);
+  if (isThickened) how << tr("by %1").arg(thicknessText(done.sheets->thickness, unit));
+  if (isMeasured)
+    how << tr("largest distance found between the surface before and after %1").arg(lengthText(**done.distance, unit));
+  const QStringList account = done.isFix ? repairAccount(document.inspection) : QStringList();
+  const QString all = (how + account).join(QStringLiteral(", "));
+  const auto weight = isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info;
+  m_log.add(all.isEmpty() ? tr("%1: %2").arg(name, text) : tr("%1: %2: %3").arg(name, text, all), command, weight);
+  if (isPartly) {
+    emit changedPartly(&document, text, all);
+  } else if (isMeasured || !account.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0)) {
+    emit message(changeMessage(document, text, all));
   }
 }
 
@@ -316,13 +323,17 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   document->hasRepairChanged = isChanged;
   inspection.setFailures(failures);
   inspection.setFailures(failuresOfOthers(inspection, done.report));
-  if (isChanged) inspection.setBefore(before, repairSummary(done.report, document->document.displayUnit()));
-  inspection.setReasons(reasonsOf(inspection));
+  // A repair that changes nothing has no account: what is known from before is of another change.
+  if (isChanged)
+    inspection.setBefore(before, repairSummary(done.report, document->document.displayUnit()));
+  else
+    inspection.setBefore({});
+  inspection.setReasons(reasonsOf(inspection, done.report, done.options));
   logRepair(*document, done, names, command);
   if (!isChanged)
-    emit changedNothing(
-        document, tr("Repair all"),
-        tr("The remaining defects could not be repaired without damage. The list of defects gives the reasons."));
+    emit changedNothing(document, tr("Repair all"),
+                        tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "
+                           "are known."));
 }
 
 // names: of the loops that there were.

@@ -67,7 +67,6 @@ class RepairJobs : public QObject {
     std::optional<IntersectionsChange> crossings;
     std::size_t bodiesGone = 0;  // connected parts of which nothing is left; of a deletion
     std::size_t facesGone = 0;
-    std::optional<FacePairs> pairs;  // that intersect then; of a fix
   };
   void changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
                const Changed& change);

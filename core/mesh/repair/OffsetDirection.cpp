@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace handwheel {
@@ -22,34 +23,45 @@ constexpr int kMostSteps = 200;
 // Of squared lengths of at most 1, the rounding of their computation.
 constexpr double kRounding = 1e-14;
 
+// Up to four points, without memory of their own: this is asked for each division of a fan.
+struct Simplex {
+  std::array<Vec3, 4> points;
+  std::size_t size = 0;
+
+  void add(const Vec3& p) { points[size++] = p; }
+};
+
 // The point nearest to the origin of the affine hull of some points; none where it is not within their convex hull, or
 // where fewer points have the same affine hull.
-std::optional<Vec3> nearestWithin(const std::vector<Vec3>& points) {
-  const Vec3& p = points.front();
-  if (points.size() == 1) return p;
-  Eigen::MatrixXd edges(3, static_cast<Eigen::Index>(points.size()) - 1);
-  for (std::size_t i = 1; i < points.size(); ++i) edges.col(static_cast<Eigen::Index>(i) - 1) = points[i] - p;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(edges);
+std::optional<Vec3> nearestWithin(const Simplex& simplex) {
+  using Edges = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+  using Shares = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
+  const Vec3& p = simplex.points.front();
+  if (simplex.size == 1) return p;
+  Edges edges(3, static_cast<Eigen::Index>(simplex.size) - 1);
+  for (std::size_t i = 1; i < simplex.size; ++i) edges.col(static_cast<Eigen::Index>(i) - 1) = simplex.points[i] - p;
+  const Eigen::ColPivHouseholderQR<Edges> qr(edges);
   if (qr.rank() < edges.cols()) return std::nullopt;
-  const Eigen::VectorXd shares = qr.solve(-p);
+  const Shares shares = qr.solve(-p);
   if (!(shares.minCoeff() >= 0.0 && shares.sum() <= 1.0)) return std::nullopt;
   return Vec3(p + edges * shares);
 }
 
-// The same for the convex hull of up to four points; those that it does not depend on are removed.
-Vec3 nearestOfSimplex(std::vector<Vec3>& simplex) {
-  Vec3 nearest = simplex.front();
-  std::vector<Vec3> best{nearest};
-  for (unsigned set = 1; set < 1u << simplex.size(); ++set) {
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i < simplex.size(); ++i)
-      if (set >> i & 1u) points.push_back(simplex[i]);
-    const auto found = nearestWithin(points);
+// The same for the convex hull of the points; those that it does not depend on are removed.
+Vec3 nearestOfSimplex(Simplex& simplex) {
+  Vec3 nearest = simplex.points.front();
+  Simplex best;
+  best.add(nearest);
+  for (unsigned set = 1; set < 1u << simplex.size; ++set) {
+    Simplex some;
+    for (std::size_t i = 0; i < simplex.size; ++i)
+      if (set >> i & 1u) some.add(simplex.points[i]);
+    const auto found = nearestWithin(some);
     if (!found || !(found->squaredNorm() < nearest.squaredNorm())) continue;
     nearest = *found;
-    best = std::move(points);
+    best = some;
   }
-  simplex = std::move(best);
+  simplex = best;
   return nearest;
 }
 
@@ -58,15 +70,16 @@ Vec3 nearestOfSimplex(std::vector<Vec3>& simplex) {
 DirectionBehind widestBehind(std::vector<Vec3> normals) {
   std::erase_if(normals, [](const Vec3& n) { return n.isZero(); });
   if (normals.empty()) return {};
-  std::vector<Vec3> simplex{normals.front()};
-  Vec3 nearest = simplex.front();
+  Simplex simplex;
+  simplex.add(normals.front());
+  Vec3 nearest = normals.front();
   for (int i = 0; i < kMostSteps; ++i) {
     const Vec3& farthest = *std::min_element(
         normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(nearest) < b.dot(nearest); });
     if (farthest.dot(nearest) >= nearest.squaredNorm() - kRounding) break;
-    simplex.push_back(farthest);
+    simplex.add(farthest);
     nearest = nearestOfSimplex(simplex);
-    if (simplex.size() == 4) return {};  // the origin is among them
+    if (simplex.size == 4) return {};  // the origin is among them
   }
   const double margin = nearest.norm();
   return margin < kLeastMargin ? DirectionBehind() : DirectionBehind{-nearest / margin, margin};

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -277,12 +278,13 @@ class Repairer {
   void cutCrossings(Progress progress) {
     WorkBudget effort(most(1.0, tolerance::kObstructedHoleBudget), m_fillEffort);
     const Progress now = progress.within(effort);
-    m_report.isIntersectionRemovalIncomplete = true;
+    // A round that was cut short stays so unless a later one leaves nothing to cut.
+    const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
     const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
     if (!pairs) return;
     const ClusterRemoval cut = removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));
     m_report.cutClusters += cut.clusters;
-    m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
+    m_report.isIntersectionRemovalIncomplete = cut.isCutShort || (wasCutShort && !pairs->empty());
   }
 
   // Filled holes change the shape of a sheet, which may be none any more. Its outer edge remains one until they are

@@ -148,7 +148,10 @@ ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> she
   for (int attempt = 1;; ++attempt) {
     SheetBacks backs(mesh, numbers, kept);
     std::vector<bool> isThickened;
-    for (const OpenSheet& sheet : sheets) isThickened.push_back(backs.add(sheet));
+    for (const OpenSheet& sheet : sheets) {
+      isThickened.push_back(!progress.cancelled() && backs.add(sheet));
+      progress.spend(sheet.faces.size());
+    }
     const std::unordered_set<Vertex> crossing = BackWithdrawal(mesh, backs, numbers).run(progress);
     if (crossing.empty() || attempt == kMostAttempts || progress.cancelled())
       return {liveFaces(mesh, backs.faces()), backs.reached(), std::move(isThickened)};

@@ -9,6 +9,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -101,10 +102,37 @@ bool isTooMany(std::size_t faces, const SchemeSubdivision& subdivision, std::siz
   return false;
 }
 
-// Gives every edge a vertex in its middle, and every face the three that are then at its corners. The face itself
-// becomes the one between the middles.
+using Parts = std::vector<Triangle>;
+
+// A face with the vertices in the middles of its edges; kNone for an edge that stays whole.
+Parts partsOf(const Triangle& v, const Triangle& m) {
+  const auto isSplit = [&](std::size_t k) { return m[k % 3] != kNone; };
+  const auto split = std::count_if(m.begin(), m.end(), [](Vertex x) { return x != kNone; });
+  if (split == 0) return {v};
+  if (split == 3) return {m, {v[0], m[0], m[2]}, {v[1], m[1], m[0]}, {v[2], m[2], m[1]}};
+  std::size_t k = 0;  // the edge that is split, or the first of two
+  while (!isSplit(k) || (split == 2 && !isSplit(k + 1))) ++k;
+  const std::size_t l = (k + 1) % 3, o = (k + 2) % 3;
+  if (split == 1) return {{v[k], m[k], v[o]}, {m[k], v[l], v[o]}};
+  return {{m[k], v[l], m[l]}, {v[k], m[k], m[l]}, {v[k], m[l], v[o]}};
+}
+
+// Replaces a face by its parts without those that rounding made an edge of.
+void replace(HalfEdgeMesh& mesh, Face f, Parts parts) {
+  std::erase_if(parts, [&](const Triangle& t) {
+    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    return a == b || b == c || c == a;
+  });
+  if (parts.empty()) return mesh.removeFace(f);
+  mesh.setTriangle(f, parts.front());
+  for (std::size_t i = 1; i < parts.size(); ++i) mesh.addFace(parts[i]);
+}
+
+// Gives every edge a vertex in its middle, and every face the three that are then at its corners. An edge between
+// neighbouring numbers has no middle and stays whole; its faces are split to it. Too fine where all edges are so.
 SubdivisionFailure splitAtMiddles(HalfEdgeMesh& mesh, NumberType numbers, const Progress& progress) {
   const auto faces = static_cast<Face>(mesh.faceSlots());
+  const std::size_t vertices = mesh.vertexSlots();
   std::vector<Vertex> middles(mesh.halfEdgeSlots(), kNone);
   for (Face f = 0; f < faces; ++f) {
     if (!pollProgress(f, faces, progress.part(0.0, 0.5))) return SubdivisionFailure::Cancelled;
@@ -116,15 +144,18 @@ SubdivisionFailure splitAtMiddles(HalfEdgeMesh& mesh, NumberType numbers, const 
       if (middles[h] == kNone) {
         const Vec3 &a = mesh.position(v[k]), &b = mesh.position(v[(k + 1) % 3]);
         const Vec3 middle = rounded(Vec3(0.5 * a + 0.5 * b), numbers);
-        if (middle == a || middle == b) return SubdivisionFailure::TooFine;
+        if (middle == a || middle == b) {
+          m[k] = kNone;
+          continue;
+        }
         middles[h] = mesh.addVertex(middle);
         if (mesh.hasOpposite(h)) middles[mesh.opposite(h)] = middles[h];
       }
       m[k] = middles[h];
     }
-    for (std::size_t k = 0; k < 3; ++k) mesh.addFace({v[k], m[k], m[(k + 2) % 3]});
-    mesh.setTriangle(f, m);
+    replace(mesh, f, partsOf(v, m));
   }
+  if (mesh.vertexSlots() == vertices && faces > 0) return SubdivisionFailure::TooFine;
   relink(mesh, progress.part(0.5, 1.0));
   return progress.cancelled() ? SubdivisionFailure::Cancelled : SubdivisionFailure::None;
 }

@@ -20,9 +20,7 @@ constexpr ToolKey kSubdivideKeys[] = {
 }  // namespace
 
 SubdivideTool::SubdivideTool(MeshDocument& document, MeshServices services)
-    : m_document(document), m_services(std::move(services)) {
-  m_values.setValid("method", static_cast<double>(SubdivisionScheme::Midpoint));
-}
+    : m_document(document), m_services(std::move(services)) {}
 
 double SubdivideTool::facesAfterwards() const {
   const SchemeSubdivision subdivision = schemeSubdivisionOf(m_values);

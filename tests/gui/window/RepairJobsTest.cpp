@@ -125,6 +125,36 @@ class RepairJobsTest : public QObject {
     const QString repaired = repairAccount(inspection).join(", ");
     QVERIFY2(repaired.startsWith("1 of 1"), qPrintable(repaired));
     QVERIFY(isLogged(repaired));
+
+    // Once more there is nothing to do: the account of the repair before is not that of this one.
+    const int lines = log.rowCount({});
+    jobs.repairAll(document);
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QVERIFY(repairAccount(inspection).isEmpty());
+    QCOMPARE(log.rowCount({}), lines + 1);
+    int said = 0;
+    for (int row = 0; row < log.rowCount({}); ++row) said += log.index(row, 1).data().toString().contains(repaired);
+    QCOMPARE(said, 1);
+    QVERIFY(isLogged("nothing was changed"));
+  }
+
+  // The thickness, and how many edges of sheets were closed.
+  void aThickeningHasItsAccount() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    tabs.add(ui.open(test::meshDocument(test::disc(12, 3))));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    jobs.change(document, thickenFix({document->inspection.keyOf(0)}, {}, 0.125));
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    const QString account = repairAccount(document->inspection).join(", ");
+    QVERIFY(account.contains("1 of 1"));
+    const QString logged = log.index(0, 1).data().toString();
+    QVERIFY2(logged.contains("0.125 mm") && logged.contains(account), qPrintable(logged));
   }
 
   // What stays has its reason in its row.

@@ -16,14 +16,13 @@ Parameter schemeParameter() {
   return {.property = {.id = "method",
                        .group = {},
                        .label = QT_TRANSLATE_NOOP("Property", "Scheme"),
-                       .value = 0.0,
+                       .value = 3.0,  // which leaves the surface as it is
                        .choices = {QT_TRANSLATE_NOOP("Property", "Loop"), QT_TRANSLATE_NOOP("Property", "√3"),
                                    QT_TRANSLATE_NOOP("Property", "Butterfly"),
                                    QT_TRANSLATE_NOOP("Property", "Midpoint")}},  // as SubdivisionScheme
           .meaning =
               "loop and sqrt3 smooth the surface, butterfly bends it and moves no vertex, midpoint leaves it as it is; "
-              "sqrt3 "
-              "splits in three, the others in four",
+              "sqrt3 splits in three, the others in four",
           .word = "SCHEME",
           .words = {"loop", "sqrt3", "butterfly", "midpoint"}};
 }

@@ -149,6 +149,8 @@ void RepairPropertiesTest::randomHoles() {
     for (Vertex v : test::reallyTouched(input, mesh)) RC_ASSERT(said.contains(v));
     RC_CLASSIFY(edges.closed(), "closed");
     RC_ASSERT(edges.closed() || (options.rims == RimHandling::Keep && test::pieces(input).size() > 1));
+    // Every hole is closed: what is open is the outline of a sheet.
+    for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) RC_ASSERT(loop.rim);
   }));
 }
 

@@ -183,19 +183,33 @@ void SchemeSubdivisionTest::midpointsLeaveTheSurface() {
   }
 }
 
-// OpenMesh refuses seams; here both sides get the same points. Edges that the numbers cannot halve are refused.
+// OpenMesh refuses seams; here both sides get the same points. A mesh of edges that the numbers cannot halve is
+// refused; one such edge stays whole, and all others are halved.
 void SchemeSubdivisionTest::midpointsOfSeamsAndNeedles() {
   HalfEdgeMesh cubes = surfaceOf(test::twoCubesSharingAnEdge());
   QVERIFY(subdivideAll(cubes, {SubdivisionScheme::Midpoint, 1}).isDone());
   QCOMPARE(test::countEdges(cubes).border, std::size_t{0});
   QCOMPARE(test::countEdges(cubes).nonManifold, std::size_t{2});
   const double next = std::nextafter(1.0f, 2.0f);
-  const HalfEdgeMesh before = surfaceOf({{{1, 0, 0}, {next, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}});
+  const HalfEdgeMesh before = surfaceOf({{{1, 1, 0}, {1, next, 0}, {next, next, 0}}, {{0, 1, 2}}});
   HalfEdgeMesh mesh = before;
   QVERIFY(subdivideAll(mesh, {SubdivisionScheme::Midpoint, 1}, {.numbers = NumberType::Float32}).failure ==
           SubdivisionFailure::TooFine);
   QVERIFY(test::sameMesh(mesh, before));
   QVERIFY(subdivideAll(mesh, {SubdivisionScheme::Midpoint, 1}).isDone());
+
+  TriangleSoup ball = test::moved(test::icosphere(2), Vec3::Constant(3.0));
+  for (Vec3& p : ball.points) p = rounded(p, NumberType::Float32);
+  const Triangle t = ball.triangles.front();
+  ball.points[t[1]] = ball.points[t[0]];
+  ball.points[t[1]].x() = std::nextafter(float(ball.points[t[0]].x()), 10.0f);
+  HalfEdgeMesh needle = surfaceOf(ball);
+  const std::size_t faces = needle.liveFaceCount();
+  QVERIFY(subdivideAll(needle, {SubdivisionScheme::Midpoint, 1}, {.numbers = NumberType::Float32}).isDone());
+  QCOMPARE(validate(needle), std::string());
+  QVERIFY(test::countEdges(needle).sound());
+  QVERIFY(needle.liveFaceCount() <= 4 * faces - 2 && needle.liveFaceCount() >= 4 * (faces - 2));
+  QVERIFY(std::abs(test::volume(needle.compact().soup) - test::volume(ball)) < 1e-5);
 }
 
 void SchemeSubdivisionTest::hubs() {

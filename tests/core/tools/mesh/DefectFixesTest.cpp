@@ -8,6 +8,7 @@
 #include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/defects/Defects.h"
+#include "mesh/repair/SheetThickening.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"

@@ -49,6 +49,8 @@ void SubdivideToolTest::leavesTheSurfaceUnlessAsked() {
   QCOMPARE(work.document->mesh().liveFaceCount(), std::size_t{320});
   QVERIFY(std::abs(test::area(work.document->mesh().compact().soup) - area) < 1e-6 * area);
   QCOMPARE(work.check(1), std::string());
+  // The step without a method does the same, in the window as on the command line.
+  QVERIFY(schemeSubdivisionOf(OperationValues(subdivideMeshOperation())).scheme == SubdivisionScheme::Midpoint);
 }
 
 // Both schemes cut the corners of a cube of 2, by less than the way to its middle.
