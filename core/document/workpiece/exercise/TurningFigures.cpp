@@ -120,8 +120,8 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
 }
 
 const std::vector<LatheCollision>& MeasuredPart::crashes() const {
-  static const std::vector<LatheCollision> kNone;
-  return m_crashes ? *m_crashes : kNone;
+  static const std::vector<LatheCollision> kNoCrashes;
+  return m_crashes ? *m_crashes : kNoCrashes;
 }
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
