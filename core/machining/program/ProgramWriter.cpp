@@ -271,10 +271,7 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
     for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
     const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
     move.feed = seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : 100.0;
-    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
-    const ProfilePoint toTip(-nose, -nose - length);
     const ProfilePoint first = path.front() + toTip;
-    move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, pass));
     go(ToolMove::Kind::Rapid, {above, move.to.y()});
     go(ToolMove::Kind::Rapid, {above, first.y()});
     for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point + toTip);
