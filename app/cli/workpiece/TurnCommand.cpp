@@ -11,6 +11,7 @@
 #include "cli/workpiece/ProgramCommand.h"
 #include "cli/workpiece/RecordedPasses.h"
 #include "cli/workpiece/TargetCommand.h"
+#include "cli/workpiece/ThreadCommand.h"
 #include "cli/workpiece/TrainCommand.h"
 #include "cli/workpiece/TurnRequest.h"
 #include "cli/workpiece/TurnedFigures.h"
@@ -104,7 +105,7 @@ std::size_t passCount(const WorkpieceSnapshot& workpiece) {
 }
 
 double volumeOf(const WorkpieceSnapshot& workpiece) {
-  return workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+  return workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
 }
 
 std::string replayReport(const WorkpieceSnapshot& workpiece, bool isSame, bool asJson) {
@@ -207,9 +208,10 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
                                                                        : ": rapid move through material."));
   std::vector<TurningPass> passes = simulation.takePasses();
   if (passes.empty()) return workpiece;
-  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes};
-  for (TurningPass& pass : passes) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
-  workpiece.part = std::make_shared<const TurnedPart>(std::move(part));
+  TurningPasses all = before.passes;
+  for (TurningPass& pass : passes) all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  workpiece.part =
+      std::make_shared<const TurnedPart>(TurnedPart::of(simulation.part(), std::move(all), workpiece.chord));
   return workpiece;
 }
 
@@ -331,6 +333,7 @@ std::vector<Command> workpieceCommands() {
        runTurn},
       programCommand(),
       targetCommand(),
+      threadCommand(),
       trainCommand(),
       forceCommand()};
 }

@@ -54,7 +54,11 @@ bool isInView(const Viewport& view, const StockCylinder& stock) {
 }  // namespace
 
 WorkpieceUi::WorkpieceUi(const WindowContext& window)
-    : RigidPartsUi(window, {"Stock"}), m_target(window, this), m_lathe(window, this), m_panel(makePanel()) {
+    : RigidPartsUi(window, {"Stock"}),
+      m_target(window, this),
+      m_lathe(window, this),
+      m_thread(window, this),
+      m_panel(makePanel()) {
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
     if (this->document()) show();
@@ -78,6 +82,7 @@ QWidget* WorkpieceUi::makePanel() {
 
 void WorkpieceUi::setDocument(DocumentTab* document) {
   m_target.setDocument(document);
+  m_thread.setDocument(document);
   RigidPartsUi::setDocument(document);
 }
 

@@ -38,6 +38,7 @@ class MeasuredPart {
   TurnedProfile m_profile;
   std::optional<TurningReview> m_review;
   std::vector<std::shared_ptr<const TurningPass>> m_passes;
+  std::shared_ptr<const PartThreads> m_threads;  // null: none
   bool m_isOfItsPasses = true;
 };
 
