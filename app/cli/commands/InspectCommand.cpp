@@ -12,6 +12,7 @@
 #include "document/Document.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "document/mesh/UnitDoubt.h"
+#include "document/workpiece/TargetImport.h"
 #include "text/NoteText.h"
 
 #include <cmath>
@@ -24,6 +25,8 @@ CommandSpec inspectSpec() {
           "Lists the contents and the defects of a file.",
           {
               {"json", 0, "", "Print the figures as JSON"},
+              {"target", 0, "FILE",
+               "What a workpiece is to become, a target as 'target' reads it: its deviation is listed"},
               {"partial", 0, "", "Read the undamaged part of a damaged file"},
               {"help", 'h', "", "Show this help"},
           }};
@@ -111,11 +114,27 @@ struct Inspected {
   MeshReport report;
 };
 
+// The workpiece as if it had this target. Error: Unsupported for other kinds; else those of importTarget().
+Status giveTarget(OpenedFile& opened, const std::string& path, Progress progress) {
+  const auto* const given = dynamic_cast<const WorkpieceSnapshot*>(opened.content.get());
+  if (!given) return Error{ErrorCode::Unsupported, {"a target of what is not a workpiece"}, {}, {}};
+  const Result<ImportedTarget> imported = importTarget(path, UnturnedFaces::Refuse, progress);
+  if (!imported) return imported.error();
+  auto workpiece = std::make_shared<WorkpieceSnapshot>(*given);
+  workpiece->target = placedTarget(*imported, given->stock);
+  opened.content = std::move(workpiece);
+  return Done{};
+}
+
 Result<Inspected> inspect(const Arguments& arguments, const DocumentKinds& kinds, Progress progress) {
   Result<Input> input =
       readInput(arguments.operands[0], {.partial = arguments.has("partial")}, kinds, progress.part(0.0, 0.3));
   if (!input) return input.error();
   Inspected result{std::move(input.value()), {}};
+  if (arguments.has("target")) {
+    const Status given = giveTarget(result.input.opened, arguments.valueOf("target"), progress.part(0.3, 0.9));
+    if (!given) return given.error();
+  }
   if (result.input.mesh) result.report = reportOn(result.input, SelfIntersections::Count, progress.part(0.3, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return result;

@@ -11,6 +11,7 @@
 #include "cli/workpiece/ProgramCommand.h"
 #include "cli/workpiece/RecordedPasses.h"
 #include "cli/workpiece/TargetCommand.h"
+#include "cli/workpiece/ThreadCommand.h"
 #include "cli/workpiece/TrainCommand.h"
 #include "cli/workpiece/TurnRequest.h"
 #include "cli/workpiece/TurnedFigures.h"
@@ -101,7 +102,7 @@ std::size_t passCount(const WorkpieceSnapshot& workpiece) {
 }
 
 double volumeOf(const WorkpieceSnapshot& workpiece) {
-  return workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+  return workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
 }
 
 std::string replayReport(const WorkpieceSnapshot& workpiece, bool isSame, bool asJson) {
@@ -348,6 +349,7 @@ std::vector<Command> workpieceCommands() {
        runTurn},
       programCommand(),
       targetCommand(),
+      threadCommand(),
       trainCommand(),
       forceCommand()};
 }

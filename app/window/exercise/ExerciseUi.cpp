@@ -148,7 +148,7 @@ std::vector<StartAction> ExerciseUi::startActions() const {
                  tr("A lesson of three minutes: the program says what to do, and measures the part.")}}};
   const std::pair<const char*, QString> shipped[] = {{"shaft", tr("Exercise: shaft with shoulders")},
                                                      {"bush", tr("Exercise: bored bush")},
-                                                     {"thread-m20", tr("Exercise: blank of a thread M20")},
+                                                     {"thread-m20", tr("Exercise: thread M20")},
                                                      {"ball", tr("Exercise: ball")},
                                                      {"gourd", tr("Exercise: gourd")},
                                                      {"dumb-bell", tr("Exercise: dumb-bell weight")},

@@ -58,6 +58,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
     : RigidPartsUi(window, {"Stock"}, StandardView::Lathe),
       m_target(window, this),
       m_lathe(window, this),
+      m_thread(window, this),
       m_panel(makePanel()) {
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
@@ -82,6 +83,7 @@ QWidget* WorkpieceUi::makePanel() {
 
 void WorkpieceUi::setDocument(DocumentTab* document) {
   m_target.setDocument(document);
+  m_thread.setDocument(document);
   RigidPartsUi::setDocument(document);
 }
 

@@ -6,6 +6,7 @@
 #include "window/kinds/RigidPartsUi.h"
 #include "window/workpiece/LatheView.h"
 #include "window/workpiece/TargetView.h"
+#include "window/workpiece/ThreadView.h"
 
 namespace handwheel {
 
@@ -21,7 +22,7 @@ class WorkpieceUi : public RigidPartsUi {
   void setDocument(DocumentTab* document) override;
   void forget(DocumentTab* document) override;
   QWidget* panel() override { return m_panel; }
-  QList<QAction*> menu() override { return m_target.actions(); }
+  QList<QAction*> menu() override { return QList<QAction*>{m_thread.action()} + m_target.actions(); }
   bool isSettled() const override { return RigidPartsUi::isSettled() && m_target.isSettled(); }
   std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Stock"); }
@@ -45,6 +46,7 @@ class WorkpieceUi : public RigidPartsUi {
 
   TargetView m_target;
   LatheView m_lathe;
+  ThreadView m_thread;
   QPointer<QWidget> m_panel;
   bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none

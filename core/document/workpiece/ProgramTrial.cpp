@@ -48,8 +48,10 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   std::vector<TurningPass> passes = simulation.takePasses();
   if (passes.empty()) return true;
   m_removed = before.profile.volume() - simulation.part().volume();
-  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes, before.crashes};
-  for (TurningPass& pass : passes) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  TurningPasses all = before.passes;
+  for (TurningPass& pass : passes) all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  TurnedPart part = TurnedPart::of(simulation.part(), std::move(all), workpiece.chord);
+  part.crashes = before.crashes;
   m_part = std::make_shared<const TurnedPart>(std::move(part));
   return true;
 }

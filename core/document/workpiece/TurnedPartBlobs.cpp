@@ -18,10 +18,11 @@ namespace {
 
 constexpr const char* kRadii = "workpiece/radii";
 constexpr const char* kInner = "workpiece/inner";
-constexpr const char* kPath = "workpiece/path";      // of all passes
-constexpr const char* kSpeeds = "workpiece/speeds";  // of the passes with "speeds"
-constexpr const char* kBore = "bore";                // value of "side"
-constexpr const char* kPoles = "poles";              // value of "method"
+constexpr const char* kPath = "workpiece/path";           // of all passes
+constexpr const char* kSpeeds = "workpiece/speeds";       // of the passes with "speeds"
+constexpr const char* kBore = "bore";                     // value of "side"
+constexpr const char* kPoles = "poles";                   // value of "method"
+constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
 constexpr std::size_t kMostPasses = 100'000;
 constexpr double kLargestSpeed = 1e5;     // r/min
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
@@ -87,6 +88,26 @@ std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const R
   return read;
 }
 
+nlohmann::json threadJson(const ThreadCut& thread) {
+  return {{"pitch", thread.pitch}, {"starts", thread.starts}, {"hand", thread.isLeft ? kLeft : kRight},
+          {"angle", thread.angle}, {"flat", thread.flat},     {"offset", thread.offset}};
+}
+
+std::optional<ThreadCut> threadFrom(const nlohmann::json& entry) {
+  if (!entry.is_object()) return std::nullopt;
+  ThreadCut thread;
+  thread.pitch = numberIn(entry, "pitch");
+  const std::uint64_t starts = countIn(entry, "starts");
+  thread.starts = starts <= ThreadCut::kMostStarts ? static_cast<int>(starts) : 0;
+  const auto hand = entry.find("hand");
+  if (hand == entry.end() || (*hand != kLeft && *hand != kRight)) return std::nullopt;
+  thread.isLeft = *hand == kLeft;
+  thread.angle = numberIn(entry, "angle");
+  thread.flat = numberIn(entry, "flat");
+  thread.offset = numberIn(entry, "offset");
+  return thread.isSound() ? std::optional(thread) : std::nullopt;
+}
+
 // The pass whose points begin there in the path of all passes.
 std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray<double>& path, std::uint64_t begin,
                                     const ReadArray<double>& speeds, std::uint64_t speedsBegin) {
@@ -103,6 +124,10 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
     pass.resolution = numberIn(entry, "resolution");
     const bool isSound = pass.resolution >= PoleCut::kLeastResolution && pass.resolution <= PoleCut::kLargestResolution;
     if (*method != kPoles || !isSound) return std::nullopt;
+  }
+  if (const auto thread = entry.find("thread"); thread != entry.end()) {
+    pass.thread = threadFrom(*thread);
+    if (!pass.thread) return std::nullopt;
   }
   if (const auto tool = entry.find("tool"); tool != entry.end()) {
     Result<LatheTool> read = latheToolFrom(*tool);
@@ -183,6 +208,7 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
       entry["speeds"] = true;
       speeds.insert(speeds.end(), pass.speeds.begin(), pass.speeds.end());
     }
+    if (pass.thread) entry["thread"] = threadJson(*pass.thread);
     if (pass.side == TurningSide::Bore) entry["side"] = kBore;
     if (pass.method == TurningMethod::Poles) {
       entry["method"] = kPoles;
@@ -250,9 +276,8 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
       return std::shared_ptr<const TurnedPart>();
     }
   }
-  TurnedSurface surface(*profile, workpiece.chord);
+  auto part = TurnedPart::of(std::move(*profile), std::move(passes), workpiece.chord);
   std::vector<LatheCollision> crashes = crashesFrom(turned->value("crashes", nlohmann::json()));
-  TurnedPart part{std::move(*profile), std::move(surface), std::move(passes)};
   if (!crashes.empty()) part.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(crashes));
   return std::make_shared<const TurnedPart>(std::move(part));
 }

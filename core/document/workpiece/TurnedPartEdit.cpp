@@ -4,6 +4,8 @@
 
 #include "document/workpiece/WorkpieceDocument.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 void TurnedPartEdit::exchange(Document& document) {
@@ -24,12 +26,28 @@ std::size_t TurnedPartEdit::bytes() const {
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing) {
   if (workpiece.part) return *workpiece.part;
   const TurnedProfile profile(workpiece.stock, spacing);
-  return {profile, TurnedSurface(profile, workpiece.chord), {}};
+  return TurnedPart::of(profile, {}, workpiece.chord);
 }
+
+namespace {
+
+std::shared_ptr<const TurnedPart> withThread(TurnedPart part, TurningPass pass) {
+  const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
+  const bool isCut = std::any_of(grooves.begin(), grooves.end(),
+                                 [&](const ThreadGroove& groove) { return groove.touches(part.profile); });
+  if (isCut) {
+    part.surface.setThreads(part.profile, PartThreads::with(part.threads(), pass), {0, part.profile.size()});
+    part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  }
+  return std::make_shared<const TurnedPart>(std::move(part));
+}
+
+}  // namespace
 
 std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
                                            Progress progress) {
   TurnedPart part = partOf(workpiece, spacing);
+  if (pass.thread) return withThread(std::move(part), std::move(pass));
   const TurnedProfile::Range changed = cut(part.profile, pass, progress);
   if (progress.cancelled()) return nullptr;
   part.surface.update(part.profile, changed);

@@ -9,6 +9,7 @@
 #include "document/workpiece/TargetBlobs.h"
 #include "document/workpiece/TargetImport.h"
 #include "document/workpiece/TargetReport.h"
+#include "document/workpiece/ThreadReport.h"
 #include "document/workpiece/TurnedPartBlobs.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -47,7 +48,12 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   }
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
-  return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file contains one valid solid.")}}};
+  WrittenFile file{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file contains one valid solid.")}}};
+  if (workpiece.part && workpiece.part->threads())
+    file.notes.push_back({QT_TRANSLATE_NOOP("Note", "Threads are in the file as their envelope, without grooves: %1."),
+                          {threadsText(*workpiece.part->threads())},
+                          true});
+  return file;
 }
 
 // The section of the workpiece with its material in the title block; its name is that of the file.
@@ -173,11 +179,12 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
   }
   if (workpiece.part) {
     const TurnedPart& part = *workpiece.part;
-    described["volume"] = part.profile.volume();
+    described["volume"] = part.volume();
     described["area"] = part.profile.area();
     described["passes"] = part.passes.size();
     described["spacing"] = part.profile.spacing();
     described["bored"] = part.profile.isBored();
+    if (part.threads()) described["threads"] = threadsJson(part);
     described["pieces"] = part.profile.pieces();
     return described;
   }
@@ -205,7 +212,8 @@ DisplayModel WorkpieceKind::display(const Snapshot& content) const {
 GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
   const Result<std::vector<TurnedCurves>> pieces = curvesOf(workpiece);
-  if (!pieces || pieces->size() != 1 || !pieces->front().cavities.empty())
+  const bool isThreaded = workpiece.part && workpiece.part->threads();
+  if (!pieces || isThreaded || pieces->size() != 1 || !pieces->front().cavities.empty())
     return DocumentKind::bodyGeometry(content, notes);
   const double chord =
       workpiece.part ? std::max(0.5 * workpiece.chord, RevolvedGeometry::kLeastChord) : workpiece.chord;

@@ -27,7 +27,7 @@ class WorkpieceKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
-  // Its profile, where the bar stands; triangles of a part in several pieces or with hollows inside.
+  // Its profile, where the bar stands; triangles of a part in several pieces, with hollows inside or threads.
   GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const override;
 };
 

@@ -121,8 +121,9 @@ WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, c
   }
   if (workpiece.part && field == WorkpieceField::Chord) {
     const TurnedPart& part = *workpiece.part;
-    workpiece.part = std::make_shared<const TurnedPart>(
-        TurnedPart{part.profile, TurnedSurface(part.profile, workpiece.chord), part.passes, part.crashes});
+    TurnedPart meshed = TurnedPart::of(part.profile, part.passes, workpiece.chord);
+    meshed.crashes = part.crashes;
+    workpiece.part = std::make_shared<const TurnedPart>(std::move(meshed));
   }
   if (!workpiece.mesh->isOf(workpiece.stock, workpiece.chord)) {
     workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
@@ -136,7 +137,7 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
     all.push_back(propertyOf(workpiece, field));
     all.back().editable = !workpiece.part || !isOfTheBar(field);
   }
-  const double volume = workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+  const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
   all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));
   all.push_back(computed("area", QT_TRANSLATE_NOOP("Property", "Surface (mm²)"), area));

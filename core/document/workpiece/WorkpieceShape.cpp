@@ -30,6 +30,14 @@ void append(TriangleSoup& all, const TriangleSoup& soup, bool isTurned) {
   }
 }
 
+// The blocks that show the part: a thread is no surface of revolution.
+TriangleSoup threadedTriangles(const WorkpieceSnapshot& workpiece) {
+  TriangleSoup all;
+  for (const auto& block : workpiece.part->surface.blocks()) append(all, *block, false);
+  for (Vec3& p : all.points) p.z() += workpiece.stock.position;
+  return all;
+}
+
 Result<std::vector<TurnedCurves>> curvesWithin(const WorkpieceSnapshot& workpiece, double chord) {
   std::vector<TurnedCurves> all;
   if (!workpiece.part) {
@@ -82,6 +90,7 @@ Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progres
     for (Vec3& p : soup.points) p.z() += workpiece.stock.position;
     return soup;
   }
+  if (workpiece.part->threads()) return threadedTriangles(workpiece);
   const Result<std::vector<TurnedCurves>> pieces = curvesOf(workpiece);
   if (!pieces) return pieces.error();
   TessellationOptions options;

@@ -21,6 +21,12 @@ struct TurnedPart {
   TurningPasses passes;
   // Of the manual lathe, while these passes were cut; null: none.
   std::shared_ptr<const std::vector<LatheCollision>> crashes = {};
+
+  // With its triangles and threads. chord: mm.
+  static TurnedPart of(TurnedProfile profile, TurningPasses passes, double chord);
+
+  const std::shared_ptr<const PartThreads>& threads() const { return surface.threads(); }  // null: none
+  double volume() const;  // mm³, without what the threads take; O(samples)
 };
 
 // What a part is to become: a profile in the coordinates of the document, and the name of what it was read from.

@@ -6,6 +6,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/measure/ThreadMeasure.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -69,6 +70,26 @@ Figure taper(const MarkingCriterion& c, const TurnedProfile& profile) {
   return {c.id, reading->angle / kDegree, {}};
 }
 
+double ThreadReading::*threadFigure(const std::string& figure) {
+  if (figure == "thread_pitch") return &ThreadReading::pitch;
+  if (figure == "major_diameter") return &ThreadReading::major;
+  if (figure == "pitch_diameter") return &ThreadReading::pitchDiameter;
+  if (figure == "minor_diameter") return &ThreadReading::minor;
+  return nullptr;
+}
+
+// Of the outside, or else of the bore.
+Figure threadReading(const MarkingCriterion& c, const TurnedProfile& profile, const PartThreads* threads) {
+  std::optional<ThreadReading> reading;
+  if (threads) reading = measureThread(profile, *threads, TurningSide::Outside, rangeOf(c));
+  if (threads && !reading) reading = measureThread(profile, *threads, TurningSide::Bore, rangeOf(c));
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no thread along the range"));
+  return {c.id,
+          (*reading).*threadFigure(c.figure),
+          {QT_TRANSLATE_NOOP("Note", "%1 grooves, each within %2 mm of the pitch"),
+           {std::to_string(reading->grooves), roundedText(reading->largestError, 3)}}};
+}
+
 // The peak of one of the loads.
 Figure peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& loads,
             double MeasuredPart::Load::*which) {
@@ -96,6 +117,10 @@ const std::vector<FigureType>& turningFigureTypes() {
         {"bore_arc", QT_TRANSLATE_NOOP("Figure", "Radius of an arc inside"), "mm", range},
         {"taper", QT_TRANSLATE_NOOP("Figure", "Angle of a taper to the axis"), "°", range},
         {"profile", QT_TRANSLATE_NOOP("Figure", "Largest deviation from the target"), "mm", range},
+        {"thread_pitch", QT_TRANSLATE_NOOP("Figure", "Pitch of a thread"), "mm", range},
+        {"major_diameter", QT_TRANSLATE_NOOP("Figure", "Major diameter of a thread"), "mm", range},
+        {"pitch_diameter", QT_TRANSLATE_NOOP("Figure", "Pitch diameter of a thread"), "mm", range},
+        {"minor_diameter", QT_TRANSLATE_NOOP("Figure", "Minor diameter of a thread"), "mm", range},
         {"roughness", QT_TRANSLATE_NOOP("Figure", "Roughness Ra"), "µm", range},
         {"bore_roughness", QT_TRANSLATE_NOOP("Figure", "Roughness Ra inside"), "µm", range},
         {"crashes", QT_TRANSLATE_NOOP("Figure", "Collisions"), ""},
@@ -112,6 +137,7 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
   if (workpiece.part) {
     for (const auto& pass : workpiece.part->passes) m_passes.push_back(pass);
     m_crashes = workpiece.part->crashes;
+    m_threads = workpiece.part->threads();
   }
   const TurnedProfile bar = TurnedProfile::fromRadii(
       std::vector<double>(m_profile.size(), 0.5 * workpiece.stock.diameter), workpiece.stock.length);
@@ -176,6 +202,7 @@ Figure MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const
   if (c.figure == "arc") return arc(c, m_profile, TurningSide::Outside);
   if (c.figure == "bore_arc") return arc(c, m_profile, TurningSide::Bore);
   if (c.figure == "taper") return taper(c, m_profile);
+  if (threadFigure(c.figure)) return threadReading(c, m_profile, m_threads.get());
   if (!m_task.target) return none(c, QT_TRANSLATE_NOOP("Note", "the exercise has no target"));
   const ReferenceDeviation deviation = deviationFrom(*m_task.target, m_profile, rangeOf(c), progress);
   return {c.id,

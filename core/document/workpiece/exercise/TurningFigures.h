@@ -40,6 +40,7 @@ class MeasuredPart {
   std::optional<TurningReview> m_review;
   std::vector<std::shared_ptr<const TurningPass>> m_passes;
   std::shared_ptr<const std::vector<LatheCollision>> m_crashes;
+  std::shared_ptr<const PartThreads> m_threads;  // null: none
   bool m_isOfItsPasses = false;
 };
 

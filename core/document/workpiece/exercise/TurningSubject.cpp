@@ -35,7 +35,22 @@ Error malformedPass(const char* what) {
   return {ErrorCode::ElementMalformed, {"passes", what}, {}, {}};
 }
 
-// A pass at a constant feed.
+// That of a pass, sharp or as round as its nose; the first groove begins at the first point.
+Result<ThreadCut> threadFrom(const nlohmann::json& json, const TurningPass& pass) {
+  ThreadCut thread;
+  if (!json.is_object() || !json.contains("pitch") || !json["pitch"].is_number())
+    return malformedPass("a thread needs a pitch");
+  thread.pitch = json["pitch"].get<double>();
+  if (const auto starts = json.find("starts"); starts != json.end() && starts->is_number_unsigned())
+    thread.starts = static_cast<int>(std::min<std::uint64_t>(starts->get<std::uint64_t>(), 1'000));
+  thread.isLeft = stringAt(json, "hand") == "left";
+  if (const auto flat = json.find("flat"); flat != json.end() && flat->is_number()) thread.flat = flat->get<double>();
+  thread.offset = pass.path.front().y();
+  if (!thread.isSound()) return malformedPass("a thread is impossible");
+  return thread;
+}
+
+// A pass at a constant feed; of a thread its lead is the feed.
 Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
   if (!json.is_object()) return malformedPass("an object was expected");
   const auto number = [&](const char* key, double otherwise) {
@@ -59,6 +74,11 @@ Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
     const double seconds = pass.path.empty() ? 0.0 : (p - pass.path.back()).norm() / mmPerSecond;
     pass.times.push_back(pass.times.empty() ? 0.0 : pass.times.back() + seconds);
     pass.path.push_back(p);
+  }
+  if (const auto given = json.find("thread"); given != json.end()) {
+    const Result<ThreadCut> thread = threadFrom(*given, pass);
+    if (!thread) return thread.error();
+    pass.thread = *thread;
   }
   return pass;
 }

@@ -26,7 +26,8 @@ class TurningSubject : public ExerciseSubject {
   std::vector<ExerciseText> conditions(const ExerciseTask& task) const override;
   SnapshotPointer start(const ExerciseTask& task) const override;
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
-  // {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z], …]}]}:
+  // {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z], …],
+  //   "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}, all but points may be left out:
   // points of the centre of the nose.
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "controls/PropertyList.h"
+#include "tools/workpiece/ThreadOperation.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+
+namespace handwheel {
+
+// Asks for a thread: its place, pitch and form. It tells at once what is wrong with it.
+class ThreadDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ThreadDialog(const WorkpieceSnapshot& workpiece, LengthUnit unit, QWidget* parent);
+
+ signals:
+  void chosen(const handwheel::TurningPass& pass);
+
+ private:
+  void showValues();
+  void accept() override;
+
+  WorkpieceSnapshot m_workpiece;
+  OperationValues m_values;
+  LengthUnit m_unit;
+  PropertyList* m_list;
+  QLabel* m_remark;
+  QPushButton* m_cut;
+};
+
+}  // namespace handwheel

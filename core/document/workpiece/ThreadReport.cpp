@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/ThreadReport.h"
+
+#include "base/NumberText.h"
+#include "machining/measure/ThreadMeasure.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove) {
+  const ThreadCut& cut = groove.cut();
+  nlohmann::json json = {{"from", groove.from()},
+                         {"to", groove.to()},
+                         {"pitch", cut.pitch},
+                         {"starts", cut.starts},
+                         {"hand", cut.isLeft ? "left" : "right"},
+                         {"inner", groove.side() == TurningSide::Bore},
+                         {"measured_pitch", nullptr},
+                         {"major_diameter", nullptr},
+                         {"pitch_diameter", nullptr},
+                         {"minor_diameter", nullptr}};
+  const auto reading = measureThread(part.profile, *part.threads(), groove.side(), {groove.from(), groove.to()});
+  if (!reading) return json;
+  json["measured_pitch"] = reading->pitch;
+  json["major_diameter"] = reading->major;
+  json["pitch_diameter"] = reading->pitchDiameter;
+  json["minor_diameter"] = reading->minor;
+  return json;
+}
+
+}  // namespace
+
+std::string threadsText(const PartThreads& threads) {
+  std::string text;
+  for (const ThreadGroove& groove : threads.grooves())
+    text += (text.empty() ? "" : "; ") + ("pitch " + shownText(groove.cut().pitch)) + " mm, Z " +
+            shownText(groove.from()) + " to " + shownText(groove.to());
+  return text;
+}
+
+nlohmann::json threadsJson(const TurnedPart& part) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const ThreadGroove& groove : part.threads()->grooves()) all.push_back(threadOf(part, groove));
+  return all;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "document/Operation.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+namespace handwheel {
+
+// The description of 'thread': a thread is cut into a workpiece, between two heights of the document.
+const Operation& threadOperation();
+
+// The pass that cuts it. Without a depth it is that of the ISO metric profile, from the surface that is there: outside
+// the largest radius of the range, in a bore the least. Errors: ElementMalformed {"thread", what is wrong}.
+Result<TurningPass> threadPass(const WorkpieceSnapshot& workpiece, const OperationValues& values);
+
+}  // namespace handwheel

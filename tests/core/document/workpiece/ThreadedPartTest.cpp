@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
+#include "TurnedParts.h"
+#include "document/formats/MeshFormat.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/WorkpieceShape.h"
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+TurningPass threadingPass() {
+  TurningPass pass;
+  pass.noseRadius = 0.1;
+  pass.path = {{23.1, 110.0}, {23.1, 70.0}};
+  pass.times = {0.0, 4.0};
+  pass.thread = ThreadCut{2.5, 2, true, 1.0, 0.2, 0.6};
+  return pass;
+}
+
+WorkpieceSnapshot threadedBar() {
+  WorkpieceSnapshot workpiece;
+  workpiece.stock = {50.0, 100.0, 0.0};
+  workpiece.part = withPass(workpiece, threadingPass(), 0.1);
+  return workpiece;
+}
+
+}  // namespace
+
+class ThreadedPartTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void savedIsLoaded() {
+    const WorkpieceSnapshot workpiece = threadedBar();
+    Container container;
+    m_kind.save(workpiece, container);
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && damage.empty());
+    const TurnedPart& part = *static_cast<const WorkpieceSnapshot&>(**loaded).part;
+    QVERIFY(isSame(static_cast<const WorkpieceSnapshot&>(**loaded), workpiece));
+    QVERIFY(part.passes.back()->thread == threadingPass().thread);
+    QVERIFY(part.threads() && part.volume() == workpiece.part->volume());
+    QVERIFY(part.volume() < part.profile.volume() - 100.0);
+  }
+
+  // What no thread can be costs the pass, and says so.
+  void impossibleThreadsAreDamage() {
+    for (const auto& [key, value] : std::vector<std::pair<const char*, nlohmann::json>>{
+             {"pitch", 0.0}, {"pitch", -1.0}, {"starts", 0}, {"starts", 1e9}, {"hand", "up"}, {"angle", 4.0}}) {
+      Container container;
+      m_kind.save(threadedBar(), container);
+      (*container.manifest)["document"]["turned"]["passes"][0]["thread"][key] = value;
+      std::vector<Error> damage;
+      QVERIFY(m_kind.load(container, damage, {}));
+      QVERIFY2(!damage.empty(), key);
+    }
+  }
+
+  void undoTakesItBack() {
+    auto document = m_kind.make({&m_kind, {}, m_kind.blank()});
+    auto& owner = static_cast<WorkpieceDocument&>(*document);
+    owner.commit("Thread", std::make_unique<TurnedPartEdit>(withPass(owner.workpiece(), threadingPass(), 0.1)));
+    QVERIFY(owner.workpiece().part->threads());
+    owner.history()->undo();
+    QVERIFY(!owner.workpiece().part);
+    owner.history()->redo();
+    QVERIFY(owner.workpiece().part->threads());
+  }
+
+  // A closed mesh, as a file has it, with the volume of the part; STEP has the envelope and says so.
+  void exported() {
+    const WorkpieceSnapshot workpiece = threadedBar();
+    const Result<TriangleSoup> soup = placedTriangles(workpiece, {});
+    QVERIFY(soup);
+    const HalfEdgeMesh mesh = buildMesh(*soup).mesh;
+    QVERIFY(validate(mesh).empty());
+    QVERIFY(findBoundaryLoops(mesh).empty());
+    double volume = 0.0;
+    for (const Triangle& t : soup->triangles)
+      volume += soup->points[t[0]].dot(soup->points[t[1]].cross(soup->points[t[2]])) / 6.0;
+    QVERIFY2(std::abs(volume / workpiece.part->volume() - 1.0) < 1e-3, QByteArray::number(volume));
+    QTemporaryDir folder;
+    const Result<WrittenFile> written = m_kind.exportTo(workpiece, folder.filePath("part.step").toStdString(), {});
+    QVERIFY(written);
+    QCOMPARE(written->notes.size(), std::size_t(2));
+    QVERIFY(written->notes[1].text.find("envelope") != std::string::npos);
+    QVERIFY(m_kind.exportTo(workpiece, folder.filePath("part.stl").toStdString(), {}));
+  }
+
+ private:
+  WorkpieceKind m_kind;
+};
+
+HANDWHEEL_TEST(ThreadedPartTest)
+#include "ThreadedPartTest.moc"
