@@ -76,9 +76,9 @@ class ExerciseTest : public QObject {
                   {"exercise", "task.handwheel", "--hand-in", "bar.handwheel", "--name", "A", "-o", "task.handwheel"}));
     QVERIFY(keeps("bar.handwheel",
                   {"exercise", "task.handwheel", "--hand-in", "bar.handwheel", "--name", "A", "-o", "bar.handwheel"}));
-    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X36\nG1 Z-90\nM2\n");
+    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X36\nG1 Z-99\nM2\n");
     QVERIFY(keeps("shaft.handwheel", {"turn", "shaft.handwheel", "--program", "p.ngc", "-o", "shaft.handwheel"}));
-    // The chuck of the exercise holds 25 mm of its bar of 100.
+    // The chuck of the exercise holds 25 mm of its bar of 120.
     const Ran turned = bench.run({"turn", "shaft.handwheel", "--program", "p.ngc", "-o", "turned.handwheel", "--json"});
     QVERIFY2(turned.code == 0 && turned.err.contains("chuck"), turned.err);
     QVERIFY(nlohmann::json::parse(turned.out.toStdString())["collisions"].get<int>() > 0);
