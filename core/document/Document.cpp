@@ -57,6 +57,7 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   m_file.lostOther.clear();
   m_file.notes.clear();
   m_recovered = false;
+  m_isAssignedAnew = false;
   m_isStroking = false;  // what follows is a step of its own
   m_history.setClean();
   emit fileChanged();
@@ -65,6 +66,14 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
 void Document::markRecovered(const QString& path) {
   m_file.path = QFile::encodeName(path).toStdString();
   m_recovered = true;
+  emit fileChanged();
+}
+
+void Document::assign(AssignedExercise assigned, bool isChange) {
+  m_file.assigned = std::move(assigned);
+  if (!isChange) return;
+  m_isAssignedAnew = true;
+  countChange();
   emit fileChanged();
 }
 

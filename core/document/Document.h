@@ -36,11 +36,15 @@ class Document : public QObject {
 
   QUndoStack* history() { return &m_history; }
   const QUndoStack* history() const { return &m_history; }
-  bool isModified() const { return m_recovered || !m_history.isClean(); }
+  bool isModified() const { return m_recovered || m_isAssignedAnew || !m_history.isClean(); }
   // To be called after its present state was written to this path; a container keeps id and unknown keys.
   void markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp = {});
   // Marks it as restored from an autosave: it belongs to this path, but differs from the file there.
   void markRecovered(const QString& path);
+
+  // Sets the exercise that it is work on, and the attempt. No undo step, so that an undo takes back what was made, but
+  // no time and no hint. isChange: it is modified then; else the next save takes it along.
+  void assign(AssignedExercise assigned, bool isChange);
 
   virtual SnapshotPointer snapshot() const = 0;
 
@@ -63,7 +67,7 @@ class Document : public QObject {
 
  signals:
   void changed();      // the value; also by undo and redo
-  void fileChanged();  // path, format, clean state, display unit or recordings
+  void fileChanged();  // path, format, clean state, display unit, recordings or attempt
 
  protected:
   // To be called by every edit. Classes with signals of their own emit them between countChange() and changed().
@@ -84,6 +88,7 @@ class Document : public QObject {
   int m_stroke = 0;
   bool m_isStroking = false;
   bool m_recovered = false;
+  bool m_isAssignedAnew = false;
   QUndoStack m_history;
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 #include "base/Units.h"
+#include "document/AssignedExercise.h"
 #include "document/FileStamp.h"
 #include "document/Note.h"
 #include "document/Snapshot.h"
@@ -26,6 +27,7 @@ struct DocumentFile {
   std::optional<FileStamp> stamp = {};  // of that file as it was read or written; none where that is not known
   LengthUnit displayUnit = LengthUnit::Millimetre;
   std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made
+  AssignedExercise assigned = {};           // that it is work on
   std::vector<Error> damage;                // what was skipped or repaired
   std::size_t unlistedDamage = 0;           // further damage beyond what is listed
   std::vector<LostAttribute> lost;          // what the file holds and the document does not

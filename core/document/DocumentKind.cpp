@@ -21,6 +21,8 @@ namespace handwheel {
 
 namespace {
 
+constexpr const char *kAssigned = "exercise", *kDescription = "description", *kAttempt = "attempt";
+
 std::string newId() {
   return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
 }
@@ -43,8 +45,22 @@ Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snap
   manifest["kind"] = kind.id();
   manifest["display_unit"] = symbolOf(file.displayUnit);
   listRecordings(file.recordings, manifest);
+  if (file.assigned)
+    manifest[kAssigned] = {{kDescription, *file.assigned.description}, {kAttempt, *file.assigned.attempt}};
   kind.save(content, own);
   return own;
+}
+
+// The exercise that the document is work on; what is not an exercise is left to the unknown keys.
+AssignedExercise assignedIn(const nlohmann::json& manifest) {
+  const auto found = manifest.find(kAssigned);
+  if (found == manifest.end() || !found->is_object()) return {};
+  const auto part = [&](const char* key) {
+    const auto at = found->find(key);
+    return at != found->end() && at->is_object() ? std::make_shared<const nlohmann::json>(*at) : nullptr;
+  };
+  AssignedExercise assigned{part(kDescription), part(kAttempt)};
+  return assigned ? assigned : AssignedExercise();
 }
 
 // Sets apart what goes back into the file when it is saved.
@@ -73,6 +89,7 @@ Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Prog
   if (opened.file.id.empty()) opened.file.id = newId();
   opened.file.displayUnit = unitNamed(stringAt(manifest, "display_unit"));
   opened.file.recordings = readRecordings(read->container, opened.file.damage);
+  opened.file.assigned = assignedIn(manifest);
   opened.file.isContainer = true;
   opened.file.isNewer = read->isNewer;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -94,7 +94,7 @@ void ClassTable::sort(std::size_t column, bool isDescending) {
 }
 
 std::string ClassTable::csv() const {
-  std::string text;
+  std::string text = "\xEF\xBB\xBF";
   for (std::size_t column = 0; column < columns(); ++column)
     text += (column > 0 ? "," : "") + csvField(heading(column), false);
   text += "\r\n";

@@ -12,7 +12,8 @@ struct ClassRow {
   std::string file;  // its name
   Attempt attempt;
   Marking marking;
-  std::string problem = {};  // why it was not marked; empty: it was
+  std::string problem = {};               // why it was not marked; empty: it was
+  std::vector<std::string> remarks = {};  // what the teacher is to know of the file
 };
 
 // The submissions of a class as one table: a row for each, a column for each criterion.
@@ -36,7 +37,8 @@ class ClassTable {
   // Sorts by a column; numbers by value, what is empty last. Equal rows keep their order.
   void sort(std::size_t column, bool isDescending);
 
-  // RFC 4180 with a header; fields that a spreadsheet would take for a formula get an apostrophe in front.
+  // RFC 4180 in UTF-8, with the mark by which spreadsheets know that, and a header; fields that a spreadsheet would
+  // take for a formula get an apostrophe in front.
   std::string csv() const;
 
  private:

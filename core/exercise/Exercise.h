@@ -23,6 +23,8 @@ struct MarkingCriterion {
   double points = 0.0;
   double slack = 0.0;     // how far beyond a limit the last point is lost, in proportion; 0: at once
   bool isHidden = false;  // not on the drawing: students do not see it before they are marked
+
+  bool hasLimit() const { return lower || upper; }
 };
 
 // One step of the way that an exercise suggests.

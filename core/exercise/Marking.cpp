@@ -39,7 +39,13 @@ ExerciseText limitsText(const MarkingCriterion& c, const std::string& value, con
   return {translatable("Note", "%1, without a limit"), {value}};
 }
 
+// Points without a limit would be given for any work: that is an oversight.
+bool lacksLimit(const MarkingCriterion& c) {
+  return c.points > 0.0 && !c.hasLimit();
+}
+
 ExerciseText reasonFor(const MarkingCriterion& c, const Mark& mark, const std::string& unit) {
+  if (lacksLimit(c)) return {translatable("Note", "the scheme has no limit for it")};
   if (mark.verdict == Verdict::NotMeasured) return {translatable("Note", "it could not be measured")};
   const std::string value = withUnit(*mark.value, unit);
   if (mark.verdict == Verdict::Met) return limitsText(c, value, unit);
@@ -56,7 +62,9 @@ Mark markFor(const MarkingCriterion& c, const Figure* figure, const std::string&
   mark.criterion = c.id;
   mark.of = hundredths(c.points);
   if (figure) mark.remark = figure->remark;
-  if (figure && figure->value && std::isfinite(*figure->value)) {
+  const bool isMeasured = figure && figure->value && std::isfinite(*figure->value);
+  if (isMeasured && lacksLimit(c)) mark.value = figure->value;
+  if (isMeasured && !lacksLimit(c)) {
     mark.value = figure->value;
     const bool isMet = excessOf(c, *mark.value) == 0.0;
     const bool isSmall = c.lower && *mark.value < *c.lower;

@@ -42,7 +42,8 @@ struct Marking {
 };
 
 // Marks figures by a scheme. Deterministic: the same figures give the same marks. Criteria without a figure count as
-// not measured. units: of the figures, by criterion in the same order, for the reasons; may be shorter.
+// not measured, and so do those with points and without a limit. units: of the figures, by criterion in the same order,
+// for the reasons; may be shorter.
 Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures,
                     const std::vector<std::string>& units = {});
 

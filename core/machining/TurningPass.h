@@ -17,9 +17,10 @@ struct TurningPass {
   static constexpr std::size_t kMostPoints = 10'000'000;
   static constexpr double kLeastNose = 0.05, kLargestNose = 50.0;  // mm, of the noses that a user may choose
 
-  double noseRadius = 1.0;         // mm; 0: an ideal point, which cuts by Trim
-  std::vector<ProfilePoint> path;  // of the centre of the nose, (r, z); mm
-  std::vector<double> times;       // s, of each point since the first; as many, never falling
+  double noseRadius = 1.0;          // mm; 0: an ideal point, which cuts by Trim
+  std::vector<ProfilePoint> path;   // of the centre of the nose, (r, z); mm
+  std::vector<double> times;        // s, of each point since the first; as many, never falling
+  std::vector<double> speeds = {};  // r/min of the spindle on the way to each point; empty: they are not known
   TurningSide side = TurningSide::Outside;
   TurningMethod method = TurningMethod::Trim;
   double resolution = 1.0;  // mm, between control points where these are moved

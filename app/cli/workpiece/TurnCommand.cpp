@@ -207,7 +207,7 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
                                                                        : ": rapid move through material."));
   std::vector<TurningPass> passes = simulation.takePasses();
   if (passes.empty()) return workpiece;
-  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes};
+  TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes, before.crashes};
   for (TurningPass& pass : passes) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   workpiece.part = std::make_shared<const TurnedPart>(std::move(part));
   return workpiece;

@@ -4,6 +4,7 @@
 
 #include "controls/PropertyList.h"
 #include "document/exercise/ExerciseProperties.h"
+#include "document/exercise/ExerciseRows.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/exercise/ClassView.h"
 
@@ -75,6 +76,8 @@ ExerciseEditor::ExerciseEditor(QWidget* parent) : QTabWidget(parent), m_task(new
     if (m_document && row >= 0)
       change(tr("Remove a step"), withoutStep(m_document->exercise(), static_cast<std::size_t>(row)));
   });
+  connectMoves(m_criteria, tr("Move a criterion"), withMovedCriterion);
+  connectMoves(m_steps, tr("Move a step"), withMovedStep);
   m_class = new ClassView(this);
   addTab(m_task, tr("Task"));
   addTab(m_criteria.page, tr("Marks"));
@@ -95,8 +98,13 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   rows.remove = new QToolButton(rows.page);
   rows.remove->setText(tr("Remove"));
   rows.remove->setObjectName(name + QStringLiteral("/remove"));
-  buttons->addWidget(add);
-  buttons->addWidget(rows.remove);
+  rows.up = new QToolButton(rows.page);
+  rows.up->setText(tr("Up"));
+  rows.up->setObjectName(name + QStringLiteral("/up"));
+  rows.down = new QToolButton(rows.page);
+  rows.down->setText(tr("Down"));
+  rows.down->setObjectName(name + QStringLiteral("/down"));
+  for (QToolButton* each : {add, rows.remove, rows.up, rows.down}) buttons->addWidget(each);
   buttons->addStretch(1);
   rows.list = new QListWidget(rows.page);
   rows.list->setObjectName(name);
@@ -112,11 +120,21 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   return rows;
 }
 
+void ExerciseEditor::connectMoves(Rows& rows, const QString& text, Move move) {
+  for (const bool isUp : {true, false}) {
+    connect(isUp ? rows.up : rows.down, &QToolButton::clicked, this, [this, list = rows.list, text, move, isUp] {
+      const int row = list->currentRow();
+      if (!m_document || row < 0) return;
+      change(text, move(m_document->exercise(), static_cast<std::size_t>(row), isUp));
+      list->setCurrentRow(row + (isUp ? -1 : 1));
+    });
+  }
+}
+
 void ExerciseEditor::setDocument(ExerciseDocument* document) {
   if (m_document) m_document->disconnect(this);
   m_document = document;
   if (document) connect(document, &Document::changed, this, &ExerciseEditor::refresh);
-  m_class->setReport({});
   refresh();
 }
 
@@ -124,18 +142,20 @@ void ExerciseEditor::refresh() {
   if (!m_document) return;
   const Exercise& exercise = m_document->exercise().exercise;
   m_task->setLengthUnit(m_document->displayUnit());
-  m_task->setProperties(ofTask(exerciseProperties(m_document->exercise())));
+  const std::vector<Property> properties = exerciseProperties(m_document->exercise());
+  m_task->setProperties(ofTask(properties));
   QStringList criteria, steps;
   for (const MarkingCriterion& c : exercise.criteria)
     criteria += tr("%1 (%2 points)").arg(QString::fromStdString(c.name.empty() ? c.id : c.name)).arg(c.points);
   for (std::size_t i = 0; i < exercise.steps.size(); ++i)
     steps += tr("%1. %2").arg(i + 1).arg(QString::fromStdString(exercise.steps[i].title));
-  fillRows(m_criteria, criteria,
+  fillRows(m_criteria, criteria, properties,
            [&](int row) { return criterionPrefix(exercise.criteria[static_cast<std::size_t>(row)]); });
-  fillRows(m_steps, steps, [](int row) { return stepPrefix(static_cast<std::size_t>(row)); });
+  fillRows(m_steps, steps, properties, [](int row) { return stepPrefix(static_cast<std::size_t>(row)); });
 }
 
-void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::function<std::string(int)>& prefix) {
+void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,
+                              const std::function<std::string(int)>& prefix) {
   const QSignalBlocker blocker(rows.list);
   const int before = rows.list->currentRow();
   while (rows.list->count() > names.size()) delete rows.list->takeItem(rows.list->count() - 1);
@@ -144,8 +164,9 @@ void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::f
   const int row = names.isEmpty() ? -1 : std::clamp(before, 0, static_cast<int>(names.size()) - 1);
   rows.list->setCurrentRow(row);
   rows.remove->setEnabled(row >= 0);
-  rows.properties->setProperties(row < 0 ? std::vector<Property>()
-                                         : beginningWith(exerciseProperties(m_document->exercise()), prefix(row)));
+  rows.up->setEnabled(row > 0);
+  rows.down->setEnabled(row >= 0 && row + 1 < names.size());
+  rows.properties->setProperties(row < 0 ? std::vector<Property>() : beginningWith(properties, prefix(row)));
 }
 
 void ExerciseEditor::addCriterion(std::size_t figure) {

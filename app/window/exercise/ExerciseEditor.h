@@ -34,9 +34,13 @@ class ExerciseEditor : public QTabWidget {
     QListWidget* list = nullptr;
     PropertyList* properties = nullptr;
     QToolButton* remove = nullptr;
+    QToolButton *up = nullptr, *down = nullptr;
   };
   Rows makeRows(const QString& name, const QString& addTip, const std::function<void(QToolButton*)>& setUpAdding);
-  void fillRows(Rows& rows, const QStringList& names, const std::function<std::string(int)>& prefix);
+  void fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,
+                const std::function<std::string(int)>& prefix);
+  using Move = ExerciseSnapshot (*)(ExerciseSnapshot, std::size_t row, bool isUp);
+  void connectMoves(Rows& rows, const QString& text, Move move);
   void addCriterion(std::size_t figure);
   void change(const QString& text, ExerciseSnapshot exercise);
 

@@ -57,6 +57,9 @@ std::span<const Migration> migrations() {
       // of
       // version 3 has no bore, and the path of each pass in blobs of its own.
       joinPasses,
+      // Passes may tell the speed of the spindle, and a part its crashes: an older program would mark both wrongly, and
+      // lose the speeds when it saves. A document of version 4 has neither.
+      [](Container&) -> Status { return Done{}; },
   };
   return kChain;
 }

@@ -3,8 +3,6 @@
 #include "document/exercise/ExerciseJson.h"
 
 #include "base/JsonText.h"
-#include "machining/measure/IsoTolerance.h"
-#include "machining/measure/RoughnessGrade.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -59,17 +57,6 @@ Json jsonOf(const MarkingCriterion& c) {
           {"hidden", c.isHidden}};
 }
 
-// The limits that the class on the drawing stands for.
-void resolveTolerance(MarkingCriterion& c) {
-  if (c.lower || c.upper || c.tolerance.empty()) return;
-  if (const auto ra = roughnessOf(c.tolerance)) c.upper = *ra;
-  if (!c.nominal) return;
-  if (const auto deviations = isoDeviations(*c.nominal, c.tolerance)) {
-    c.lower = *c.nominal + deviations->lower;
-    c.upper = *c.nominal + deviations->upper;
-  }
-}
-
 MarkingCriterion criterionFrom(const Json& json) {
   MarkingCriterion c;
   c.id = stringAt(json, "id");
@@ -83,7 +70,6 @@ MarkingCriterion criterionFrom(const Json& json) {
   c.points = numberAt(json, "points").value_or(0.0);
   c.slack = numberAt(json, "slack").value_or(0.0);
   c.isHidden = flagAt(json, "hidden");
-  resolveTolerance(c);
   return c;
 }
 

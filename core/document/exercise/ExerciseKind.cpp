@@ -63,6 +63,15 @@ Result<SnapshotPointer> readInner(const Container& container, const char* name, 
   return SnapshotPointer();
 }
 
+// Of a description without one: the same for each reading of it, of the teacher and the students.
+std::string keyOf(const ExerciseSnapshot& exercise) {
+  static const QUuid kNames(QStringLiteral("8f0e3f7a-7f0b-4f0f-9c55-6f2a0c6d1b9e"));
+  const Json named = {exercise.exercise.title, exercise.subject->id(), exercise.subject->toJson(*exercise.task)};
+  return QUuid::createUuidV5(kNames, QByteArray::fromStdString(named.dump()))
+      .toString(QUuid::WithoutBraces)
+      .toStdString();
+}
+
 }  // namespace
 
 std::string newExerciseKey() {
@@ -118,8 +127,6 @@ void ExerciseKind::save(const Snapshot& content, Container& container) const {
   Json& document = (*container.manifest)["document"];
   if (!document.is_object()) document = Json::object();
   document.update(description(exercise));
-  document["key"] = exercise.key;
-  document["for_students"] = exercise.isForStudents;
   document["attempt"] = exercise.attempt ? toJson(*exercise.attempt) : Json();
   writeInner(container, kSolution, exercise.subject->kind(), exercise.solution);
   writeInner(container, kWork, exercise.subject->kind(), exercise.work);
@@ -157,6 +164,10 @@ Result<ExerciseSnapshot> ExerciseKind::read(const Json& document, std::vector<Er
   ExerciseSnapshot exercise;
   exercise.subject = known->get();
   exercise.exercise = exerciseFrom(document, damage);
+  for (MarkingCriterion& c : exercise.exercise.criteria) {
+    if (c.tolerance.empty() || c.hasLimit()) continue;
+    if (const Status applied = exercise.subject->applyTolerance(c); !applied) damage.push_back(applied.error());
+  }
   exercise.task = exercise.subject->fromJson(document.value("task", Json()), damage);
   exercise.key = stringAt(document, "key");
   if (exercise.key.size() > 100) {
@@ -181,8 +192,6 @@ std::unique_ptr<Document> ExerciseKind::make(OpenedFile opened) const {
 Json ExerciseKind::describe(const Snapshot& content) const {
   const ExerciseSnapshot& exercise = exerciseOf(content);
   Json described = description(exercise);
-  described["key"] = exercise.key;
-  described["for_students"] = exercise.isForStudents;
   described["points"] = exercise.exercise.points();
   described["has_solution"] = exercise.solution != nullptr;
   described["attempt"] = exercise.attempt ? toJson(*exercise.attempt) : Json();
@@ -202,7 +211,11 @@ Result<SnapshotPointer> ExerciseKind::fromDescription(const Json& given, Progres
   if (!read) return read.error();
   if (!damage.empty()) return damage.front();
   ExerciseSnapshot exercise = std::move(read.value());
-  if (exercise.key.empty()) exercise.key = newExerciseKey();
+  for (const MarkingCriterion& c : exercise.exercise.criteria) {
+    if (c.points > 0.0 && !c.hasLimit())
+      return Error{ErrorCode::ElementMalformed, {"criterion " + c.id, "it gives points without a limit"}, {}, {}};
+  }
+  if (exercise.key.empty()) exercise.key = keyOf(exercise);
   if (const auto solution = given.find(kSolution); solution != given.end() && !solution->is_null()) {
     Result<SnapshotPointer> made = exercise.subject->makeWork(*exercise.task, *solution, progress);
     if (!made) return made.error();
@@ -218,6 +231,8 @@ Json ExerciseKind::description(const ExerciseSnapshot& exercise) {
   Json json = toJson(exercise.exercise);
   json["subject"] = exercise.subject->id();
   json["task"] = exercise.subject->toJson(*exercise.task);
+  json["key"] = exercise.key;
+  json["for_students"] = exercise.isForStudents;
   return json;
 }
 

@@ -38,7 +38,7 @@ class ExerciseKind : public DocumentKind {
   // description that is "for_students" gives a copy for them.
   // Errors: SubjectUnknown, those of damage, of which a description must have none; ElementMalformed, Cancelled.
   Result<SnapshotPointer> fromDescription(const nlohmann::json& description, Progress progress) const;
-  // Such a description, without solution and work.
+  // Such a description, without solution, attempt and work. One without a key gets the same at each reading.
   static nlohmann::json description(const ExerciseSnapshot& exercise);
 
  private:

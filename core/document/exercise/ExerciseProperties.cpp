@@ -69,6 +69,30 @@ std::string limitText(const std::optional<double>& limit) {
   return limit ? shortestText(*limit) : std::string();
 }
 
+// A criterion in the words of the teacher; its id where these would not find it again.
+std::string shownName(const Exercise& exercise, const std::string& id) {
+  const MarkingCriterion* c = exercise.find(id);
+  if (!c || c->name.empty() || c->name.find(kListSign) != std::string::npos || exercise.find(c->name)) return id;
+  const auto isNamesake = [&](const MarkingCriterion& each) { return each.name == c->name; };
+  const bool isUnique = std::count_if(exercise.criteria.begin(), exercise.criteria.end(), isNamesake) == 1;
+  return isUnique && split(c->name, kListSign) == std::vector{c->name} ? c->name : id;
+}
+
+std::vector<std::string> shownNames(const Exercise& exercise, std::vector<std::string> ids) {
+  for (std::string& id : ids) id = shownName(exercise, id);
+  return ids;
+}
+
+// Their ids, of criteria that are given by id or by name.
+std::vector<std::string> idsOf(const Exercise& exercise, std::vector<std::string> names) {
+  for (std::string& name : names) {
+    const auto isMeant = [&](const MarkingCriterion& c) { return c.name == name; };
+    const auto found = std::find_if(exercise.criteria.begin(), exercise.criteria.end(), isMeant);
+    if (!exercise.find(name) && found != exercise.criteria.end()) name = found->id;
+  }
+  return names;
+}
+
 std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
                                           const std::vector<FigureType>& types) {
   const std::string prefix = criterionPrefix(c), group = c.name.empty() ? c.id : c.name;
@@ -89,6 +113,7 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
     figure.problem = QT_TRANSLATE_NOOP("Property", "this figure is not known");
   }
   add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments));
+  add("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal));
   add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance);
   add("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower));
   add("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper));
@@ -96,6 +121,8 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   Property& points = add("points", QT_TRANSLATE_NOOP("Property", "Points"), c.points);
   points.least = 0.0;
   points.largest = Exercise::kMostPoints;
+  if (c.points > 0.0 && !c.hasLimit())
+    points.problem = QT_TRANSLATE_NOOP("Property", "nobody gets them without a limit");
   Property& slack = add("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack);
   slack.least = 0.0;
   slack.largest = Exercise::kLargestFigure;
@@ -108,6 +135,15 @@ Status setLimit(std::optional<double>& limit, const std::string& id, const std::
   if (!numbers || numbers->size() > 1) return malformed(id, "a number was expected, or nothing");
   limit = numbers->empty() ? std::nullopt : std::optional(numbers->front());
   return Done{};
+}
+
+// A limit that is set by hand is not that of a class any more.
+Status setLimitByHand(MarkingCriterion& c, std::optional<double>& limit, const std::string& id,
+                      const std::string& text) {
+  const std::optional<double> before = limit;
+  const Status set = setLimit(limit, id, text);
+  if (set && limit != before) c.tolerance.clear();
+  return set;
 }
 
 Status setField(MarkingCriterion& c, const std::string& field, const std::string& id, const PropertyValue& value,
@@ -131,8 +167,9 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
     return Done{};
   }
   if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
-  if (field == "lower") return setLimit(c.lower, id, *text);
-  if (field == "upper") return setLimit(c.upper, id, *text);
+  if (field == "lower") return setLimitByHand(c, c.lower, id, *text);
+  if (field == "upper") return setLimitByHand(c, c.upper, id, *text);
+  if (field == "nominal") return setLimit(c.nominal, id, *text);
   if (field == "name") c.name = *text;
   if (field == "tolerance") c.tolerance = *text;
   if (field == "arguments") {
@@ -143,13 +180,26 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
   return Done{};
 }
 
-Status setField(ExerciseStep& step, const std::string& field, const std::string& id, const PropertyValue& value) {
+// The limits follow what the tolerance on the drawing depends on.
+Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, const std::string& field,
+                     const std::string& id, const PropertyValue& value) {
+  const Status set = setField(c, field, id, value, figureTypes(*exercise.subject));
+  const bool isOfTolerance = field == "tolerance" || field == "nominal" || field == "figure";
+  if (!set || !isOfTolerance || c.tolerance.empty()) return set;
+  const Status applied = exercise.subject->applyTolerance(c);
+  if (applied || field != "figure") return applied;
+  c.tolerance.clear();  // which another figure does not have; the limits stay
+  return Done{};
+}
+
+Status setField(const Exercise& exercise, ExerciseStep& step, const std::string& field, const std::string& id,
+                const PropertyValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
   if (field == "title") step.title = *text;
   if (field == "text") step.text = *text;
   if (field == "hints") step.hints = split(*text, kHintSign);
-  if (field == "criteria") step.criteria = split(*text, kListSign);
+  if (field == "criteria") step.criteria = idsOf(exercise, split(*text, kListSign));
   return Done{};
 }
 
@@ -175,11 +225,12 @@ std::optional<Status> setOwn(ExerciseSnapshot& exercise, const std::string& id, 
   if (isText(id)) return setText(exercise.exercise, id, value);
   for (MarkingCriterion& c : exercise.exercise.criteria) {
     const std::string prefix = criterionPrefix(c);
-    if (id.starts_with(prefix)) return setField(c, id.substr(prefix.size()), id, value, figureTypes(*exercise.subject));
+    if (id.starts_with(prefix)) return setAndResolve(exercise, c, id.substr(prefix.size()), id, value);
   }
   for (std::size_t i = 0; i < exercise.exercise.steps.size(); ++i) {
     const std::string prefix = stepPrefix(i);
-    if (id.starts_with(prefix)) return setField(exercise.exercise.steps[i], id.substr(prefix.size()), id, value);
+    if (id.starts_with(prefix))
+      return setField(exercise.exercise, exercise.exercise.steps[i], id.substr(prefix.size()), id, value);
   }
   return std::nullopt;
 }
@@ -217,7 +268,8 @@ std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise) {
          {std::tuple{"title", QT_TRANSLATE_NOOP("Property", "Title"), step.title},
           std::tuple{"text", QT_TRANSLATE_NOOP("Property", "Text"), step.text},
           std::tuple{"hints", QT_TRANSLATE_NOOP("Property", "Hints, with | between"), joined(step.hints, kHintSign)},
-          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met"), joined(step.criteria, kListSign)}}) {
+          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met"),
+                     joined(shownNames(e, step.criteria), kListSign)}}) {
       all.push_back(property(prefix + id, heading, label, value));
       all.back().groupTranslated = false;
       all.back().editable = !exercise.isForStudents;
@@ -238,34 +290,6 @@ Result<ExerciseSnapshot> withExerciseProperty(ExerciseSnapshot exercise, const s
   if (!*set) return set->error();
   const Status checked = checkExercise(exercise.exercise);
   if (!checked) return checked.error();
-  return exercise;
-}
-
-ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure) {
-  MarkingCriterion c;
-  for (int number = 1; c.id.empty() || exercise.exercise.find(c.id); ++number) c.id = "c" + std::to_string(number);
-  c.name = figure.label;
-  c.figure = figure.id;
-  c.arguments.assign(figure.arguments.size(), 0.0);
-  c.points = 1.0;
-  if (exercise.exercise.criteria.size() < Exercise::kMostCriteria) exercise.exercise.criteria.push_back(std::move(c));
-  return exercise;
-}
-
-ExerciseSnapshot withNewStep(ExerciseSnapshot exercise) {
-  if (exercise.exercise.steps.size() < Exercise::kMostSteps) exercise.exercise.steps.emplace_back();
-  return exercise;
-}
-
-ExerciseSnapshot withoutCriterion(ExerciseSnapshot exercise, const std::string& id) {
-  std::erase_if(exercise.exercise.criteria, [&](const MarkingCriterion& c) { return c.id == id; });
-  for (ExerciseStep& step : exercise.exercise.steps) std::erase(step.criteria, id);
-  return exercise;
-}
-
-ExerciseSnapshot withoutStep(ExerciseSnapshot exercise, std::size_t step) {
-  auto& steps = exercise.exercise.steps;
-  if (step < steps.size()) steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(step));
   return exercise;
 }
 

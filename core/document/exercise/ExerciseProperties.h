@@ -20,11 +20,4 @@ std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise);
 Result<ExerciseSnapshot> withExerciseProperty(ExerciseSnapshot exercise, const std::string& id,
                                               const PropertyValue& value);
 
-// The exercise with one more criterion or step at the end, with an id that is free.
-ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure);
-ExerciseSnapshot withNewStep(ExerciseSnapshot exercise);
-// Without one; steps do not name the criterion any more.
-ExerciseSnapshot withoutCriterion(ExerciseSnapshot exercise, const std::string& id);
-ExerciseSnapshot withoutStep(ExerciseSnapshot exercise, std::size_t step);
-
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace handwheel {
 
@@ -28,6 +29,7 @@ std::span<const FigureType> commonFigures() {
 
 ExerciseSnapshot forStudents(ExerciseSnapshot exercise) {
   exercise.exercise = withoutAnswers(std::move(exercise.exercise));
+  assert(hasNoAnswers(exercise.exercise));
   exercise.solution.reset();
   exercise.work.reset();
   exercise.attempt.reset();

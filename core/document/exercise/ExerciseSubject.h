@@ -61,6 +61,10 @@ class ExerciseSubject {
   virtual const DocumentKind& kind() const = 0;  // of the documents that students work in
   virtual std::vector<FigureType> figures() const = 0;
 
+  // Sets the limits of a criterion to those that its tolerance on the drawing stands for. Error ElementMalformed
+  // {criterion, what is wrong}: the tolerance is not known for this figure and nominal value.
+  virtual Status applyTolerance(MarkingCriterion& criterion) const = 0;
+
   virtual TaskPointer blankTask() const = 0;
   virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;
   // Accepts any JSON; what it cannot take is added to the damage and replaced by that of the blank task.
@@ -70,6 +74,8 @@ class ExerciseSubject {
   virtual Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
                                            const PropertyValue& value) const = 0;
 
+  // What the student has to know of stock, machine and tools: a line each, in the context "Note".
+  virtual std::vector<ExerciseText> conditions(const ExerciseTask& task) const = 0;
   // What a student begins with.
   virtual SnapshotPointer start(const ExerciseTask& task) const = 0;
   // Whether a document can be work on this task: of the same stock. Error: ExerciseError::OtherWork {reason}.

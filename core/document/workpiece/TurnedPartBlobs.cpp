@@ -3,10 +3,12 @@
 #include "document/workpiece/TurnedPartBlobs.h"
 
 #include "document/container/Blobs.h"
+#include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -16,10 +18,12 @@ namespace {
 
 constexpr const char* kRadii = "workpiece/radii";
 constexpr const char* kInner = "workpiece/inner";
-constexpr const char* kPath = "workpiece/path";  // of all passes
-constexpr const char* kBore = "bore";            // value of "side"
-constexpr const char* kPoles = "poles";          // value of "method"
+constexpr const char* kPath = "workpiece/path";      // of all passes
+constexpr const char* kSpeeds = "workpiece/speeds";  // of the passes with "speeds"
+constexpr const char* kBore = "bore";                // value of "side"
+constexpr const char* kPoles = "poles";              // value of "method"
 constexpr std::size_t kMostPasses = 100'000;
+constexpr double kLargestSpeed = 1e5;     // r/min
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
 // Samples below the passes that are cut once more, each time that they are passed: some ten seconds.
 constexpr std::uint64_t kMostCutAgain = 1'000'000'000;
@@ -51,8 +55,41 @@ bool isWhole(const ReadArray<double>& path, std::uint64_t begin, std::uint64_t e
                       [&](const IndexRange& lost) { return lost.begin < end && begin < lost.end; });
 }
 
+bool isSpeed(double speed) {
+  return speed >= 0.0 && speed <= kLargestSpeed;  // false for NaN
+}
+
+// Whether the speed of each point of a listed pass stands in the array of speeds.
+bool hasSpeeds(const nlohmann::json& entry) {
+  const auto found = entry.is_object() ? entry.find("speeds") : entry.end();
+  return found != entry.end() && found->is_boolean() && found->get<bool>();
+}
+
+bool isConstant(const std::vector<double>& speeds) {
+  return std::adjacent_find(speeds.begin(), speeds.end(), std::not_equal_to<>()) == speeds.end();
+}
+
+// The speeds of a pass: one for all of it, those in the array from `begin` on, or none. Nothing where they are
+// malformed or lost.
+std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const ReadArray<double>& speeds,
+                                            std::uint64_t begin, std::size_t count) {
+  std::vector<double> read;
+  if (hasSpeeds(entry)) {
+    const auto isLost = [&](const IndexRange& lost) { return lost.begin < begin + count && begin < lost.end; };
+    if (speeds.values.size() < begin + count || std::any_of(speeds.lost.begin(), speeds.lost.end(), isLost))
+      return std::nullopt;
+    const auto first = speeds.values.begin() + static_cast<std::ptrdiff_t>(begin);
+    read.assign(first, first + static_cast<std::ptrdiff_t>(count));
+  } else if (const auto constant = entry.find("spindle_speed"); constant != entry.end()) {
+    read.assign(count, constant->is_number() ? constant->get<double>() : -1.0);
+  }
+  if (!std::all_of(read.begin(), read.end(), isSpeed)) return std::nullopt;
+  return read;
+}
+
 // The pass whose points begin there in the path of all passes.
-std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray<double>& path, std::uint64_t begin) {
+std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray<double>& path, std::uint64_t begin,
+                                    const ReadArray<double>& speeds, std::uint64_t speedsBegin) {
   TurningPass pass;
   if (!entry.is_object()) return std::nullopt;
   pass.noseRadius = numberIn(entry, "nose_radius");
@@ -83,6 +120,9 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
     pass.times.push_back(std::max(point[0], i == 0 ? 0.0 : pass.times.back()));
     pass.path.emplace_back(point[1], point[2]);
   }
+  auto ofSpindle = speedsOf(entry, speeds, speedsBegin, count);
+  if (!ofSpindle) return std::nullopt;
+  pass.speeds = std::move(*ofSpindle);
   return pass;
 }
 
@@ -129,7 +169,7 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
     writeArray<double>(container, kInner, radii);
   }
   nlohmann::json passes = nlohmann::json::array();
-  std::vector<double> points;
+  std::vector<double> points, speeds;
   for (const auto& shared : workpiece.part->passes) {
     const TurningPass& pass = *shared;
     for (std::size_t k = 0; k < pass.path.size(); ++k) {
@@ -137,6 +177,12 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
     }
     nlohmann::json entry = {{"nose_radius", pass.noseRadius}, {"points", pass.path.size()}};
     if (pass.tool) entry["tool"] = toJson(*pass.tool);
+    if (!pass.speeds.empty() && isConstant(pass.speeds)) {
+      entry["spindle_speed"] = pass.speeds.front();
+    } else if (!pass.speeds.empty()) {
+      entry["speeds"] = true;
+      speeds.insert(speeds.end(), pass.speeds.begin(), pass.speeds.end());
+    }
     if (pass.side == TurningSide::Bore) entry["side"] = kBore;
     if (pass.method == TurningMethod::Poles) {
       entry["method"] = kPoles;
@@ -145,8 +191,11 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
     passes.push_back(std::move(entry));
   }
   writeArray<double>(container, kPath, points, kPointNumbers);
+  if (!speeds.empty()) writeArray<double>(container, kSpeeds, speeds);
   turned = {{"samples", profile.size()}, {"passes", std::move(passes)}};
   if (profile.isBored()) turned["bored"] = true;
+  if (const auto& crashes = workpiece.part->crashes; crashes && !crashes->empty())
+    turned["crashes"] = crashesToJson(*crashes);
 }
 
 Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& document,
@@ -163,15 +212,21 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
   TurningPasses passes;
   const nlohmann::json listed = turned->value("passes", nlohmann::json::array());
   const std::size_t count = listed.is_array() ? std::min(listed.size(), kMostPasses) : 0;
-  std::uint64_t points = 0;
-  for (std::size_t i = 0; i < count; ++i) points += pointsIn(listed[i]);
+  std::uint64_t points = 0, speedCount = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    points += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i])) speedCount += pointsIn(listed[i]);
+  }
   const ReadArray<double> path = readArray<double>(container, kPath, points, kPointNumbers);
-  std::uint64_t begin = 0;
+  const ReadArray<double> speeds =
+      speedCount > 0 ? readArray<double>(container, kSpeeds, speedCount) : ReadArray<double>();
+  std::uint64_t begin = 0, speedsBegin = 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (auto pass = readPass(listed[i], path, begin))
+    if (auto pass = readPass(listed[i], path, begin, speeds, speedsBegin))
       passes.push_back(std::make_shared<const TurningPass>(std::move(*pass)));
     begin += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i])) speedsBegin += pointsIn(listed[i]);
   }
   const bool hasAllPasses = passes.size() == listed.size();
   if (!hasAllPasses) damage.push_back(lost("passes", listed.size(), passes.size()));
@@ -196,7 +251,10 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     }
   }
   TurnedSurface surface(*profile, workpiece.chord);
-  return std::make_shared<const TurnedPart>(TurnedPart{std::move(*profile), std::move(surface), std::move(passes)});
+  std::vector<LatheCollision> crashes = crashesFrom(turned->value("crashes", nlohmann::json()));
+  TurnedPart part{std::move(*profile), std::move(surface), std::move(passes)};
+  if (!crashes.empty()) part.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(crashes));
+  return std::make_shared<const TurnedPart>(std::move(part));
 }
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "document/workpiece/StockMesh.h"
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPasses.h"
+#include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheSetup.h"
 #include "machining/target/TargetProfile.h"
 
@@ -18,6 +19,8 @@ struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
   TurningPasses passes;
+  // Of the manual lathe, while these passes were cut; null: none.
+  std::shared_ptr<const std::vector<LatheCollision>> crashes = {};
 };
 
 // What a part is to become: a profile in the coordinates of the document, and the name of what it was read from.

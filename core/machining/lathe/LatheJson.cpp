@@ -145,6 +145,7 @@ void takeTailstock(const json& value, LatheTailstock& tailstock) {
 void takeSpindle(const json& value, LatheSpindle& spindle) {
   takeIf(value, "least_speed", spindle.leastSpeed);
   takeIf(value, "largest_speed", spindle.largestSpeed);
+  takeIf(value, "speed", spindle.speed);
   takeIf(value, "acceleration", spindle.acceleration);
   takeIf(value, "power", spindle.power);
   takeIf(value, "torque", spindle.torque);
@@ -221,6 +222,7 @@ json toJson(const LatheSetup& setup) {
           {"spindle",
            {{"least_speed", setup.spindle.leastSpeed},
             {"largest_speed", setup.spindle.largestSpeed},
+            {"speed", setup.spindle.speed},
             {"acceleration", setup.spindle.acceleration},
             {"power", setup.spindle.power},
             {"torque", setup.spindle.torque}}},

@@ -33,7 +33,7 @@ LatheState LatheMachine::initialState(const LatheSetup& setup, const StockCylind
   for (std::size_t i = 0; i < kLatheAxes; ++i)
     state.wheels[i] = std::clamp(state.wheels[i], setup.dials[i].least, setup.dials[i].largest);
   state.slides = state.wheels;
-  state.setSpeed = std::clamp(state.setSpeed, setup.spindle.leastSpeed, setup.spindle.largestSpeed);
+  state.setSpeed = std::clamp(setup.spindle.speed, setup.spindle.leastSpeed, setup.spindle.largestSpeed);
   return state;
 }
 

@@ -50,10 +50,10 @@ bool LatheSetup::isSound() const {
          std::all_of(dials.begin(), dials.end(), isSoundDial) &&
          std::all_of(stations.begin(), stations.end(),
                      [](const LatheSlot& slot) { return isPlace(slot.place) && isPlace(slot.offset); }) &&
-         isBetween(spindle.largestSpeed, spindle.leastSpeed, kLargest) && isBetween(spindle.acceleration, 1.0, 1e6) &&
-         isBetween(compoundAngle, -90.0, 90.0) && isBetween(leadScrewPitch, 0.1, 100.0) &&
-         isBetween(rapidSpeed, 0.1, 1e3) && isBetween(handSpeed, 0.1, 1e3) && !stations.empty() &&
-         stations.size() <= kMostSlots;
+         isBetween(spindle.largestSpeed, spindle.leastSpeed, kLargest) && isBetween(spindle.speed, 0.0, kLargest) &&
+         isBetween(spindle.acceleration, 1.0, 1e6) && isBetween(compoundAngle, -90.0, 90.0) &&
+         isBetween(leadScrewPitch, 0.1, 100.0) && isBetween(rapidSpeed, 0.1, 1e3) && isBetween(handSpeed, 0.1, 1e3) &&
+         !stations.empty() && stations.size() <= kMostSlots;
 }
 
 LatheSetup defaultLatheSetup(const StockCylinder& stock) {

@@ -55,6 +55,7 @@ struct LatheTailstock {
 struct LatheSpindle {
   double leastSpeed = 30.0;      // r/min
   double largestSpeed = 2500.0;  // r/min
+  double speed = 600.0;          // r/min that it is set to at first
   double acceleration = 1500.0;  // r/min in a second
   double power = 3.0;            // kW; 0: no limit
   double torque = 100.0;         // N·m at the spindle; 0: no limit

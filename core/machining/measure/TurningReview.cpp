@@ -26,6 +26,11 @@ bool isInChuck(const TurningPass& pass, const ProfilePoint& centre, const Review
   return centre.y() - nose < lathe.chuckHeight && centre.x() - nose < 0.5 * lathe.chuckDiameter;
 }
 
+// r/min on the way to a point.
+double speedAt(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
+  return i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
+}
+
 // How much a cut asks of the lathe; only to compare.
 double weightOf(const CutMoment& moment) {
   return moment.depth * moment.feed * moment.speed;
@@ -37,7 +42,7 @@ double weightOf(const CutMoment& moment) {
 struct TurningReview::Way {
   static constexpr double kLongest = 0.5;  // mm: hands move in steps that are shorter than the samples are apart
 
-  double length = 0.0, seconds = 0.0, time = 0.0;
+  double length = 0.0, seconds = 0.0, turns = 0.0, time = 0.0;
   double area = 0.0;     // mm², that left the section
   double largest = 0.0;  // mm, the largest radius that was cut
   ProfilePoint place{0, 0};
@@ -73,8 +78,8 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   const auto crash = [&](CrashMoment::What what, double time, const ProfilePoint& place) {
     if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, place});
   };
-  const double nose = pass.tool ? pass.tool->noseRadius : pass.noseRadius;
-  std::vector<SampleFinish>& finish = pass.side == TurningSide::Outside ? m_outer : m_bore;
+  // A thread is cut at its pitch.
+  const bool isThreading = pass.tool && pass.tool->kind == LatheToolKind::Threading;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     if (i % kLook == 0 && progress.cancelled()) return;
     const ProfilePoint &from = pass.path[i == 0 ? 0 : i - 1], &to = pass.path[i];
@@ -86,26 +91,45 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     wasInChuck = inChuck;
 
     const TurnedProfile::Range changed = cut(m_profile, pass, from, to);
-    const double turns = seconds * lathe.spindleSpeed / 60.0;
+    const double turns = seconds * speedAt(pass, i, lathe) / 60.0;
     // The tool comes to where it begins: that is no feed.
     const double feed = way > 0.0 ? way / turns : 0.0;
-    const bool isRapid = !changed.isEmpty() && feed > lathe.largestFeed;
+    const bool isRapid = !changed.isEmpty() && !isThreading && feed > lathe.largestFeed;
     if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, to);
     wasRapid = isRapid;
     if (changed.isEmpty()) {
-      endWay(cutting, lathe);
+      endWay(cutting);
       continue;
     }
-    for (std::size_t k = changed.first; k < changed.last; ++k) finish[k] = {feed, nose, true};
+    leave(pass, changed, feed);
     cutting.length += way;
     cutting.seconds += seconds;
+    cutting.turns += turns;
     cutting.time = time;
     cutting.place = to;
     take(cutting, pass.side, changed);
-    if (cutting.length >= Way::kLongest) endWay(cutting, lathe);
+    if (cutting.length >= Way::kLongest) endWay(cutting);
   }
-  endWay(cutting, lathe);
+  endWay(cutting);
   if (!pass.times.empty()) m_seconds += pass.times.back();
+}
+
+// A cut leaves what its feed and nose leave. An abrasive takes the crests off: the cusps of a nose are four times as
+// high as their Ra, f²/(8 R) and f²/(32 R), and once as much has gone, the surface is that of the abrasive.
+void TurningReview::leave(const TurningPass& pass, TurnedProfile::Range changed, double feed) {
+  constexpr double kMicrometres = 1e3, kHeightOfRa = 4.0;
+  std::vector<SampleFinish>& finish = pass.side == TurningSide::Outside ? m_outer : m_bore;
+  const std::vector<double>& before = pass.side == TurningSide::Outside ? m_outerRadii : m_boreRadii;
+  if (pass.tool && pass.tool->isAbrasive()) {
+    for (std::size_t k = changed.first; k < changed.last; ++k) {
+      const double gone = kMicrometres * std::abs(before[k] - sideRadius(m_profile, pass.side, k));
+      if (finish[k].isCut)
+        finish[k].roughness = std::max(pass.tool->leastRoughness, finish[k].roughness - gone / kHeightOfRa);
+    }
+    return;
+  }
+  const double left = idealRoughness(feed, pass.tool ? pass.tool->noseRadius : pass.noseRadius);
+  for (std::size_t k = changed.first; k < changed.last; ++k) finish[k] = {left, true};
 }
 
 void TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range changed) {
@@ -117,11 +141,12 @@ void TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range change
   }
 }
 
-void TurningReview::endWay(Way& way, const ReviewedLathe& lathe) {
+void TurningReview::endWay(Way& way) {
   const Way done = std::exchange(way, Way());
   if (!(done.length > 0.0)) return;
-  const double feed = done.length / (done.seconds * lathe.spindleSpeed / 60.0);
-  const double speed = 2.0 * M_PI * done.largest * lathe.spindleSpeed / 1000.0;
+  const double feed = done.length / done.turns;
+  const double speed =
+      done.seconds > 0.0 ? 2.0 * M_PI * done.largest * (60.0 * done.turns / done.seconds) / 1000.0 : 0.0;
   m_moments.push_back({done.time, done.place, done.area / done.length, feed, speed});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();
 }
@@ -137,21 +162,22 @@ void TurningReview::thinMoments() {
 }
 
 std::optional<FinishReading> TurningReview::finish(TurningSide side, AxisRange range) const {
+  constexpr double kMayBeRougher = 0.16;
   const std::vector<SampleFinish>& finish = side == TurningSide::Outside ? m_outer : m_bore;
   FinishReading reading;
-  double sum = 0.0;
-  std::size_t count = 0;
+  std::vector<double> all;
   for (std::size_t i = 0; i < finish.size(); ++i) {
     const double z = m_profile.z(i);
     if (!(z >= range.from && z <= range.to)) continue;
     if (!finish[i].isCut) return std::nullopt;
-    const double ra = idealRoughness(finish[i].feed, finish[i].noseRadius);
-    sum += ra;
-    ++count;
-    if (ra > reading.largest) reading.largest = ra, reading.largestAt = z;
+    all.push_back(finish[i].roughness);
+    if (all.back() > reading.largest) reading.largest = all.back(), reading.largestAt = z;
   }
-  if (count == 0) return std::nullopt;
-  reading.mean = sum / static_cast<double>(count);
+  if (all.empty()) return std::nullopt;
+  const auto rougher = static_cast<std::size_t>(kMayBeRougher * static_cast<double>(all.size()));
+  const auto read = all.end() - 1 - static_cast<std::ptrdiff_t>(rougher);
+  std::nth_element(all.begin(), read, all.end());
+  reading.roughness = *read;
   return reading;
 }
 

@@ -72,7 +72,7 @@ ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape,
 }
 
 void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin,
-                               double end) {
+                               double end, double speed) {
   const bool goesOn = !m_passes.empty() && m_passes.back().noseRadius == shape.noseRadius &&
                       m_passes.back().side == shape.side && m_passes.back().path.back() == a &&
                       m_passes.back().path.size() < kPassPoints;
@@ -80,9 +80,11 @@ void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, 
     m_passes.push_back(shape);
     m_passes.back().path.push_back(a);
     m_passes.back().times.push_back(begin);
+    m_passes.back().speeds.push_back(speed);
   }
   m_passes.back().path.push_back(b);
   m_passes.back().times.push_back(std::max(end, m_passes.back().times.back()));
+  m_passes.back().speeds.push_back(speed);
 }
 
 void ProgramSimulation::meet(const ToolMove& move, const Removal& removal, double seconds, double length) {
@@ -133,7 +135,7 @@ bool ProgramSimulation::step() {
       removal = cutPiece(shape, a, b);
     if (removal.area > 0.0) {
       const double end = m_time - move.time + seconds * (i + 1);
-      record(shape, a, b, end - seconds, end);
+      record(shape, a, b, end - seconds, end, move.spin == 0 ? 0.0 : spindleAt(move, removal.radius));
     }
     meet(move, removal, seconds, length);
     deepest = std::max(deepest, removal.depth);

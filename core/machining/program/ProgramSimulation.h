@@ -62,7 +62,8 @@ class ProgramSimulation {
   TurningPass shapeOf(const ToolMove& move) const;
   TurnedProfile::Range samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const;
   Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
-  void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end);
+  void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end,
+              double speed);
   void meet(const ToolMove& move, const Removal& removal, double seconds, double length);
   void collide(ProgramCollision::Kind kind, const ToolMove& move);
   bool reachesChuck(const ToolMove& move, double nose) const;

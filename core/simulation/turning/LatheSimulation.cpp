@@ -54,11 +54,13 @@ void LatheSimulation::record(const LatheStep& step) {
     pass.side = step.tool->side;
     pass.path.push_back(step.from);
     pass.times.push_back(0.0);
+    pass.speeds.push_back(60.0 * step.turns / m_recording.dt);
     m_begin = step.time - m_recording.dt;
     m_passes.push_back(std::move(pass));
   }
   m_passes.back().path.push_back(step.to);
   m_passes.back().times.push_back(step.time - m_begin);
+  m_passes.back().speeds.push_back(60.0 * step.turns / m_recording.dt);
 }
 
 // A step goes over a part of a sample mostly, so that what it removes comes in bursts.

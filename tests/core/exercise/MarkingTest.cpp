@@ -64,6 +64,10 @@ class MarkingTest : public QObject {
     none1.lower.reset();
     QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm is not above 20 mm"));
     none1.upper.reset();
+    const Mark unlimited = markOf(none1, 3.0);
+    QVERIFY(unlimited.verdict == Verdict::NotMeasured && unlimited.points == 0.0 && unlimited.value == 3.0);
+    QCOMPARE(unlimited.reason.inEnglish(), std::string("the scheme has no limit for it"));
+    none1.points = 0.0;  // as students have it
     QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm, without a limit"));
     QCOMPARE((ExerciseText{"100%, %2 of %1 %3", {"a", "b"}}).inEnglish(), std::string("100%, b of a "));
   }

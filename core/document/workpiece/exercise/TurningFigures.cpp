@@ -111,11 +111,17 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
     : m_task(task), m_profile(partOf(workpiece, turnSpacingSetting().standard).profile) {
   if (workpiece.part) {
     for (const auto& pass : workpiece.part->passes) m_passes.push_back(pass);
+    m_crashes = workpiece.part->crashes;
   }
   const TurnedProfile bar = TurnedProfile::fromRadii(
       std::vector<double>(m_profile.size(), 0.5 * workpiece.stock.diameter), workpiece.stock.length);
   m_review = TurningReview::make(bar, m_passes, task.lathe, progress);
-  m_isOfItsPasses = !m_review || m_review->profile() == m_profile;
+  m_isOfItsPasses = m_review && m_review->profile() == m_profile;
+}
+
+const std::vector<LatheCollision>& MeasuredPart::crashes() const {
+  static const std::vector<LatheCollision> kNoCrashes;
+  return m_crashes ? *m_crashes : kNoCrashes;
 }
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
@@ -137,6 +143,7 @@ Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const
   if (!type) return none(c, QT_TRANSLATE_NOOP("Note", "this figure is not known"));
   if (c.arguments.size() < type->arguments.size())
     return none(c, QT_TRANSLATE_NOOP("Note", "the scheme does not say where to measure"));
+  if (!m_review) return none(c, QT_TRANSLATE_NOOP("Note", "there are too many passes to measure it"));
   if (!m_isOfItsPasses) return none(c, QT_TRANSLATE_NOOP("Note", "the part is not what its recorded passes cut"));
   if (c.figure == "crashes" || c.figure == "force" || c.figure == "power" || c.figure == "cutting_time" ||
       c.figure == "roughness" || c.figure == "bore_roughness")
@@ -145,17 +152,18 @@ Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const
 }
 
 Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
-  if (!m_review) return none(c, QT_TRANSLATE_NOOP("Note", "there are too many passes to measure it"));
   if (m_passes.empty()) return none(c, QT_TRANSLATE_NOOP("Note", "nothing was cut"));
-  if (c.figure == "crashes") return {c.id, static_cast<double>(m_review->crashes().size()), {}};
+  if (c.figure == "crashes") return {c.id, static_cast<double>(m_review->crashes().size() + crashes().size()), {}};
   if (c.figure == "cutting_time") return {c.id, m_review->seconds(), {}};
   if (c.figure == "force") return peak(c, loads(), &Load::force);
   if (c.figure == "power") return peak(c, loads(), &Load::power);
   const TurningSide side = c.figure == "roughness" ? TurningSide::Outside : TurningSide::Bore;
   const auto finish = m_review->finish(side, rangeOf(c));
   if (!finish) return none(c, QT_TRANSLATE_NOOP("Note", "the surface was not cut along all of the range"));
+  if (!std::isfinite(finish->roughness))
+    return none(c, QT_TRANSLATE_NOOP("Note", "the tool that cut it has no nose radius"));
   return {c.id,
-          finish->mean,
+          finish->roughness,
           {QT_TRANSLATE_NOOP("Note", "up to %1 µm, at Z %2 mm"),
            {roundedText(finish->largest, 3), roundedText(finish->largestAt, 4)}}};
 }

@@ -22,6 +22,7 @@ class MeasuredPart {
 
   const TurnedProfile& profile() const { return m_profile; }
   const std::optional<TurningReview>& review() const { return m_review; }
+  const std::vector<LatheCollision>& crashes() const;  // of the manual lathe
   // Whether the passes give this part, sample by sample. Else somebody has changed the file.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
   // The cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
@@ -38,7 +39,8 @@ class MeasuredPart {
   TurnedProfile m_profile;
   std::optional<TurningReview> m_review;
   std::vector<std::shared_ptr<const TurningPass>> m_passes;
-  bool m_isOfItsPasses = true;
+  std::shared_ptr<const std::vector<LatheCollision>> m_crashes;
+  bool m_isOfItsPasses = false;
 };
 
 }  // namespace handwheel

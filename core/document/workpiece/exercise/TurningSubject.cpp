@@ -8,12 +8,14 @@
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceProperties.h"
+#include "document/workpiece/exercise/DrawingTolerance.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
 
 #include <QtGlobal>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +71,21 @@ std::vector<ProfilePoint> lineOf(const TurnedProfile& profile, TurningSide side)
     if (profile.hasMaterial(i) && (side == TurningSide::Outside || r > 0.0)) line.emplace_back(r, profile.z(i));
   }
   return line;
+}
+
+// A target is one line outside and one in the bore: what is in pieces, or bored from both ends, would be joined across
+// the gap. Null: nothing is wrong.
+const char* problemAsTarget(const TurnedProfile& profile) {
+  std::size_t pieces = 0, bores = 0;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const bool isFirst = i == 0 || !profile.hasMaterial(i - 1);
+    if (profile.hasMaterial(i) && isFirst) ++pieces;
+    const bool isBored = profile.inner(i) > 0.0 && profile.hasMaterial(i);
+    const bool wasBored = i > 0 && profile.inner(i - 1) > 0.0 && profile.hasMaterial(i - 1);
+    if (isBored && !wasBored) ++bores;
+  }
+  if (pieces > 1) return "the part is in several pieces";
+  return bores > 1 ? "the part has several bores" : nullptr;
 }
 
 // With as few of the points as stay within the tolerance of the line, in r.
@@ -146,6 +163,31 @@ ReportEvent eventOf(const CrashMoment& crash) {
   return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool was rammed into the material at Z %1 mm, ⌀%2 mm."), place}};
 }
 
+// By the judgement of the lathe itself, in the order of the causes.
+ReportEvent eventOf(const LatheCollision& crash) {
+  static constexpr std::array<const char*, 6> kTexts = {
+      QT_TRANSLATE_NOOP("Note", "Parts of the lathe met at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The spindle turned the wrong way at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.")};
+  const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
+  return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
+}
+
+// The machine of the exercise: so it stands when the student begins.
+LatheSetup setupOf(const TurningTask& task) {
+  LatheSetup setup = defaultLatheSetup(task.stock);
+  setup.chuck.grip = task.lathe.chuckHeight;
+  if (task.lathe.chuckDiameter > 0.0) setup.chuck.diameter = std::max(task.lathe.chuckDiameter, task.stock.diameter);
+  setup.spindle.speed = task.lathe.spindleSpeed;
+  setup.spindle.largestSpeed = std::max(setup.spindle.largestSpeed, task.lathe.spindleSpeed);
+  setup.spindle.power = task.powerLimit;
+  setup.handFeed = std::min(setup.handFeed, task.lathe.largestFeed);
+  return setup;
+}
+
 }  // namespace
 
 std::string TurningSubject::title() const {
@@ -154,6 +196,10 @@ std::string TurningSubject::title() const {
 
 std::vector<FigureType> TurningSubject::figures() const {
   return turningFigureTypes();
+}
+
+Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
+  return applyDrawingTolerance(criterion);
 }
 
 TaskPointer TurningSubject::blankTask() const {
@@ -179,6 +225,21 @@ Result<TaskPointer> TurningSubject::withProperty(const ExerciseTask& task, const
   return TaskPointer(std::make_shared<const TurningTask>(std::move(changed.value())));
 }
 
+std::vector<ExerciseText> TurningSubject::conditions(const ExerciseTask& task) const {
+  const TurningTask& turning = turningOf(task);
+  std::vector<ExerciseText> lines = {
+      {QT_TRANSLATE_NOOP("Note", "Bar ⌀%1 × %2 mm, held by the chuck over %3 mm"),
+       {shownText(turning.stock.diameter), shownText(turning.stock.length), shownText(turning.lathe.chuckHeight)}},
+      {QT_TRANSLATE_NOOP("Note", "Spindle %1 r/min, feed up to %2 mm per revolution"),
+       {shownText(turning.lathe.spindleSpeed), shownText(turning.lathe.largestFeed)}},
+      {QT_TRANSLATE_NOOP("Note", "Force up to %1 N, power up to %2 kW"),
+       {shownText(turning.forceLimit), shownText(turning.powerLimit)}}};
+  for (const AllowedTool& tool : turning.tools)
+    lines.push_back(
+        {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {tool.name, shownText(tool.noseRadius)}});
+  return lines;
+}
+
 SnapshotPointer TurningSubject::start(const ExerciseTask& task) const {
   const TurningTask& turning = turningOf(task);
   WorkpieceSnapshot bar;
@@ -186,6 +247,7 @@ SnapshotPointer TurningSubject::start(const ExerciseTask& task) const {
   bar = withValue(std::move(bar), WorkpieceField::Length, turning.stock.length);
   const WorkMaterials materials = WorkMaterials::standard();
   if (const WorkMaterial* material = materials.find(turning.material)) bar.material = material->name;
+  if (const LatheSetup setup = setupOf(turning); setup.isSound()) bar.lathe = std::make_shared<const LatheSetup>(setup);
   return std::make_shared<const WorkpieceSnapshot>(std::move(bar));
 }
 
@@ -219,6 +281,8 @@ Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const S
   constexpr double kTolerance = 2e-3;  // mm
   const WorkpieceSnapshot& workpiece = turnedOf(work);
   const TurnedProfile profile = partOf(workpiece, turnSpacingSetting().standard).profile;
+  if (const char* problem = problemAsTarget(profile))
+    return Error{ErrorCode::ElementMalformed, {"target", problem}, {}, {}};
   Result<ReferenceProfile> target =
       ReferenceProfile::make(chainThinned(lineOf(profile, TurningSide::Outside), kTolerance),
                              chainThinned(lineOf(profile, TurningSide::Bore), kTolerance));
@@ -252,19 +316,21 @@ ReportDetails TurningSubject::details(const ExerciseTask& task, const Snapshot& 
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
   details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
   for (const CrashMoment& crash : part.review()->crashes()) details.events.push_back(eventOf(crash));
+  for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash));
   details.seconds = part.review()->seconds();
   return details;
 }
 
 DisplayModel TurningSubject::display(const ExerciseTask& task) const {
-  constexpr double kSpacing = 0.1, kChord = 0.02;  // mm
+  // mm, and shares of the bar: a large one is not to take longer
+  constexpr double kSpacing = 0.1, kChord = 0.02, kMostRows = 2000.0, kOfDiameter = 5e-4;
   const TurningTask& turning = turningOf(task);
-  TurnedProfile shape(turning.stock, kSpacing);
+  TurnedProfile shape(turning.stock, std::max(kSpacing, turning.stock.length / kMostRows));
   for (std::size_t i = 0; turning.target && i < shape.size(); ++i) {
     shape.limitOuter(i, turning.target->radius(TurningSide::Outside, shape.z(i)));
     shape.limitInner(i, turning.target->radius(TurningSide::Bore, shape.z(i)));
   }
-  return displayOf(TurnedSurface(shape, kChord), 0.0);
+  return displayOf(TurnedSurface(shape, std::max(kChord, kOfDiameter * turning.stock.diameter)), 0.0);
 }
 
 }  // namespace handwheel

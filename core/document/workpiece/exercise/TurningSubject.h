@@ -15,6 +15,7 @@ class TurningSubject : public ExerciseSubject {
   const DocumentKind& kind() const override { return m_kind; }
   std::vector<FigureType> figures() const override;
 
+  Status applyTolerance(MarkingCriterion& criterion) const override;
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;
@@ -22,6 +23,7 @@ class TurningSubject : public ExerciseSubject {
   Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
                                    const PropertyValue& value) const override;
 
+  std::vector<ExerciseText> conditions(const ExerciseTask& task) const override;
   SnapshotPointer start(const ExerciseTask& task) const override;
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
   // {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z], …]}]}:

@@ -7,6 +7,7 @@
 #include "document/exercise/ExerciseErrors.h"
 #include "document/exercise/ExerciseJson.h"
 #include "document/exercise/ExerciseProperties.h"
+#include "document/exercise/ExerciseRows.h"
 
 #include <QtTest>
 #include <cmath>
@@ -53,7 +54,12 @@ class ExerciseDocumentTest : public QObject {
       if (property.id.ends_with(".arguments")) other = std::string("1; 2.5");
       if (property.id.ends_with(".lower")) other = std::string("-3.5");
       if (property.id.ends_with(".upper")) other = std::string("1000.5");
-      if (property.id.ends_with(".criteria")) other = std::string("l; d");
+      if (property.id.ends_with(".criteria")) other = std::string("40 ±0.2; ⌀30 h10");
+      if (property.id.ends_with(".nominal")) other = std::string("50");
+      if (property.id.ends_with(".tolerance")) {
+        if (property.id != "criterion.d.tolerance") continue;  // aToleranceIsItsLimits
+        other = std::string("h11");
+      }
       if (other == property.value && std::holds_alternative<std::string>(other)) other = std::string("another text");
       if (!property.editable || property.id == "display_unit") continue;
       if (!property.choices.empty()) other = std::get<double>(property.value) == 0.0 ? 1.0 : 0.0;
@@ -90,6 +96,43 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(!document->history()->canUndo());
   }
 
+  // ISO 286-1: IT10 of 18 to 30 mm is 84 µm, IT7 21 µm, of 30 to 50 mm 25 µm.
+  void aToleranceIsItsLimits() {
+    const auto document = shoulderDocument();
+    const auto limits = [&](const char* id) {
+      const MarkingCriterion* c = document->exercise().exercise.find(id);
+      return std::pair(c->lower.value_or(-1.0), c->upper.value_or(-1.0));
+    };
+    const auto isNear = [](std::pair<double, double> a, double lower, double upper) {
+      return std::abs(a.first - lower) < 1e-9 && std::abs(a.second - upper) < 1e-9;
+    };
+    const auto sets = [&](const char* id, const char* text) {
+      return document->setProperty(id, std::string(text)).hasValue();
+    };
+    QVERIFY(isNear(limits("d"), 29.916, 30.0));
+    QVERIFY(sets("criterion.d.tolerance", "h7") && isNear(limits("d"), 29.979, 30.0));
+    QVERIFY(sets("criterion.d.nominal", "40") && isNear(limits("d"), 39.975, 40.0));
+    QVERIFY(sets("criterion.d.tolerance", "±0.2") && isNear(limits("d"), 39.8, 40.2));
+    QVERIFY(!sets("criterion.d.tolerance", "K7") && !sets("criterion.d.tolerance", "N7") &&
+            !sets("criterion.d.tolerance", "h13") && isNear(limits("d"), 39.8, 40.2));
+    QVERIFY(!sets("criterion.d.nominal", ""));  // which the tolerance needs
+    QVERIFY(sets("criterion.d.lower", "39.9") && isNear(limits("d"), 39.9, 40.2));
+    QVERIFY(document->exercise().exercise.find("d")->tolerance.empty());  // it is another one now
+    QVERIFY(sets("criterion.ra.tolerance", "N7") && document->exercise().exercise.find("ra")->upper == 1.6);
+    QVERIFY(!sets("criterion.ra.tolerance", "h7") && !sets("criterion.crash.tolerance", "h7"));
+    // A new one: a teacher types the nominal size and the class.
+    document->change(QStringLiteral("Add"),
+                     withNewCriterion(document->exercise(), figureTypes(*document->exercise().subject)[0]));
+    QVERIFY(!sets("criterion.c1.tolerance", "h10"));
+    QVERIFY(sets("criterion.c1.nominal", "25") && sets("criterion.c1.tolerance", "h10"));
+    QVERIFY(isNear(limits("c1"), 24.916, 25.0));
+    // Points without a limit are an oversight, and shown as one.
+    document->change(QStringLiteral("Add"),
+                     withNewCriterion(document->exercise(), figureTypes(*document->exercise().subject)[0]));
+    QVERIFY(!document->property("criterion.c2.points")->problem.empty());
+    QVERIFY(document->property("criterion.c1.points")->problem.empty());
+  }
+
   void rowsComeAndGo() {
     ExerciseSnapshot exercise = shoulderDocument()->exercise();
     const std::size_t before = exercise.exercise.criteria.size();
@@ -100,6 +143,18 @@ class ExerciseDocumentTest : public QObject {
     exercise = withoutCriterion(exercise, "d");
     QVERIFY(checkExercise(exercise.exercise) &&
             exercise.exercise.steps[1].criteria == std::vector<std::string>{"force"});
+    const auto order = [](const ExerciseSnapshot& of) {
+      std::string ids;
+      for (const MarkingCriterion& c : of.exercise.criteria) ids += c.id + ' ';
+      return ids;
+    };
+    const std::string ordered = order(exercise);
+    QVERIFY(ordered.starts_with("l ra crash "));
+    QVERIFY(order(withMovedCriterion(exercise, 1, true)).starts_with("ra l crash "));
+    QVERIFY(order(withMovedCriterion(exercise, 1, false)).starts_with("l crash ra "));
+    QCOMPARE(order(withMovedCriterion(exercise, 0, true)), ordered);
+    QCOMPARE(order(withMovedCriterion(exercise, exercise.exercise.criteria.size() - 1, false)), ordered);
+    QCOMPARE(withMovedStep(exercise, 0, false).exercise.steps[1].title, exercise.exercise.steps[0].title);
     exercise = withoutStep(withoutStep(exercise, 0), 7);
     QCOMPARE(exercise.exercise.steps.size(), std::size_t{2});
 

@@ -202,6 +202,37 @@ class ExerciseKindTest : public QObject {
     // What it writes is taken again.
     const Json written = ExerciseKind::description(*exercise);
     QVERIFY(toJson(exerciseFrom(kindUnderTest(), written)->exercise) == toJson(exercise->exercise));
+    // Who marks by a description without a key marks what was handed in for it; a copy for students stays one.
+    QCOMPARE(exerciseFrom(kindUnderTest(), shoulderDescription())->key, exercise->key);
+    const auto copy = exerciseFrom(kindUnderTest(), ExerciseKind::description(forStudents(*exercise)));
+    QVERIFY(copy->isForStudents && copy->key == exercise->key);
+    Json other = shoulderDescription();
+    other["task"]["diameter"] = 41;
+    QVERIFY(exerciseFrom(kindUnderTest(), other)->key != exercise->key);
+  }
+
+  // A class that is not known must not become full marks for everybody.
+  void tolerancesThatAreNotKnown() {
+    const auto isTaken = [](const Json& criterion) {
+      Json description = shoulderDescription();
+      description["criteria"][0].merge_patch(criterion);
+      return kindUnderTest().fromDescription(description, {}).hasValue();
+    };
+    QVERIFY(isTaken({{"tolerance", "h9"}}));
+    for (const char* unknown : {"K7", "r6", "IT4", "h13", "N7", "±x", "±-1"})
+      QVERIFY2(!isTaken({{"tolerance", unknown}}), unknown);
+    QVERIFY(!isTaken({{"nominal", 130}, {"arguments", {62, 99}}}));  // beyond the tables
+    QVERIFY(!isTaken({{"tolerance", ""}}));                          // points without a limit
+    QVERIFY(isTaken({{"tolerance", ""}, {"points", 0}}));
+    QVERIFY(!isTaken({{"figure", "roughness"}, {"tolerance", "h7"}}));
+    QVERIFY(isTaken({{"figure", "roughness"}, {"tolerance", "N7"}}));
+    // In a container it is damage.
+    Container container = savedAs(*exerciseFrom(kindUnderTest(), shoulderDescription()));
+    Json& d = (*container.manifest)["document"]["criteria"][0];
+    d["tolerance"] = "K7";
+    d["lower"] = d["upper"] = nullptr;
+    std::vector<Error> damage;
+    QVERIFY(kindUnderTest().load(container, damage, {}) && damage.size() == 1);
   }
 
   void blankOnesAreSaved() {

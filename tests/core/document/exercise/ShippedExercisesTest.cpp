@@ -7,6 +7,7 @@
 #include "document/workpiece/WorkpieceSnapshot.h"
 
 #include <QDir>
+#include <QRegularExpression>
 #include <QtTest>
 #include <set>
 
@@ -32,6 +33,16 @@ Names lostMarks(const Marking& marking) {
   return lost;
 }
 
+// "Depth 39 ±0.5" is marked from 38.5 to 39.5.
+bool isAsNamed(const MarkingCriterion& c) {
+  static const QRegularExpression kNamed(QStringLiteral("([0-9.]+) ±([0-9.]+)$"));
+  const QRegularExpressionMatch match = kNamed.match(QString::fromStdString(c.name));
+  if (!match.hasMatch()) return true;
+  const double nominal = match.captured(1).toDouble(), half = match.captured(2).toDouble();
+  return c.lower && c.upper && std::abs(*c.lower - (nominal - half)) < 1e-9 &&
+         std::abs(*c.upper - (nominal + half)) < 1e-9;
+}
+
 std::string reasons(const Marking& marking) {
   std::string text;
   for (const Mark& mark : marking.marks) {
@@ -53,7 +64,7 @@ class ShippedExercisesTest : public QObject {
     QTest::addColumn<QString>("path");
     const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
     const QStringList names = folder.entryList({"*.exercise.json"});
-    QCOMPARE(names.size(), 8);
+    QCOMPARE(names.size(), 9);
     for (const QString& name : names) QTest::addRow("%s", qPrintable(name)) << folder.filePath(name);
   }
   void each() {
@@ -64,6 +75,7 @@ class ShippedExercisesTest : public QObject {
     const ExerciseKind kind(turningOnly());
     const auto exercise = exerciseFrom(kind, description);
     QVERIFY(exercise->solution && exercise->exercise.points() > 0.0 && exercise->exercise.steps.size() >= 2);
+    for (const MarkingCriterion& c : exercise->exercise.criteria) QVERIFY2(isAsNamed(c), c.name.c_str());
     const Attempt attempt{"Model", {}, {}, 600.0, {}, {}};
     const Marking solved = markWork(*exercise, *exercise->solution, attempt);
     QVERIFY2(lostMarks(solved).empty(), reasons(solved).c_str());

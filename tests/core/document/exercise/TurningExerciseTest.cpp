@@ -6,6 +6,7 @@
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/lathe/LatheMachine.h"
 
 #include <QtTest>
 #include <cmath>
@@ -143,16 +144,72 @@ class TurningExerciseTest : public QObject {
     QVERIFY(turning.target->outer().size() < 2'000);
   }
 
+  // A groove through the bar, and a bore from each end: no line of a target can say that.
+  void aTargetHasNoGaps() {
+    Json parted = shoulderWork();
+    parted["passes"].push_back({{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{22, 80}, {0.0, 80}}}});
+    QVERIFY(!shoulder()->subject->withTarget(*shoulder()->task, *workFrom(*shoulder(), parted)));
+    Json bored = shoulderWork();
+    for (const auto& [from, to] : {std::pair(101, 80), std::pair(-1, 20)})
+      bored["passes"].push_back({{"nose_radius", 0.8}, {"side", "bore"}, {"points", {{4, from}, {4, to}, {0, to}}}});
+    QVERIFY(!shoulder()->subject->withTarget(*shoulder()->task, *workFrom(*shoulder(), bored)));
+    bored["passes"].erase(bored["passes"].size() - 1);
+    QVERIFY(shoulder()->subject->withTarget(*shoulder()->task, *workFrom(*shoulder(), bored)).hasValue());
+  }
+
+  // The student stands at the machine of the exercise.
+  void theLatheOfTheTask() {
+    const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(shoulder()->subject->start(*shoulder()->task));
+    QVERIFY(bar->lathe && bar->lathe->isSound());
+    QCOMPARE(bar->lathe->chuck.grip, 25.0);
+    QCOMPARE(bar->lathe->chuck.diameter, 80.0);
+    QCOMPARE(bar->lathe->spindle.power, 3.0);
+    QCOMPARE(LatheMachine::initialState(*bar->lathe, bar->stock).setSpeed, 600.0);
+    QCOMPARE(shoulder()->subject->conditions(*shoulder()->task).size(), std::size_t{4});
+  }
+
+  // What the lathe itself has seen counts besides what the passes show.
+  void crashesOfTheManualLathe() {
+    WorkpieceSnapshot work = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork()));
+    TurnedPart part = *work.part;
+    LatheCollision crash;
+    crash.cause = CrashCause::SpindleAtRest;
+    crash.place = {20.0, 80.0};
+    part.crashes = std::make_shared<const std::vector<LatheCollision>>(std::vector{crash});
+    work.part = std::make_shared<const TurnedPart>(part);
+    const Marking marking = markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}});
+    QCOMPARE(lostIn(marking), Names{"crash"});
+    QCOMPARE(marking.find("crash")->points, 2.0);  // one of two that cost all
+    const ReportDetails details = shoulder()->subject->details(*shoulder()->task, work, {});
+    QVERIFY(details.events.size() == 1 && details.events[0].text.inEnglish().find("at rest") != std::string::npos);
+  }
+
+  // Air passes until nobody can review them must not hide a part that they did not cut.
+  void tooMuchWorkIsNotMeasured() {
+    WorkpieceSnapshot forged = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork()));
+    TurnedPart part = *forged.part;
+    TurningPass air;
+    air.noseRadius = 0.8;
+    air.path.assign(4'000'000, {30.0, 0.0});
+    for (std::size_t i = 0; i < air.path.size(); i += 2) air.path[i].y() = 100.0;
+    air.times.assign(air.path.size(), 0.0);
+    part.passes.push_back(std::make_shared<const TurningPass>(air));
+    forged.part = std::make_shared<const TurnedPart>(part);
+    const Marking marking = markWork(*shoulder(), forged, {});
+    QVERIFY(marking.find("d")->verdict == Verdict::NotMeasured);
+    QVERIFY(marking.find("d")->remark.inEnglish().find("too many passes") != std::string::npos);
+  }
+
   void everyFigureIsMeasuredOrSaysWhyNot() {
     Json description = shoulderDescription();
     Json criteria = Json::array();
     for (const FigureType& type : turningFigureTypes()) {
       std::vector<double> arguments;
       for (std::size_t i = 0; i < type.arguments.size(); ++i) arguments.push_back(i % 2 == 0 ? 10.0 : 90.0);
-      criteria.push_back({{"id", type.id}, {"figure", type.id}, {"arguments", arguments}, {"points", 1}});
-      criteria.push_back({{"id", type.id + "-none"}, {"figure", type.id}, {"points", 1}});
+      criteria.push_back({{"id", type.id}, {"figure", type.id}, {"arguments", arguments}, {"upper", 1}, {"points", 1}});
+      criteria.push_back({{"id", type.id + "-none"}, {"figure", type.id}, {"upper", 1}, {"points", 1}});
     }
-    criteria.push_back({{"id", "odd"}, {"figure", "odd"}, {"points", 1}});
+    criteria.push_back({{"id", "odd"}, {"figure", "odd"}, {"upper", 1}, {"points", 1}});
     description["criteria"] = criteria;
     description["steps"] = Json::array();
     const auto exercise = exerciseFrom(turningKind(), description);

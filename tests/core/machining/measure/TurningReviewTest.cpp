@@ -5,6 +5,7 @@
 #include "TestClass.h"
 
 #include <QtTest>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -42,9 +43,10 @@ class TurningReviewTest : public QObject {
     const auto review = reviewOf({along(18, 105, 50, 0.4), along(17.5, 105, 70, 0.1)});
     QVERIFY(review.has_value());
     const auto fine = review->finish(TurningSide::Outside, {75, 95});
-    QVERIFY(fine && std::abs(fine->mean - 1000.0 * 0.01 / 25.6) < 1e-9 && std::abs(fine->largest - fine->mean) < 1e-9);
+    QVERIFY(fine && std::abs(fine->roughness - 1000.0 * 0.01 / 25.6) < 1e-9 &&
+            std::abs(fine->largest - fine->roughness) < 1e-9);
     const auto rough = review->finish(TurningSide::Outside, {52, 65});
-    QVERIFY(rough && std::abs(rough->mean - 1000.0 * 0.16 / 25.6) < 1e-9);
+    QVERIFY(rough && std::abs(rough->roughness - 1000.0 * 0.16 / 25.6) < 1e-9);
     QVERIFY(!review->finish(TurningSide::Outside, {40, 65}));  // the bar is there still
     QVERIFY(!review->finish(TurningSide::Bore, {75, 95}));
     QVERIFY(!review->finish(TurningSide::Outside, {95, 75}));
@@ -86,6 +88,57 @@ class TurningReviewTest : public QObject {
     QVERIFY(reviewOf({along(22, 105, 50, 3.0)})->crashes().empty());  // in the air
   }
 
+  // What the spindle did counts, and not what the task says: 0.12 mm per revolution at 2000 r/min is f²/32R = 0.5625
+  // µm.
+  void theSpindleSpeedOfThePass() {
+    TurningPass fast = *along(18, 105, 50, 0.4);  // 4 mm/s
+    fast.speeds.assign(fast.path.size(), 2000.0);
+    const auto review = reviewOf({std::make_shared<const TurningPass>(fast)});
+    const auto finish = review->finish(TurningSide::Outside, {60, 95});
+    QVERIFY(finish && std::abs(finish->roughness - 1000.0 * 0.12 * 0.12 / 25.6) < 1e-9);
+    QVERIFY(std::abs(review->moments().front().feed - 0.12) < 1e-9);
+    QVERIFY(std::abs(review->moments().front().speed - M_PI * 40.0 * 2000.0 / 1000.0) < 1e-9);
+    TurningPass slow = fast;  // at 150 r/min that is 1.6 mm per revolution: rammed in
+    slow.speeds.assign(slow.path.size(), 150.0);
+    QCOMPARE(reviewOf({std::make_shared<const TurningPass>(slow)})->crashes().size(), std::size_t{1});
+    QVERIFY(review->crashes().empty());
+    auto thread = std::make_shared<LatheTool>();
+    thread->kind = LatheToolKind::Threading;
+    const std::array<ProfilePoint, 3> edge{{{0.0, 0.0}, {2.0, -1.0}, {2.0, 1.0}}};
+    thread->cutting = {RoundedSection(edge, 0.0)};
+    slow.tool = thread;  // at its pitch
+    QVERIFY(reviewOf({std::make_shared<const TurningPass>(slow)})->crashes().empty());
+  }
+
+  // Half of the surface is rough: then it is rough. A twentieth is a mark that ISO 4288 lets pass.
+  void aSixthMayBeRougher() {
+    const double fine = 1000.0 * 0.01 / 25.6, rough = 1000.0 * 0.16 / 25.6;
+    const auto half = reviewOf({along(18, 105, 75, 0.1), along(18, 75, 50, 0.4)});
+    QVERIFY(std::abs(half->finish(TurningSide::Outside, {55, 95})->roughness - rough) < 1e-9);
+    const auto twentieth = half->finish(TurningSide::Outside, {73, 95});
+    QVERIFY(std::abs(twentieth->roughness - fine) < 1e-9 && std::abs(twentieth->largest - rough) < 1e-9);
+  }
+
+  // Paper that takes off 4 µm lowers Ra by 1 µm; no paper is finer than its grain.
+  void abrasivesSmooth() {
+    auto paper = std::make_shared<LatheTool>();
+    paper->kind = LatheToolKind::AbrasivePaper;
+    paper->depthPerTurn = 0.01;
+    paper->leastRoughness = 0.4;
+    const std::array<ProfilePoint, 4> block{{{0.0, -5.0}, {0.0, 5.0}, {5.0, -5.0}, {5.0, 5.0}}};
+    paper->cutting = {RoundedSection(block, 0.0)};
+    const auto polished = [&](double radius) {
+      TurningPass pass;
+      pass.tool = paper;
+      pass.path = {{radius, 90}, {radius, 70}};
+      pass.times = {0.0, 10.0};
+      const auto review = reviewOf({along(18, 105, 50, 0.4), std::make_shared<const TurningPass>(pass)});
+      return review->finish(TurningSide::Outside, {75, 85})->roughness;
+    };
+    QVERIFY(std::abs(polished(17.996) - (6.25 - 1.0)) < 1e-6);
+    QVERIFY(std::abs(polished(17.9) - 0.4) < 1e-9);
+  }
+
   void theSamePartAsTheWorkpiece() {
     const std::vector<PassPointer> passes{along(18, 105, 50, 0.4), along(17.5, 105, 70, 0.1)};
     TurnedProfile expected(kBar, 0.05);
@@ -115,9 +168,9 @@ class TurningReviewTest : public QObject {
     odd.times = {0, 0, 0};
     QVERIFY(reviewOf({std::make_shared<const TurningPass>(odd)}).has_value());
     TurningPass endless;  // each move goes over the whole bar
-    endless.path.assign(300'000, {10, 0});
+    endless.path.assign(3'000'000, {10, 0});
     for (std::size_t i = 0; i < endless.path.size(); i += 2) endless.path[i].y() = 100;
-    endless.times.assign(300'000, 0.0);
+    endless.times.assign(3'000'000, 0.0);
     QVERIFY(!reviewOf({std::make_shared<const TurningPass>(endless)}).has_value());
     JobState job;
     job.cancelled = true;

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/exercise/StartedWork.h"
+
+#include "document/exercise/ExerciseJson.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+AssignedExercise assignmentOf(const ExerciseSnapshot& exercise, const Attempt& attempt) {
+  AssignedExercise assigned;
+  assigned.description = std::make_shared<const nlohmann::json>(ExerciseKind::description(forStudents(exercise)));
+  assigned.attempt = std::make_shared<const nlohmann::json>(toJson(attempt));
+  return assigned;
+}
+
+AssignedExercise withAttempt(const AssignedExercise& assigned, const Attempt& attempt) {
+  nlohmann::json json = *assigned.attempt;
+  json.update(toJson(attempt));
+  return {assigned.description, std::make_shared<const nlohmann::json>(std::move(json))};
+}
+
+Result<std::shared_ptr<const ExerciseSnapshot>> exerciseOf(const ExerciseKind& kind, const AssignedExercise& assigned) {
+  nlohmann::json description = *assigned.description;
+  description.erase("solution");  // a student has none
+  Result<SnapshotPointer> made = kind.fromDescription(description, {});
+  if (!made) return made.error();
+  ExerciseSnapshot exercise = forStudents(static_cast<const ExerciseSnapshot&>(**made));
+  std::vector<Error> damage;
+  exercise.attempt = attemptFrom(*assigned.attempt, damage);
+  return std::make_shared<const ExerciseSnapshot>(std::move(exercise));
+}
+
+bool isSameExercise(const AssignedExercise& one, const AssignedExercise& other) {
+  return one && other && (one.description == other.description || *one.description == *other.description);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/exercise/DrawingTolerance.h"
+
+#include "base/NumberText.h"
+#include "machining/measure/IsoTolerance.h"
+#include "machining/measure/RoughnessGrade.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kSizes = {"diameter", "bore", "length", "depth", "arc", "bore_arc"};
+constexpr std::array<std::string_view, 2> kRoughness = {"roughness", "bore_roughness"};
+
+Error malformedTolerance(const MarkingCriterion& c, const char* what) {
+  return {ErrorCode::ElementMalformed, {"criterion " + c.id, what}, {}, {}};
+}
+
+bool isOneOf(std::span<const std::string_view> figures, const MarkingCriterion& c) {
+  return std::find(figures.begin(), figures.end(), c.figure) != figures.end();
+}
+
+// "±0.2": as much on both sides of the nominal value. None for other texts.
+std::optional<double> symmetricTolerance(const std::string& text) {
+  constexpr std::string_view kSign = "±";
+  if (!text.starts_with(kSign)) return std::nullopt;
+  double half = 0.0;
+  ErrorCode why;
+  if (!parseDecimal(text.substr(kSign.size()), half, why) || !std::isfinite(half) || half < 0.0) return std::nullopt;
+  return half;
+}
+
+}  // namespace
+
+Status applyDrawingTolerance(MarkingCriterion& c) {
+  if (const auto half = symmetricTolerance(c.tolerance)) {
+    if (!c.nominal) return malformedTolerance(c, "its tolerance needs the nominal size");
+    c.lower = *c.nominal - *half;
+    c.upper = *c.nominal + *half;
+    return Done{};
+  }
+  if (isOneOf(kRoughness, c)) {
+    const auto ra = roughnessOf(c.tolerance);
+    if (!ra) return malformedTolerance(c, "its tolerance is not a roughness grade, N1 to N12");
+    c.lower.reset();
+    c.upper = *ra;
+    return Done{};
+  }
+  if (!isOneOf(kSizes, c)) return malformedTolerance(c, "its figure takes limits, not a tolerance class");
+  if (!c.nominal) return malformedTolerance(c, "its tolerance needs the nominal size");
+  const auto deviations = isoDeviations(*c.nominal, c.tolerance);
+  if (!deviations) return malformedTolerance(c, "its tolerance class is not known for this size; give limits instead");
+  c.lower = *c.nominal + deviations->lower;
+  c.upper = *c.nominal + deviations->upper;
+  return Done{};
+}
+
+}  // namespace handwheel

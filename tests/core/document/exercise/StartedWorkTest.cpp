@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/exercise/StartedWork.h"
+
+#include "TestClass.h"
+#include "TurningExercises.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceKind.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+const ExerciseKind& kindOfStartedWork() {
+  static const ExerciseKind kKind(turningOnly());
+  return kKind;
+}
+
+const DocumentKinds& workpiecesOnly() {
+  static const DocumentKinds kKinds([] {
+    std::vector<std::unique_ptr<DocumentKind>> kinds;
+    kinds.push_back(std::make_unique<WorkpieceKind>());
+    return kinds;
+  }());
+  return kKinds;
+}
+
+const Attempt kHalfDone{"Ada", "2026-01-01T08:00:00Z", {}, 95.5, {1, 0}, {true, false}};
+
+OpenedFile startedWork() {
+  const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
+  OpenedFile opened = DocumentKinds::blank(*workpiecesOnly().withId("workpiece"));
+  opened.content = exercise->subject->start(*exercise->task);
+  opened.file.assigned = assignmentOf(*exercise, kHalfDone);
+  return opened;
+}
+
+}  // namespace
+
+// The document of the work keeps exercise and attempt: in its file, and whatever is undone.
+class StartedWorkTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void comesBackFromItsFile() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("work.handwheel").toStdString();
+    const OpenedFile begun = startedWork();
+    QVERIFY(saveDocument(*begun.kind, begun.file, *begun.content, path).hasValue());
+    const Result<OpenedFile> opened = workpiecesOnly().open(path, {});
+    QVERIFY(opened && opened->file.damage.empty() && opened->file.assigned);
+    QVERIFY(isSameExercise(opened->file.assigned, begun.file.assigned));
+    const auto exercise = exerciseOf(kindOfStartedWork(), opened->file.assigned);
+    QVERIFY(exercise && (*exercise)->attempt == kHalfDone && (*exercise)->exercise.title == "Shoulder");
+    QVERIFY((*exercise)->subject->checkWork(*(*exercise)->task, *opened->content));
+    // Saved once more, it has them still.
+    QVERIFY(saveDocument(*opened->kind, opened->file, *opened->content, path).hasValue());
+    QVERIFY(isSameExercise(workpiecesOnly().open(path, {})->file.assigned, begun.file.assigned));
+  }
+
+  void hasNoAnswers() {
+    const auto exercise = exerciseOf(kindOfStartedWork(), startedWork().file.assigned);
+    QVERIFY(exercise && (*exercise)->isForStudents && handwheel::hasNoAnswers((*exercise)->exercise));
+    QVERIFY(!(*exercise)->exercise.find("force"));  // hidden
+    QCOMPARE((*exercise)->key, exerciseFrom(kindOfStartedWork(), shoulderDescription())->key);
+  }
+
+  // Time and hints do not come back with an undo, and are worth saving.
+  void anUndoKeepsTheAttempt() {
+    WorkpieceDocument document(startedWork());
+    QVERIFY(document.setProperty("material", std::string("brass")));
+    Attempt later = kHalfDone;
+    later.hints = {2, 1};
+    document.assign(withAttempt(document.file().assigned, later), true);
+    document.history()->undo();
+    QCOMPARE(exerciseOf(kindOfStartedWork(), document.file().assigned).value()->attempt->hints, later.hints);
+    QVERIFY(document.history()->isClean() && document.isModified());
+    document.markSaved(QStringLiteral("/work.handwheel"), true);
+    QVERIFY(!document.isModified());
+    const std::uint64_t revision = document.revision();
+    later.seconds += 0.5;
+    document.assign(withAttempt(document.file().assigned, later), false);
+    QVERIFY(!document.isModified() && document.revision() == revision);
+    QCOMPARE(exerciseOf(kindOfStartedWork(), document.file().assigned).value()->attempt->seconds, 96.0);
+  }
+
+  void anyFile() {
+    const OpenedFile begun = startedWork();
+    const auto with = [&](nlohmann::json description, nlohmann::json attempt) {
+      AssignedExercise assigned{std::make_shared<const nlohmann::json>(std::move(description)),
+                                std::make_shared<const nlohmann::json>(std::move(attempt))};
+      return exerciseOf(kindOfStartedWork(), assigned).hasValue();
+    };
+    QVERIFY(with(*begun.file.assigned.description, nlohmann::json::object()));
+    QVERIFY(with(*begun.file.assigned.description, {{"seconds", -3}, {"hints", "x"}}));
+    QVERIFY(!with({{"subject", "knitting"}}, nlohmann::json::object()));
+    QVERIFY(!with(nlohmann::json::array(), nlohmann::json::object()));
+    QVERIFY(!isSameExercise({}, {}) && !isSameExercise(begun.file.assigned, {}));
+  }
+};
+
+HANDWHEEL_TEST(StartedWorkTest)
+#include "StartedWorkTest.moc"
