@@ -77,6 +77,38 @@ class ExerciseTest : public QObject {
     QVERIFY2(fixed.code == 1 && fixed.err.contains("cannot be changed"), fixed.err);
   }
 
+  // A broken file says so, before a student is told that nothing was handed in; and so does work on another version.
+  void theTeacherLearnsWhatIsWrongWithAFile() {
+    const Bench bench;
+    nlohmann::json exercise = nlohmann::json::parse([] {
+      QFile file(kShaft);
+      return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+    }());
+    bench.put("work.json", QByteArray::fromStdString(exercise["solution"].dump()));
+    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "work.json", "--name", "Ada", "-o", "ada.handwheel"}).code, 0);
+    QByteArray bytes = bench.content("ada.handwheel");
+    bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
+    bench.put("broken.handwheel", bytes);
+    const Ran broken = bench.run({"mark", kShaft, "broken.handwheel"});
+    QVERIFY2(broken.out.contains("The file is damaged"), broken.out);
+    QVERIFY(!bench.run({"mark", kShaft, "ada.handwheel"}).out.contains("The file is damaged"));
+    exercise["criteria"][0]["lower"] = 1.0;
+    exercise["criteria"][0]["upper"] = 99.0;
+    bench.put("other.exercise.json", QByteArray::fromStdString(exercise.dump()));
+    QVERIFY(bench.run({"mark", "other.exercise.json", "ada.handwheel"}).out.contains("another version"));
+  }
+
+  // The bar of an exercise knows its exercise, so that the window goes on with it; and the time that is counted there.
+  void theBarKnowsItsExercise() {
+    const Bench bench;
+    QCOMPARE(bench.run({"exercise", kShaft, "--stock", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"set", "bar.handwheel", "material=brass", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "bar.handwheel", "--name", "Ada", "-o", "a.handwheel"}).code,
+             0);
+    const Ran marked = bench.run({"mark", kShaft, "a.handwheel", "--json"});
+    QCOMPARE(nlohmann::json::parse(marked.out.toStdString())["submissions"][0]["seconds"].get<double>(), 0.0);
+  }
+
   void workIsDescribedToo() {
     const Bench bench;
     nlohmann::json work = solutionOfShaft();

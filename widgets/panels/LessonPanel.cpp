@@ -98,7 +98,8 @@ LessonPanel::LessonPanel(QWidget* parent)
 
 void LessonPanel::setLesson(const QString& title, std::vector<LessonStep> steps) {
   m_steps = std::move(steps);
-  m_hinted.assign(m_steps.size(), false);
+  for (LessonStep& step : m_steps)
+    step.shownHints = std::clamp(step.shownHints, 0, static_cast<int>(step.hints.size()));
   m_shown = -1;
   m_title->setText(title);
   m_title->setVisible(!title.isEmpty());
@@ -161,12 +162,13 @@ void LessonPanel::showStep(int step) {
   const bool isNew = std::exchange(m_shown, step) != step;
   const bool isStep = step >= 0 && step < static_cast<int>(m_steps.size());
   const LessonStep shown = isStep ? m_steps[static_cast<std::size_t>(step)] : LessonStep();
-  const bool isHinted = isStep && m_hinted[static_cast<std::size_t>(step)];
+  const int hints = static_cast<int>(shown.hints.size());
   m_text->setText(shown.text);
   m_text->setVisible(!shown.text.isEmpty());
-  m_hint->setText(shown.hint);
-  m_hintCard->setVisible(isHinted);
-  m_askHint->setVisible(!shown.hint.isEmpty() && !isHinted);
+  m_hint->setText(shown.hints.mid(0, shown.shownHints).join(QLatin1Char('\n')));
+  m_hintCard->setVisible(shown.shownHints > 0);
+  m_askHint->setVisible(shown.shownHints < hints);
+  m_askHint->setText(shown.shownHints == 0 ? tr("Show a hint") : tr("Show another hint"));
   m_done->setVisible(shown.byHand && shown.state == LessonStep::State::Open);
   if (isNew && isStep) emit stepShown(step);
 }
@@ -176,10 +178,12 @@ bool LessonPanel::isHintShown() const {
 }
 
 void LessonPanel::showHint() {
-  if (m_shown < 0 || m_hinted[static_cast<std::size_t>(m_shown)]) return;
-  m_hinted[static_cast<std::size_t>(m_shown)] = true;
+  if (m_shown < 0) return;
+  LessonStep& step = m_steps[static_cast<std::size_t>(m_shown)];
+  if (step.shownHints >= static_cast<int>(step.hints.size())) return;
+  const int count = ++step.shownHints;
   showStep(m_shown);
-  emit hintShown(m_shown);
+  emit hintShown(m_shown, count);
 }
 
 void LessonPanel::setTime(double elapsed, double allowed) {

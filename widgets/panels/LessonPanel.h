@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -17,10 +17,11 @@ namespace handwheel {
 struct LessonStep {
   enum class State { Open, Done, Failed };
   QString title;
-  QString text;       // what to do; plain text
-  QString hint = {};  // shown when one asks; empty: none
+  QString text;            // what to do; plain text
+  QStringList hints = {};  // shown one after another, each when one asks
   State state = State::Open;
   bool byHand = false;  // done when the person says so; else the program finds out
+  int shownHints = 0;   // the first of them, which were asked for before
 };
 
 // Leads through the steps of a lesson, with hints on demand and the time. The current step is the first
@@ -31,7 +32,7 @@ class LessonPanel : public QWidget {
  public:
   explicit LessonPanel(QWidget* parent = nullptr);
 
-  // Begins a lesson: no hint is shown.
+  // Begins a lesson, or goes on with one.
   void setLesson(const QString& title, std::vector<LessonStep> steps);
   void setStepState(std::size_t step, LessonStep::State state);
   // Seconds since the beginning, and those allowed; 0: as many as one likes. Less than zero counts as zero.
@@ -43,8 +44,8 @@ class LessonPanel : public QWidget {
 
  signals:
   void stepShown(int step);
-  void hintShown(int step);  // the first time for each step
-  void stepDone(int step);   // the person says so, of a step by hand
+  void hintShown(int step, int count);  // one more, so that so many of the step are shown
+  void stepDone(int step);              // the person says so, of a step by hand
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -56,7 +57,6 @@ class LessonPanel : public QWidget {
   void showHint();
 
   std::vector<LessonStep> m_steps;
-  std::vector<bool> m_hinted;
   int m_shown = -1;
   QLabel* m_title;
   QLabel* m_progress;

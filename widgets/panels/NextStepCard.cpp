@@ -28,6 +28,8 @@ NextStepCard::NextStepCard(QWidget* over)
   setObjectName(QStringLiteral("nextStepCard"));
   setProperty("card", true);
   m_title->setObjectName(QStringLiteral("nextStepTitle"));
+  m_title->setTextFormat(Qt::PlainText);  // of files, which come from anywhere
+  m_detail->setTextFormat(Qt::PlainText);
   m_title->setProperty("strong", true);
   m_title->setWordWrap(true);
   m_detail->setObjectName(QStringLiteral("nextStepDetail"));

@@ -10,7 +10,7 @@
 #include "cli/exercise/MarkCommand.h"
 #include "document/FileBytes.h"
 #include "document/exercise/ExerciseErrors.h"
-#include "document/exercise/ExerciseSnapshot.h"
+#include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
 #include "text/NoteText.h"
 
@@ -61,7 +61,11 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
   const DocumentKind& ofWork = *kinds.withId(exercise->subject->kind().id());
   if (values.flag("student"))
     return fresh(*opened.kind, std::make_shared<const ExerciseSnapshot>(forStudents(*exercise)));
-  if (values.flag("stock")) return fresh(ofWork, exercise->subject->start(*exercise->task));
+  if (values.flag("stock")) {
+    Product stock = fresh(ofWork, exercise->subject->start(*exercise->task));
+    stock.file.assigned = assignmentOf(*exercise, exercise->attempt.value_or(Attempt()));
+    return stock;
+  }
   if (values.flag("solution")) {
     if (!exercise->solution) return Error{ErrorCode::ReferenceMissing, {"model solution", {}, {}}, {}, {}};
     return fresh(ofWork, exercise->solution);
@@ -84,6 +88,10 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
   if (work->kind->id() != ofWork.id())
     return Error{ExerciseError::OtherWork, {"it is not a document of that kind"}, {}, values.text("hand-in")};
   Attempt attempt = exercise->attempt.value_or(Attempt());
+  if (work->file.assigned) {  // time and hints, as the window has counted them
+    const auto begun = exerciseOf(static_cast<const ExerciseKind&>(*opened.kind), work->file.assigned);
+    if (begun && (*begun)->key == exercise->key) attempt = *(*begun)->attempt;
+  }
   attempt.student = values.text("name");
   attempt.handedIn.clear();
   if (const auto minutes = values.given("minutes")) attempt.seconds = kSecondsOfMinute * *minutes;
@@ -153,7 +161,7 @@ const Operation& exerciseOperation() {
                         .value = 0.0,
                         .least = 0.0,
                         .largest = Exercise::kLongestTime / kSecondsOfMinute},
-           .meaning = "How long the student has worked",
+           .meaning = "How long the student has worked; without it, what the window has counted in WORK",
            .word = "MIN",
            .hasDefault = false},
       }};

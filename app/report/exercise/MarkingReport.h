@@ -5,7 +5,6 @@
 #include "document/exercise/ExerciseSnapshot.h"
 #include "exercise/ClassTable.h"
 
-#include <QImage>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
@@ -15,7 +14,6 @@ namespace handwheel {
 struct ReportedWork {
   ClassRow row;
   ReportDetails details;
-  QImage picture = {};  // of the part; null for none
 };
 
 // The marks of a class for a report.
@@ -35,14 +33,14 @@ nlohmann::ordered_json toJson(const ClassReport& report);
 // The marks for people: for each student a table of sizes, limits, points and reasons.
 std::string readableText(const ClassReport& report);
 
-// The report as a self-contained HTML page with the class as a table, then each student with marks, events, pictures
-// and plots. Needs fonts, so a QGuiApplication.
-std::string htmlOf(const ClassReport& report);
+// The report as a self-contained HTML page with the class as a table, then each student with marks, events and
+// plots. Needs fonts, so a QGuiApplication.
+std::string htmlOf(const ClassReport& report, Progress progress = {});
 // The same as PDF (A4).
-std::string pdfOf(const ClassReport& report);
+std::string pdfOf(const ClassReport& report, Progress progress = {});
 
 // Writes the report as .html or .pdf, by the extension of the path. Writes the whole file or nothing. Errors:
-// ExtensionUnknown, WriteFailed.
-Status writeReport(const ClassReport& report, const std::filesystem::path& path);
+// ExtensionUnknown, WriteFailed, Cancelled. Any thread; seconds for a class.
+Status writeReport(const ClassReport& report, const std::filesystem::path& path, Progress progress = {});
 
 }  // namespace handwheel

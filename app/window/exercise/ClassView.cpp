@@ -30,6 +30,15 @@ ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) 
   bool isNumber = false;
   const double number = cell.text.toDouble(&isNumber);
   if (table.isNumber(column) && isNumber) cell.number = number;
+  const ClassRow& shown = table.rows()[row];
+  if (column == ClassTable::Student && (!shown.remarks.empty() || !shown.problem.empty())) {
+    QStringList reasons;
+    if (!shown.problem.empty()) reasons += QString::fromStdString(shown.problem);
+    for (const std::string& remark : shown.remarks) reasons += QString::fromStdString(remark);
+    cell.state = ResultCell::State::Bad;
+    cell.reason = reasons.join(QLatin1Char('\n'));
+    if (cell.text.isEmpty()) cell.text = QStringLiteral("–");
+  }
   if (column < ClassTable::FirstCriterion) return cell;
   const std::vector<Mark>& marks = table.rows()[row].marking.marks;
   const std::size_t criterion = column - ClassTable::FirstCriterion;
@@ -105,6 +114,13 @@ void ClassView::setReport(ClassReport report) {
   m_writeReport->setEnabled(!m_report.works.empty());
   m_writeTable->setEnabled(!m_report.works.empty());
   showRecordings();
+}
+
+ClassReport ClassView::shownReport() const {
+  const auto* model = static_cast<const ResultModel*>(m_table->model());
+  ClassReport shown{m_report.exercise, m_report.figures, {}};
+  for (int row = 0; row < model->rowCount(); ++row) shown.works.push_back(m_report.works[model->source(row)]);
+  return shown;
 }
 
 void ClassView::showRecordings() {

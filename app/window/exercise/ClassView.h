@@ -22,7 +22,8 @@ class ClassView : public QWidget {
   explicit ClassView(QWidget* parent = nullptr);
 
   void setReport(ClassReport report);
-  const ClassReport& report() const { return m_report; }
+  // The report with the works in the order in which the table shows them.
+  ClassReport shownReport() const;
 
  signals:
   void markingRequested();

@@ -5,9 +5,12 @@
 #include "panels/LessonPanel.h"
 #include "text/NoteText.h"
 
+#include <QCoreApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -17,15 +20,52 @@ namespace {
 
 QLabel* wrapped(QWidget* parent) {
   auto* label = new QLabel(parent);
+  label->setTextFormat(Qt::PlainText);  // exercises come from anywhere
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }
 
-QString joinedHints(const ExerciseStep& step) {
-  QStringList hints;
-  for (const std::string& hint : step.hints) hints += QString::fromStdString(hint);
-  return hints.join(QLatin1Char('\n'));
+LessonStep lessonStep(const Exercise& exercise, const Attempt& attempt, std::size_t i) {
+  const ExerciseStep& step = exercise.steps[i];
+  LessonStep shown{QString::fromStdString(step.title), QString::fromStdString(step.text)};
+  for (const std::string& hint : step.hints) shown.hints += QString::fromStdString(hint);
+  shown.shownHints = i < attempt.hints.size() ? static_cast<int>(attempt.hints[i]) : 0;
+  if (i < attempt.done.size() && attempt.done[i]) shown.state = LessonStep::State::Done;
+  shown.byHand = step.criteria.empty();
+  return shown;
+}
+
+// "⌀30 h10: 29.916 … 30 mm", and where it is measured.
+QString sizeText(const MarkingCriterion& c, const FigureType& type) {
+  const auto number = [](double value) { return QLocale().toString(value, 'g', 8); };
+  const QString unit = type.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);
+  QString text = QString::fromStdString(c.name);
+  if (c.lower && c.upper)
+    text += ExerciseLesson::tr(": %1 … %2%3").arg(number(*c.lower), number(*c.upper), unit);
+  else if (c.upper)
+    text += ExerciseLesson::tr(": at most %1%2").arg(number(*c.upper), unit);
+  else if (c.lower)
+    text += ExerciseLesson::tr(": at least %1%2").arg(number(*c.lower), unit);
+  QStringList places;
+  for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i)
+    places +=
+        QCoreApplication::translate("Figure", type.arguments[i].c_str()) + QLatin1Char(' ') + number(c.arguments[i]);
+  return places.isEmpty() ? text : text + QStringLiteral("\n    ") + places.join(QStringLiteral(", "));
+}
+
+// What is on the drawing: stock and machine, then each size with its limits.
+QString drawingText(const ExerciseSnapshot& shown) {
+  QStringList lines;
+  for (const ExerciseText& line : shown.subject->conditions(*shown.task))
+    lines += noteText({line.text, line.arguments});
+  lines += QString();
+  const std::vector<FigureType> types = figureTypes(*shown.subject);
+  for (const MarkingCriterion& c : shown.exercise.criteria) {
+    const FigureType* type = figureType(types, c.figure);
+    if (type && !c.isHidden) lines += QStringLiteral("• ") + sizeText(c, *type);
+  }
+  return lines.join(QLatin1Char('\n'));
 }
 
 // "✓ ⌀30 h10: 29.95 mm is within 29.916 and 30 mm", one line for each criterion on the drawing.
@@ -55,15 +95,16 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
       m_text(wrapped(this)),
       m_begin(new QPushButton(tr("&Begin"), this)),
       m_steps(new LessonPanel(this)),
-      m_measured(wrapped(this)),
+      m_sizes(wrapped(this)),
       m_measure(new QPushButton(tr("&Measure"), this)),
       m_name(new QLineEdit(this)),
       m_handIn(new QPushButton(tr("&Hand in…"), this)) {
   m_begin->setObjectName(QStringLiteral("lesson/begin"));
   m_measure->setObjectName(QStringLiteral("lesson/measure"));
   m_measure->setToolTip(tr("Measure the sizes of the drawing on the part as it is now"));
-  m_measured->setObjectName(QStringLiteral("lesson/measured"));
+  m_sizes->setObjectName(QStringLiteral("lesson/sizes"));
   m_name->setObjectName(QStringLiteral("lesson/name"));
+  m_name->setMaxLength(static_cast<int>(Attempt::kLongestText / 4));  // of UTF-8
   m_name->setPlaceholderText(tr("Your name"));
   m_name->setAccessibleName(tr("Your name"));
   m_handIn->setObjectName(QStringLiteral("lesson/handIn"));
@@ -71,36 +112,38 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
   column->addWidget(m_text);
   column->addWidget(m_begin);
   column->addWidget(m_steps, 1);
-  for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_measured, m_name, m_handIn})
-    column->addWidget(each);
+  auto* sizes = new QScrollArea(this);  // there may be more of them than there is room for
+  sizes->setWidget(m_sizes);
+  sizes->setWidgetResizable(true);
+  sizes->setFrameShape(QFrame::NoFrame);
+  column->addWidget(sizes, 1);
+  for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) column->addWidget(each);
   connect(m_begin, &QPushButton::clicked, this, &ExerciseLesson::begun);
   connect(m_measure, &QPushButton::clicked, this, &ExerciseLesson::measuringRequested);
   connect(m_name, &QLineEdit::textChanged, this, &ExerciseLesson::followName);
+  connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) { emit nameChanged(name.trimmed()); });
   connect(m_handIn, &QPushButton::clicked, this, [this] { emit handInRequested(m_name->text().trimmed()); });
-  connect(m_steps, &LessonPanel::hintShown, this,
-          [this](int step) { emit hintsTaken(static_cast<std::size_t>(step)); });
+  connect(m_steps, &LessonPanel::hintShown, this, [this](int step, int count) {
+    emit hintTaken(static_cast<std::size_t>(step), static_cast<std::size_t>(count));
+  });
   connect(m_steps, &LessonPanel::stepDone, this, [this](int step) {
     m_steps->setStepState(static_cast<std::size_t>(step), LessonStep::State::Done);
     emit stepDone(static_cast<std::size_t>(step));
   });
 }
 
-void ExerciseLesson::setExercise(const Exercise& exercise, const Attempt& attempt, bool isRunning) {
+void ExerciseLesson::setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning) {
+  const Exercise& exercise = shown.exercise;
   m_isRunning = isRunning;
   m_text->setText(QString::fromStdString(exercise.text));
   std::vector<LessonStep> steps;
-  for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
-    const ExerciseStep& each = exercise.steps[i];
-    const bool isDone = i < attempt.done.size() && attempt.done[i];
-    steps.push_back({QString::fromStdString(each.title), QString::fromStdString(each.text), joinedHints(each),
-                     isDone ? LessonStep::State::Done : LessonStep::State::Open, each.criteria.empty()});
-  }
+  for (std::size_t i = 0; i < exercise.steps.size(); ++i) steps.push_back(lessonStep(exercise, attempt, i));
   m_steps->setLesson(QString::fromStdString(exercise.title), std::move(steps));
   m_begin->setVisible(!isRunning);
   m_steps->setEnabled(isRunning);
-  for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_measured, m_name, m_handIn})
-    each->setVisible(isRunning);
-  m_measured->clear();
+  for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) each->setVisible(isRunning);
+  m_sizes->setText(drawingText(shown));
+  m_name->setText(QString::fromStdString(attempt.student));
   setSeconds(attempt.seconds, exercise.allowedSeconds);
   followName();
 }
@@ -110,7 +153,7 @@ void ExerciseLesson::setSeconds(double seconds, double allowed) {
 }
 
 void ExerciseLesson::setMeasured(const Exercise& exercise, const Marking& marking) {
-  m_measured->setText(measuredText(exercise, marking));
+  m_sizes->setText(measuredText(exercise, marking));
   for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
     if (exercise.steps[i].criteria.empty()) continue;
     m_steps->setStepState(i, isMet(exercise.steps[i], marking) ? LessonStep::State::Done : LessonStep::State::Open);

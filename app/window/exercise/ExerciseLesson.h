@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "exercise/Attempt.h"
-#include "exercise/Marking.h"
+#include "document/exercise/ExerciseSnapshot.h"
 
 #include <QWidget>
 
@@ -15,24 +14,26 @@ namespace handwheel {
 
 class LessonPanel;
 
-// The panel with which a student works: task, steps with their hints, time, sizes as measured, handing in.
+// The panel with which a student works: task, sizes of the drawing, steps with their hints, time,
+// sizes as measured, handing in.
 class ExerciseLesson : public QWidget {
   Q_OBJECT
 
  public:
   explicit ExerciseLesson(QWidget* parent = nullptr);
 
-  // isRunning: the work has begun. Keeps what is typed.
-  void setExercise(const Exercise& exercise, const Attempt& attempt, bool isRunning);
+  // isRunning: the work has begun.
+  void setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning);
   void setSeconds(double seconds, double allowed);
   // Shows each size of the drawing, and which steps that makes done or not.
   void setMeasured(const Exercise& exercise, const Marking& marking);
 
  signals:
   void begun();
-  void hintsTaken(std::size_t step);
+  void hintTaken(std::size_t step, std::size_t count);  // so many of the step were looked at
   void stepDone(std::size_t step);
   void measuringRequested();
+  void nameChanged(const QString& student);
   void handInRequested(const QString& student);
 
  private:
@@ -41,7 +42,7 @@ class ExerciseLesson : public QWidget {
   QLabel* m_text;
   QPushButton* m_begin;
   LessonPanel* m_steps;
-  QLabel* m_measured;
+  QLabel* m_sizes;
   QPushButton* m_measure;
   QLineEdit* m_name;
   QPushButton* m_handIn;

@@ -3,6 +3,7 @@
 #include "window/exercise/ExerciseUi.h"
 
 #include "document/AtomicFile.h"
+#include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
@@ -50,7 +51,8 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
   connect(table, &ClassView::reportRequested, this, [this] { writeClass(false); });
   connect(table, &ClassView::tableRequested, this, [this] { writeClass(true); });
   connect(table, &ClassView::openRequested, this, [this](std::size_t work) {
-    if (const auto i = static_cast<qsizetype>(work); i < m_marked.size()) parts().openFile(m_marked[i]);
+    const QStringList paths = m_classes[document()].paths;
+    if (const auto i = static_cast<qsizetype>(work); i < paths.size()) parts().openFile(paths[i]);
   });
   refresh();
 }
@@ -69,7 +71,7 @@ void ExerciseUi::buildActions() {
                       tr("Keep the work that was begun from this exercise as its model solution"));
   m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
   m_mark = action("markExercise", tr("&Mark…"), tr("Mark files that students have handed in"));
-  connect(m_begin, &QAction::triggered, this, [this] { m_attempt->begin(snapshot()); });
+  connect(m_begin, &QAction::triggered, this, [this] { m_attempt->begin(*document()); });
   connect(m_preview, &QAction::triggered, this, [this] { openContent(forStudents(*snapshot())); });
   connect(m_solution, &QAction::triggered, this, [this] { takeWork(false); });
   connect(m_target, &QAction::triggered, this, [this] { takeWork(true); });
@@ -88,7 +90,24 @@ void ExerciseUi::setDocument(DocumentTab* document) {
   RigidPartsUi::setDocument(document);
   if (current() != nullptr) connect(current(), &Document::changed, this, &ExerciseUi::refresh);
   m_editor->setDocument(current() && !current()->exercise().isForStudents ? current() : nullptr);
+  if (current()) m_editor->classView()->setReport(m_classes[document].report);
   refresh();
+}
+
+void ExerciseUi::forget(DocumentTab* document) {
+  parts().jobs.cancelOf(document);
+  m_classes.erase(document);
+}
+
+// A title that is changed is none of the shape.
+DisplayModel ExerciseUi::displayed(const Document& document) const {
+  const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(document).exercise();
+  if (m_displayedTask != exercise.task || m_displayedWork != exercise.work) {
+    m_displayed = RigidPartsUi::displayed(document);
+    m_displayedTask = exercise.task;
+    m_displayedWork = exercise.work;
+  }
+  return m_displayed;
 }
 
 void ExerciseUi::refresh() {
@@ -98,8 +117,8 @@ void ExerciseUi::refresh() {
   const ExerciseSnapshot& exercise = current()->exercise();
   const bool isStudent = exercise.isForStudents;
   m_pages->setCurrentWidget(isStudent ? static_cast<QWidget*>(m_student) : m_editor);
-  if (isStudent) m_student->setExercise(exercise.exercise, exercise.attempt.value_or(Attempt()), false);
-  const bool hasWork = m_attempt->isRunning() && m_attempt->exercise() && m_attempt->exercise()->key == exercise.key;
+  if (isStudent) m_student->setExercise(exercise, exercise.attempt.value_or(Attempt()), false);
+  const bool hasWork = m_attempt->workOn(exercise.key) != nullptr;
   m_preview->setEnabled(!isStudent);
   m_mark->setEnabled(!isStudent);
   m_solution->setEnabled(!isStudent && hasWork);
@@ -133,7 +152,8 @@ std::vector<StartAction> ExerciseUi::startActions() const {
                                                      {"ball", tr("Exercise: ball")},
                                                      {"gourd", tr("Exercise: gourd")},
                                                      {"dumb-bell", tr("Exercise: dumb-bell weight")},
-                                                     {"wine-glass", tr("Exercise: wine glass")}};
+                                                     {"wine-glass", tr("Exercise: wine glass")},
+                                                     {"first-lesson-teacher", tr("Exercise: first shoulder")}};
   for (const auto& [name, text] : shipped) {
     const QString id = QString::fromLatin1(name);
     all.push_back({QStringLiteral("exercise/") + id, text, tr("Open a prepared exercise"), panelIcon(),
@@ -182,15 +202,19 @@ void ExerciseUi::report(const QString& title, const Error& error) {
 }
 
 void ExerciseUi::takeWork(bool asTarget) {
-  if (!current() || !m_attempt->work()) return;
-  const SnapshotPointer work = m_attempt->work()->document.snapshot();
+  const DocumentTab* const from = current() ? m_attempt->workOn(current()->exercise().key) : nullptr;
+  if (!from) return;
+  const SnapshotPointer work = from->document.snapshot();
   ExerciseSnapshot changed = current()->exercise();
+  const QString notTaken = asTarget ? tr("The target was not taken") : tr("The model solution was not taken");
+  if (const Status fits = changed.subject->checkWork(*changed.task, *work); !fits)
+    return report(notTaken, fits.error());
   if (!asTarget) {
     changed.solution = work;
     return current()->change(tr("Take the model solution"), std::move(changed));
   }
   Result<TaskPointer> task = changed.subject->withTarget(*changed.task, *work);
-  if (!task) return report(tr("The target was not taken"), task.error());
+  if (!task) return report(notTaken, task.error());
   changed.task = std::move(task.value());
   current()->change(tr("Take the target"), std::move(changed));
 }
@@ -205,21 +229,23 @@ void ExerciseUi::chooseSubmissions() {
   dialog->open();
 }
 
+// The result is that of its exercise, whichever document is shown by then.
 void ExerciseUi::mark(const QStringList& paths) {
   if (!current()) return;
   Job job;
   job.name = tr("Marking");
-  job.owner = current();
-  job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = current()](Progress progress) {
+  job.owner = document();
+  job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
     auto marked = std::make_shared<ClassReport>(ClassReport{scheme->exercise, figureTypes(*scheme->subject), {}});
     const double share = 1.0 / static_cast<double>(paths.size());
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
       marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
                                        progress.part(i * share, (i + 1) * share)));
     return Job::Finish([this, marked, paths, owner] {
-      if (owner != current()) return;
-      m_marked = paths;
-      m_editor->classView()->setReport(std::move(*marked));
+      if (!parts().tabs.contains(owner)) return;
+      m_classes[owner] = {std::move(*marked), paths};
+      if (owner != document()) return;
+      m_editor->classView()->setReport(m_classes[owner].report);
       m_editor->setCurrentWidget(m_editor->classView());
     });
   };
@@ -237,15 +263,31 @@ void ExerciseUi::chooseFile(const QString& title, const QString& filter, const Q
   dialog->open();
 }
 
-void ExerciseUi::writeClass(bool asTable) {
-  const auto write = [this, asTable](const QString& path) {
-    const ClassReport& marked = m_editor->classView()->report();
+// Plots and pages of a class take seconds.
+void ExerciseUi::startWriting(bool asTable, const QString& path) {
+  Job job;
+  job.name = tr("Writing %1").arg(QFileInfo(path).fileName());
+  job.owner = document();
+  job.lane = Job::Lane::Saving;
+  const auto failed = [this, path](const Error& error) {
+    if (error.code != ErrorCode::Cancelled) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
+  };
+  job.failed = failed;
+  job.work = [this, asTable, path, failed,
+              marked = m_editor->classView()->shownReport()](Progress progress) -> Job::Finish {
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     ClassTable table(marked.exercise);
     for (const ReportedWork& work : marked.works) table.add(work.row);
-    const Status written = asTable ? writeFileAtomically(file, table.csv()) : writeReport(marked, file);
-    if (!written) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), written.error());
+    const Status written =
+        asTable ? writeFileAtomically(file, table.csv(), progress) : writeReport(marked, file, progress);
+    if (!written) return [failed, error = written.error()] { failed(error); };
+    return [this, path] { parts().log.add(tr("Saved %1").arg(QFileInfo(path).fileName())); };
   };
+  parts().jobs.start(std::move(job));
+}
+
+void ExerciseUi::writeClass(bool asTable) {
+  const auto write = [this, asTable](const QString& path) { startWriting(asTable, path); };
   if (asTable) {
     chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), QStringLiteral("csv"), write);
   } else {

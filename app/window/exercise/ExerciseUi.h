@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "report/exercise/MarkingReport.h"
 #include "window/kinds/RigidPartsUi.h"
 
 #include <QAction>
+#include <map>
 
 class QStackedWidget;
 
@@ -15,7 +17,6 @@ class ExerciseDocument;
 class ExerciseEditor;
 class ExerciseLesson;
 class RunningAttempt;
-struct ExerciseSnapshot;
 
 // The user interface of exercises: the teacher's editor, a student's page, and marking.
 class ExerciseUi : public RigidPartsUi {
@@ -25,6 +26,7 @@ class ExerciseUi : public RigidPartsUi {
   explicit ExerciseUi(const WindowContext& window);
 
   void setDocument(DocumentTab* document) override;
+  void forget(DocumentTab* document) override;
   std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Exercise"); }
   QString panelIcon() const override { return QStringLiteral("kind-exercise"); }
@@ -35,6 +37,9 @@ class ExerciseUi : public RigidPartsUi {
   std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
   NextStep nextStep() override;
   QString openedText(const DocumentTab& document) const override;
+
+ protected:
+  DisplayModel displayed(const Document& document) const override;
 
  private:
   ExerciseDocument* current() const;
@@ -48,13 +53,23 @@ class ExerciseUi : public RigidPartsUi {
   void chooseFile(const QString& title, const QString& filter, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);
   void writeClass(bool asTable);
+  void startWriting(bool asTable, const QString& path);
   void report(const QString& title, const Error& error);
 
   QStackedWidget* m_pages;
   ExerciseEditor* m_editor;
   ExerciseLesson* m_student;
   RunningAttempt* m_attempt;
-  QStringList m_marked;  // paths of the submissions in the table
+  // The class of each exercise that was marked: the report, and the paths of its works.
+  struct MarkedClass {
+    ClassReport report;
+    QStringList paths;
+  };
+  std::map<const DocumentTab*, MarkedClass> m_classes;
+  // What is shown, and what it was made from.
+  mutable DisplayModel m_displayed;
+  mutable TaskPointer m_displayedTask;
+  mutable SnapshotPointer m_displayedWork;
   QAction *m_begin, *m_preview, *m_solution, *m_target, *m_mark;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/exercise/RunningAttempt.h"
 
+#include "document/exercise/ExerciseDocument.h"
+#include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
@@ -12,6 +14,8 @@
 #include "window/exercise/ExerciseLesson.h"
 
 #include <QDockWidget>
+#include <QFile>
+#include <QFileDialog>
 #include <QMainWindow>
 #include <algorithm>
 
@@ -20,6 +24,12 @@ namespace handwheel {
 namespace {
 
 constexpr int kTickMs = 500;
+// Who only looks is asked to save the time after so many seconds of it.
+constexpr double kSecondsWorthAsking = 60.0;
+
+const ExerciseKind& exerciseKind(const DocumentKinds& kinds) {
+  return static_cast<const ExerciseKind&>(*kinds.withId("exercise"));
+}
 
 }  // namespace
 
@@ -36,113 +46,221 @@ RunningAttempt::RunningAttempt(const WindowContext& parts, QObject* parent)
     m_dock->hide();
   }
   connect(&parts.tabs, &DocumentTabs::currentChanged, this, &RunningAttempt::follow);
-  connect(&parts.tabs, &DocumentTabs::closing, this, [this](DocumentTab* closing) {
-    if (closing != m_work) return;
-    m_work = nullptr;
-    m_clock.stop();
-    if (m_dock) m_dock->hide();
-    emit changed();
-  });
+  connect(&parts.tabs, &DocumentTabs::closing, this, &RunningAttempt::forget);
   connect(&m_clock, &QTimer::timeout, this, &RunningAttempt::tick);
-  connect(m_lesson, &ExerciseLesson::measuringRequested, this, &RunningAttempt::measure);
-  connect(m_lesson, &ExerciseLesson::handInRequested, this, &RunningAttempt::handIn);
-  connect(m_lesson, &ExerciseLesson::hintsTaken, this, [this](std::size_t step) {
-    m_attempt.hints.resize(std::max(m_attempt.hints.size(), step + 1));
-    m_attempt.hints[step] = m_exercise->exercise.steps[step].hints.size();
-  });
-  connect(m_lesson, &ExerciseLesson::stepDone, this, [this](std::size_t step) { setDone(step, true); });
+  connectLesson();
 }
 
-void RunningAttempt::begin(std::shared_ptr<const ExerciseSnapshot> exercise) {
-  if (m_work && m_exercise && m_exercise->key == exercise->key) {
-    showDock();
-    return m_parts.tabs.setCurrent(m_work);
-  }
-  m_clock.stop();
-  m_exercise = std::move(exercise);
-  m_attempt = m_exercise->attempt.value_or(Attempt());
-  m_attempt.handedIn.clear();
-  if (m_attempt.begun.empty()) m_attempt.begun = presentTime();
-  const DocumentKind* kind = m_parts.kinds.withId(m_exercise->subject->kind().id());
+void RunningAttempt::connectLesson() {
+  connect(m_lesson, &ExerciseLesson::measuringRequested, this, &RunningAttempt::measure);
+  connect(m_lesson, &ExerciseLesson::handInRequested, this, &RunningAttempt::handIn);
+  connect(m_lesson, &ExerciseLesson::nameChanged, this, [this](const QString& student) {
+    Work* const work = current();
+    if (!work) return;
+    work->attempt.student = student.toStdString();
+    store(*work, true);
+  });
+  connect(m_lesson, &ExerciseLesson::hintTaken, this, [this](std::size_t step, std::size_t count) {
+    Work* const work = current();
+    if (!work) return;
+    std::vector<std::size_t>& hints = work->attempt.hints;
+    hints.resize(std::max(hints.size(), step + 1));
+    hints[step] = std::max(hints[step], count);
+    store(*work, true);
+  });
+  connect(m_lesson, &ExerciseLesson::stepDone, this, [this](std::size_t step) {
+    Work* const work = current();
+    if (!work) return;
+    setDone(*work, step, true);
+    store(*work, true);
+  });
+}
+
+RunningAttempt::Work* RunningAttempt::find(const DocumentTab* tab) {
+  const auto found = std::find_if(m_works.begin(), m_works.end(), [&](const Work& each) { return each.tab == tab; });
+  return found == m_works.end() ? nullptr : &*found;
+}
+
+const DocumentTab* RunningAttempt::workOn(const std::string& key) const {
+  const auto found =
+      std::find_if(m_works.rbegin(), m_works.rend(), [&](const Work& each) { return each.exercise->key == key; });
+  return found == m_works.rend() ? nullptr : found->tab;
+}
+
+// A submission is another one than the next student's, though both are of one exercise; a teacher who has changed the
+// exercise begins anew.
+RunningAttempt::Work* RunningAttempt::begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise,
+                                                const AssignedExercise& assigned) {
+  const auto isMeant = [&](const Work& each) {
+    if (each.origin == exercise) return true;
+    return !exercise->work && isSameExercise(each.tab->document.file().assigned, assigned);
+  };
+  const auto found = std::find_if(m_works.rbegin(), m_works.rend(), isMeant);
+  return found == m_works.rend() ? nullptr : &*found;
+}
+
+void RunningAttempt::begin(const DocumentTab& from) {
+  const auto exercise = std::static_pointer_cast<const ExerciseSnapshot>(from.document.snapshot());
+  Attempt attempt = exercise->attempt.value_or(Attempt());
+  attempt.handedIn.clear();
+  if (attempt.begun.empty()) attempt.begun = presentTime();
+  const AssignedExercise assigned = assignmentOf(*exercise, attempt);
+  m_isDockWanted = true;
+  if (const Work* const work = begunFrom(exercise, assigned)) return m_parts.tabs.setCurrent(work->tab);
+
+  const DocumentKind* kind = m_parts.kinds.withId(exercise->subject->kind().id());
   OpenedFile opened = DocumentKinds::blank(*kind);
-  opened.content = m_exercise->work ? m_exercise->work : m_exercise->subject->start(*m_exercise->task);
-  m_work = nullptr;
-  DocumentTab* work = m_parts.openDocument(std::move(opened));
-  m_work = work;
-  showDock();
-  showLesson();
-  follow(m_parts.tabs.current());
+  opened.content = exercise->work ? exercise->work : exercise->subject->start(*exercise->task);
+  opened.file.assigned = assigned;
+  if (exercise->work) opened.file.recordings = from.document.file().recordings;
+  DocumentTab* const tab = m_parts.openDocument(std::move(opened));
+  follow(tab);
+  if (Work* const work = find(tab)) work->origin = exercise;
   emit changed();
 }
 
-void RunningAttempt::showDock() {
-  if (!m_dock) return;
-  m_dock->show();
-  m_dock->raise();
+// Reads the exercise that a document is work on. False: it is none, or one that cannot be read.
+bool RunningAttempt::take(DocumentTab* tab) {
+  if (!tab->document.file().assigned) return false;
+  auto exercise = exerciseOf(exerciseKind(m_parts.kinds), tab->document.file().assigned);
+  if (!exercise || (*exercise)->subject->kind().id() != tab->document.kind().id()) {
+    const QString title = tr("The exercise that %1 belongs to cannot be read").arg(tab->document.name());
+    fail(title, exercise ? Error{ErrorCode::ElementMalformed, {"exercise", "it is of another kind"}, {}, {}}
+                         : exercise.error());
+    return false;
+  }
+  const Attempt attempt = (*exercise)->attempt.value_or(Attempt());
+  m_works.push_back({tab, std::move(*exercise), attempt, nullptr, attempt.seconds});
+  emit changed();
+  return true;
 }
 
-void RunningAttempt::showLesson() {
-  if (m_exercise) m_lesson->setExercise(m_exercise->exercise, m_attempt, isRunning());
-}
-
-void RunningAttempt::setDone(std::size_t step, bool isDone) {
-  m_attempt.done.resize(std::max(m_attempt.done.size(), step + 1));
-  m_attempt.done[step] = isDone;
-}
-
-void RunningAttempt::follow(DocumentTab* current) {
-  if (m_work && current == m_work) {
-    if (m_clock.isActive()) return;
+void RunningAttempt::follow(DocumentTab* tab) {
+  if (m_isCurrent && m_works.back().tab == tab) return;
+  if (m_clock.isActive()) tick();
+  m_clock.stop();
+  if (m_isCurrent && m_dock) m_isDockWanted = !m_dock->isHidden();
+  m_isCurrent = tab && (find(tab) || take(tab));
+  if (m_isCurrent) {
+    const auto place = m_works.begin() + (find(tab) - m_works.data());
+    std::rotate(place, place + 1, m_works.end());
+    m_lesson->setExercise(*m_works.back().exercise, m_works.back().attempt, true);
     m_since.start();
     m_clock.start(kTickMs);
-  } else {
-    if (m_clock.isActive()) tick();
-    m_clock.stop();
   }
+  showDock(m_isCurrent && m_isDockWanted);
+}
+
+void RunningAttempt::forget(DocumentTab* tab) {
+  Work* const work = find(tab);
+  if (!work) return;
+  m_parts.jobs.cancelOf(tab);
+  if (work == current()) {
+    m_clock.stop();
+    m_isCurrent = false;
+    showDock(false);
+  }
+  m_works.erase(m_works.begin() + (work - m_works.data()));
+  emit changed();
+}
+
+void RunningAttempt::showDock(bool isShown) {
+  if (!m_dock) return;
+  m_dock->setVisible(isShown);
+  if (isShown) m_dock->raise();
+}
+
+// isChange: that it is not in the file yet is worth a question before it is closed.
+void RunningAttempt::store(Work& work, bool isChange) {
+  if (isChange) work.secondsInFile = work.attempt.seconds;
+  work.tab->document.assign(withAttempt(work.tab->document.file().assigned, work.attempt), isChange);
+}
+
+void RunningAttempt::setDone(Work& work, std::size_t step, bool isDone) {
+  work.attempt.done.resize(std::max(work.attempt.done.size(), step + 1));
+  work.attempt.done[step] = isDone;
 }
 
 void RunningAttempt::tick() {
-  m_attempt.seconds += static_cast<double>(m_since.restart()) / 1000.0;
-  m_lesson->setSeconds(m_attempt.seconds, m_exercise->exercise.allowedSeconds);
+  Work* const work = current();
+  if (!work) return;
+  const double seconds = work->attempt.seconds + static_cast<double>(m_since.restart()) / 1000.0;
+  work->attempt.seconds = std::min(seconds, Exercise::kLongestTime);
+  store(*work, work->attempt.seconds - work->secondsInFile >= kSecondsWorthAsking);
+  m_lesson->setSeconds(work->attempt.seconds, work->exercise->exercise.allowedSeconds);
 }
 
 void RunningAttempt::measure() {
-  if (!m_work) return;
+  Work* const measured = current();
+  if (!measured) return;
   Job job;
   job.name = tr("Measuring");
-  job.owner = &m_work->document;
-  job.work = [this, exercise = m_exercise, work = m_work->document.snapshot(), attempt = m_attempt](Progress progress) {
+  job.owner = measured->tab;
+  job.work = [this, tab = measured->tab, exercise = measured->exercise, work = measured->tab->document.snapshot(),
+              attempt = measured->attempt](Progress progress) {
     auto marking = std::make_shared<Marking>(markWork(*exercise, *work, attempt, progress));
-    return Job::Finish([this, exercise, marking] {
-      if (exercise != m_exercise) return;
+    return Job::Finish([this, tab, exercise, marking] {
+      Work* const now = find(tab);
+      if (!now) return;
       for (std::size_t i = 0; i < exercise->exercise.steps.size(); ++i) {
         const ExerciseStep& step = exercise->exercise.steps[i];
-        if (!step.criteria.empty()) setDone(i, isMet(step, *marking));
+        if (!step.criteria.empty()) setDone(*now, i, isMet(step, *marking));
       }
-      m_lesson->setMeasured(exercise->exercise, *marking);
+      store(*now, true);
+      if (now == current()) m_lesson->setMeasured(exercise->exercise, *marking);
     });
   };
   m_parts.jobs.start(std::move(job));
 }
 
-// What is handed in is a document, which is saved where the student chooses.
-void RunningAttempt::handIn(const QString& student) {
-  if (!m_work) return;
-  if (m_clock.isActive()) tick();
-  Attempt attempt = m_attempt;
-  attempt.student = student.toStdString();
-  Result<ExerciseSnapshot> submission = handedIn(*m_exercise, m_work->document.snapshot(), std::move(attempt));
-  if (!submission) {
-    emit message({Message::Weight::Error, tr("It could not be handed in"), errorSentence(submission.error()),
-                  errorAdvice(submission.error())});
+void RunningAttempt::handIn() {
+  auto* dialog = new QFileDialog(m_parts.window, tr("Hand in"), QString(),
+                                 tr("Handwheel documents (%1)").arg(QStringLiteral("*.handwheel")));
+  dialog->setObjectName(QStringLiteral("handInDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("handwheel"));
+  connect(dialog, &QFileDialog::fileSelected, this, &RunningAttempt::writeSubmission);
+  dialog->open();
+}
+
+// It is handed in once the file is there, and not before.
+void RunningAttempt::writeSubmission(const QString& path) {
+  Work* const work = current();
+  if (!work) return;
+  if (m_parts.tabs.withPath(path)) {
+    emit message({Message::Weight::Error, tr("It could not be handed in"),
+                  tr("%1 is open, and would be replaced.").arg(QFileInfo(path).fileName()),
+                  tr("Choose another name for the file.")});
     return;
   }
-  const DocumentKind* kind = m_parts.kinds.withId("exercise");
-  OpenedFile opened = DocumentKinds::blank(*kind);
-  opened.file.recordings = m_work->document.file().recordings;
-  opened.content = std::make_shared<const ExerciseSnapshot>(std::move(submission.value()));
-  m_parts.openDocument(std::move(opened));
-  m_parts.saveAs->trigger();
+  tick();
+  Job job;
+  job.name = tr("Handing in");
+  job.owner = work->tab;
+  job.lane = Job::Lane::Saving;
+  const auto failed = [this](const Error& error) { fail(tr("It could not be handed in"), error); };
+  job.failed = failed;
+  job.work = [this, path, failed, exercise = work->exercise, content = work->tab->document.snapshot(),
+              attempt = work->attempt, kind = m_parts.kinds.withId("exercise"),
+              recordings = work->tab->document.file().recordings](Progress progress) -> Job::Finish {
+    const Result<ExerciseSnapshot> made = handedIn(*exercise, content, attempt);
+    OpenedFile opened = DocumentKinds::blank(*kind);
+    opened.file.recordings = recordings;
+    const std::filesystem::path file = QFile::encodeName(path).toStdString();
+    const Result<WrittenFile> written =
+        made ? saveDocument(*kind, opened.file, *made, file, progress) : Result<WrittenFile>(made.error());
+    if (!written) return [failed, error = written.error()] { failed(error); };
+    return [this, path, student = QString::fromStdString(attempt.student)] {
+      emit message({Message::Weight::Info, tr("Handed in by %1").arg(student),
+                    tr("The work is in %1.").arg(QFileInfo(path).fileName()), tr("Give that file to your teacher.")});
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void RunningAttempt::fail(const QString& title, const Error& error) {
+  emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error)});
 }
 
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <QWidget>
 
 class QDockWidget;
 
@@ -14,40 +15,55 @@ namespace handwheel {
 
 class ExerciseLesson;
 
-// A student's attempt at an exercise while it is done: the document that is worked on, the steps beside it, the time.
-// The time runs while that document is the current one.
+// The documents that are work on an exercise, and the panel with the steps beside the current one. Exercise and attempt
+// are kept in the document of the work, and so in its file and its autosave: who opens it goes on. The time runs while
+// the document is the current one.
 class RunningAttempt : public QObject {
   Q_OBJECT
 
  public:
   RunningAttempt(const WindowContext& parts, QObject* parent);
 
-  // Opens what the student begins with, or continues with. exercise: of a student's or a teacher's document.
-  void begin(std::shared_ptr<const ExerciseSnapshot> exercise);
-  bool isRunning() const { return m_work != nullptr; }
-  // The document that is worked on; null: none.
-  const DocumentTab* work() const { return m_work; }
-  const ExerciseSnapshot* exercise() const { return m_exercise.get(); }
+  // Opens what the student begins with, or continues with; shows the work that was begun from the same before. from: a
+  // student's or a teacher's document.
+  void begin(const DocumentTab& from);
+  // The work on the exercise with this key that was current last; null: none is open.
+  const DocumentTab* workOn(const std::string& key) const;
 
  signals:
-  void changed();
+  void changed();  // which work there is
   void message(const handwheel::Message& message);
 
  private:
-  void showDock();
-  void showLesson();
-  void setDone(std::size_t step, bool isDone);
-  void follow(DocumentTab* current);
+  struct Work {
+    DocumentTab* tab;
+    std::shared_ptr<const ExerciseSnapshot> exercise;  // as the student has it
+    Attempt attempt;
+    std::shared_ptr<const ExerciseSnapshot> origin;  // that it was begun from in this window; null: from a file
+    double secondsInFile = 0.0;
+  };
+  Work* find(const DocumentTab* tab);
+  Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
+  Work* begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise, const AssignedExercise& assigned);
+  void connectLesson();
+  void follow(DocumentTab* tab);
+  bool take(DocumentTab* tab);
+  void forget(DocumentTab* tab);
+  void showDock(bool isShown);
+  void store(Work& work, bool isChange);
+  void setDone(Work& work, std::size_t step, bool isDone);
   void tick();
   void measure();
-  void handIn(const QString& student);
+  void handIn();
+  void writeSubmission(const QString& path);
+  void fail(const QString& title, const Error& error);
 
   WindowContext m_parts;
   QDockWidget* m_dock = nullptr;
   ExerciseLesson* m_lesson;
-  std::shared_ptr<const ExerciseSnapshot> m_exercise;
-  DocumentTab* m_work = nullptr;
-  Attempt m_attempt;
+  std::vector<Work> m_works;  // the one that was current last is the last
+  bool m_isCurrent = false;   // the last of them is the current document
+  bool m_isDockWanted = true;
   QElapsedTimer m_since;
   QTimer m_clock;
 };

@@ -16,11 +16,15 @@ using namespace handwheel::test;
 namespace {
 
 std::vector<LessonStep> shoulderSteps() {
-  return {{"Clamp the bar", "Choose the chuck and clamp the bar by 30 mm.", "The chuck is in the panel Machine.",
-           LessonStep::State::Open, true},
-          {"Touch off", "Turn the cross slide until the tool touches the bar, then set its dial to zero.",
-           "A double click on the dial sets it to zero. Turn slowly: Ctrl turns by a tenth of a division."},
-          {"Turn the shoulder", "Turn to 30 mm over a length of 20 mm.", "Two passes of 1 mm are better than one."},
+  return {{"Clamp the bar",
+           "Choose the chuck and clamp the bar by 30 mm.",
+           {"The chuck is in the panel Machine."},
+           LessonStep::State::Open,
+           true},
+          {"Touch off",
+           "Turn the cross slide until the tool touches the bar, then set its dial to zero.",
+           {"A double click on the dial sets it to zero.", "Turn slowly: Ctrl turns by a tenth of a division."}},
+          {"Turn the shoulder", "Turn to 30 mm over a length of 20 mm.", {"Two passes of 1 mm are better than one."}},
           {"Check it", "Compare the drawing.", {}}};
 }
 
@@ -109,6 +113,22 @@ void LessonPanelTest::hintsOnDemand() {
   bench.part<QListWidget>("lessonSteps")->setCurrentRow(3);
   QVERIFY(!bench.isSeen("lessonAskHint"));  // it has none
   QCOMPARE(hints.size(), 1);
+  // Of two, one at a time.
+  bench.part<QListWidget>("lessonSteps")->setCurrentRow(1);
+  auto* ask = bench.part<QPushButton>("lessonAskHint");
+  QTest::mouseClick(ask, Qt::LeftButton);
+  QCOMPARE(bench.text("lessonHint"), QString("A double click on the dial sets it to zero."));
+  QVERIFY(ask->isVisible());
+  QTest::mouseClick(ask, Qt::LeftButton);
+  QVERIFY(bench.text("lessonHint").endsWith("a tenth of a division.") && !ask->isVisible());
+  QCOMPARE(hints.size(), 3);
+  QCOMPARE(hints[1], QList<QVariant>({1, 1}));
+  QCOMPARE(hints[2], QList<QVariant>({1, 2}));
+  // Who goes on sees those again that were asked for.
+  std::vector<LessonStep> again = shoulderSteps();
+  again[0].shownHints = 5;
+  bench.panel.setLesson("Goes on", again);
+  QVERIFY(bench.panel.isHintShown() && !ask->isVisible());
   bench.panel.setLesson("Once more", shoulderSteps());
   QVERIFY(!bench.panel.isHintShown());
 }

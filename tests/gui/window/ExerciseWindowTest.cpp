@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "haptics/TurningWindow.h"
 
 #include <QDockWidget>
 #include <QFile>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QTabWidget>
 
@@ -22,6 +23,23 @@ Widget* partOfLesson(WindowDriver& driver, const char* lesson, const char* name)
   return widget;
 }
 
+// Begins the exercise with this command, seen from the front with the turning tool in use.
+bool beginTurning(TurningWindow& turning, const char* command) {
+  turning.driver.choose(command);
+  if (!turning.driver.settle()) return false;
+  turning.driver.choose("beginExercise");
+  if (!turning.driver.settle()) return false;
+  turning.view->setStandardView(StandardView::Front);
+  if (!QTest::qWaitFor([&] { return turning.view->isPickingReady(); }, kPatienceMs)) return false;
+  turning.driver.find<QAction>("turnTool")->trigger();
+  QSize before;  // the settings of the tool take room from the view
+  do {
+    before = turning.view->size();
+    QTest::qWait(200);
+  } while (turning.view->size() != before);
+  return turning.driver.settle();
+}
+
 QString labelsOf(QWidget* widget) {
   QString text;
   for (const QLabel* label : widget->findChildren<QLabel*>()) text += label->text() + QLatin1Char('\n');
@@ -35,20 +53,26 @@ class ExerciseWindowTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void init() { QSettings().clear(); }
+
   void aLessonOpensItsBar() {
     WindowDriver driver;
     driver.click("lessonTile");
     QVERIFY(driver.settle());
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Exercise"));
     QVERIFY(!driver.find<QDockWidget>("lessonDock")->isVisible());
+    // Who reads the task knows the sizes.
+    QVERIFY2(labelsOf(driver.find<QWidget>("exercisePage")).contains(QStringLiteral("⌀30 ±0.5: 29.5 … 30.5 mm")),
+             qPrintable(labelsOf(driver.find<QWidget>("exercisePage"))));
     QTest::mouseClick(partOfLesson<QPushButton>(driver, "exercisePage", "lesson/begin"), Qt::LeftButton);
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 2);
     auto* lesson = driver.find<QWidget>("exerciseLesson");
     QTRY_VERIFY(lesson->isVisible());
     QVERIFY(driver.text("figures").contains(QStringLiteral("40")));
+    QVERIFY(labelsOf(lesson).contains(QStringLiteral("⌀30 ±0.5: 29.5 … 30.5 mm")));
 
-    // A step that the person does, with its hint; the next one is current then.
+    // A step that the person does, with one hint after another.
     auto* steps = partOfLesson<QListWidget>(driver, "exerciseLesson", "lessonSteps");
     QCOMPARE(steps->count(), 5);
     steps->setCurrentRow(1);
@@ -56,6 +80,10 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(hint->isVisible());
     hint->click();
     QTRY_VERIFY(labelsOf(lesson).contains("Begin beyond its end"));
+    QVERIFY(!labelsOf(lesson).contains("takes a pass back") && hint->isVisible());
+    hint->click();
+    QTRY_VERIFY(labelsOf(lesson).contains("takes a pass back"));
+    QVERIFY(!hint->isVisible());
 
     // The bar is too thick yet.
     partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/measure")->click();
@@ -64,6 +92,45 @@ class ExerciseWindowTest : public QObject {
     QVERIFY2(labelsOf(lesson).contains("above the upper limit"), qPrintable(labelsOf(lesson)));
 
     QVERIFY(!partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
+  }
+
+  // The work is a document: saved and opened another day, the lesson goes on with its hints, its time and its name.
+  void theNextDay() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("work.handwheel");
+    {
+      WindowDriver driver;
+      driver.click("lessonTile");
+      QVERIFY(driver.settle());
+      driver.choose("beginExercise");
+      QVERIFY(driver.settle());
+      partOfLesson<QListWidget>(driver, "exerciseLesson", "lessonSteps")->setCurrentRow(1);
+      partOfLesson<QPushButton>(driver, "exerciseLesson", "lessonAskHint")->click();
+      QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "Ada");
+      // It is worth a question before it is closed.
+      auto* tabs = driver.window().findChild<DocumentTabs*>();
+      QVERIFY(tabs->current()->document.isModified());
+      // Begin goes to the work that there is.
+      driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+      QVERIFY(!driver.find<QDockWidget>("lessonDock")->isVisible());
+      driver.choose("beginExercise");
+      QVERIFY(driver.settle());
+      QCOMPARE(driver.tabs(), 2);
+      QVERIFY(driver.find<QDockWidget>("lessonDock")->isVisible());
+      driver.click("quickActions/saveFile");
+      QVERIFY(driver.enterFileName("saveDialog", path));
+      QVERIFY(driver.settle());
+      QVERIFY(!tabs->current()->document.isModified());
+    }
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QTRY_VERIFY(driver.find<QDockWidget>("lessonDock")->isVisible());
+    QCOMPARE(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name")->text(), QStringLiteral("Ada"));
+    QVERIFY(partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
+    auto* lesson = driver.find<QWidget>("exerciseLesson");
+    partOfLesson<QListWidget>(driver, "exerciseLesson", "lessonSteps")->setCurrentRow(1);
+    QVERIFY(labelsOf(lesson).contains("Begin beyond its end"));
+    QVERIFY(!labelsOf(lesson).contains("takes a pass back"));
   }
 
   void handedInAndMarked() {
@@ -77,26 +144,102 @@ class ExerciseWindowTest : public QObject {
     QTest::keyClicks(name, "Ada");
     auto* handIn = partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn");
     QVERIFY(handIn->isEnabled());
+    // Who thinks better of it has handed in nothing.
+    handIn->click();
+    auto* dialog = driver.find<QFileDialog>("handInDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    dialog->reject();
+    QVERIFY(driver.settle());
+    QVERIFY(driver.tabs() == 2 && !labelsOf(&driver.window()).contains("Handed in by"));
     handIn->click();
     const QString path = folder.filePath("ada.handwheel");
-    QVERIFY(driver.enterFileName("saveDialog", path));
+    QVERIFY(driver.enterFileName("handInDialog", path));
     QVERIFY(driver.settle());
-    QVERIFY(QFile::exists(path));
-    QCOMPARE(driver.tabs(), 3);
+    QTRY_VERIFY(QFile::exists(path));
+    QTRY_VERIFY(driver.text("messageText").contains("Handed in by Ada"));
+    QCOMPARE(driver.tabs(), 2);
 
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
     QVERIFY(driver.settle());
     driver.choose("markExercise");
     QVERIFY(driver.enterFileName("markDialog", path));
     QVERIFY(driver.settle());
-    auto* rows = driver.find<QTreeView>("classRows");
+    auto* rows = driver.find<QAbstractItemView>("classRows");
     QTRY_COMPARE(rows->model()->rowCount(), 1);
     QCOMPARE(rows->model()->index(0, 0).data().toString(), QStringLiteral("Ada"));
     QVERIFY(rows->isVisible());
+    // Another document for a moment, and the class is there still.
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(1);
+    QVERIFY(driver.settle());
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    QCOMPARE(rows->model()->rowCount(), 1);
     driver.click("classReport");
     const QString report = folder.filePath("class.html");
     QVERIFY(driver.enterFileName("classFileDialog", report));
+    QVERIFY(driver.settle());
     QTRY_VERIFY(QFile::exists(report));
+    QFile file(report);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray html = file.readAll();
+    QVERIFY(html.contains("Ada") && html.contains("0 / 15") && html.contains("data:image/png;base64,"));
+  }
+
+  // A pass by the mouse: the marks are those of the radii that the part has.
+  void turnedHandedInAndMarked() {
+    const QTemporaryDir folder;
+    TurningWindow turning;
+    WindowDriver& driver = turning.driver;
+    QVERIFY(beginTurning(turning, "exercise/first-lesson-teacher"));
+    turning.drag(turning.pixelOf(16.1, 84.0), turning.pixelOf(16.1, 51.0));
+    QVERIFY(turning.workpiece().part);
+    QVERIFY(driver.settle());
+    double largest = 0.0;
+    for (double z = 53.0; z <= 79.0; z += 0.05) largest = std::max(largest, 2.0 * turning.radiusAt(z));
+    double least = 100.0;
+    for (double z = 53.0; z <= 79.0; z += 0.05) least = std::min(least, 2.0 * turning.radiusAt(z));
+    const double worst = largest - 30.0 >= 30.0 - least ? largest : least;
+    const double beyond = std::max({0.0, 29.5 - worst, worst - 30.5});
+    const double expected = 10.0 * std::max(0.0, 1.0 - beyond / 0.2);  // "No points this far beyond"
+
+    QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "Ada");
+    partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->click();
+    const QString path = folder.filePath("ada.handwheel");
+    QVERIFY(driver.enterFileName("handInDialog", path));
+    QVERIFY(driver.settle());
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    driver.choose("markExercise");
+    QVERIFY(driver.enterFileName("markDialog", path));
+    QVERIFY(driver.settle());
+    const QAbstractItemModel* rows = driver.find<QAbstractItemView>("classRows")->model();
+    QTRY_COMPARE(rows->rowCount(), 1);
+    int column = 0;
+    while (column < rows->columnCount() &&
+           rows->headerData(column, Qt::Horizontal).toString() != QStringLiteral("⌀30 ±0.5"))
+      ++column;
+    const double marked = rows->index(0, column).data().toString().toDouble();
+    QVERIFY2(std::abs(marked - expected) < 0.02, qPrintable(QStringLiteral("%1 for %2 mm").arg(marked).arg(worst)));
+  }
+
+  // "h10" becomes the limits that it stands for.
+  void aToleranceInTheEditor() {
+    WindowDriver driver;
+    driver.choose("newExercise");
+    QVERIFY(driver.settle());
+    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(1);
+    QMenu* menu = driver.find<QToolButton>("criteria/add")->menu();
+    emit menu->aboutToShow();
+    menu->actions().first()->trigger();  // a diameter
+    driver.edit("criterion.c1.nominal", "25");
+    driver.edit("criterion.c1.tolerance", "h10");
+    const auto field = [&](const char* property) {
+      return driver.find<QWidget>((QByteArray("property/criterion.c1.") + property).constData())
+          ->findChild<QLineEdit*>()
+          ->text();
+    };
+    QTRY_COMPARE(field("upper"), QStringLiteral("25"));
+    QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
   }
 
   // A teacher adds a mark and a step, changes them, and takes it back.

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/AtomicFile.h"
+#include "document/DocumentKind.h"
+#include "plot/PlotExport.h"
+#include "report/exercise/MarkingReport.h"
+#include "report/exercise/MarkingWords.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+#include <functional>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kPlotWidth = 640, kPlotHeight = 300;  // in pixels at 96 a inch
+constexpr double kSharpness = 2.0;                  // of the plots on paper
+
+// Makes the element of an image.
+using ImageElement = std::function<std::string(const QImage&, const std::string& name)>;
+
+std::string escaped(const std::string& text) {
+  return QString::fromStdString(text).toHtmlEscaped().toStdString();
+}
+
+Plot plotOf(const ReportCurve& curve) {
+  Plot plot;
+  plot.title = QString::fromStdString(curve.title);
+  plot.x = {QString::fromStdString(curve.x), QString::fromStdString(curve.xUnit)};
+  plot.y = {QString::fromStdString(curve.y), QString::fromStdString(curve.yUnit)};
+  for (const ReportCurve::Series& each : curve.series) {
+    PlotSeries series;
+    series.name = QString::fromStdString(each.name);
+    series.dotted = false;
+    for (const auto& [x, y] : each.points) series.points.emplace_back(x, y);
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+std::string cellsOf(const std::vector<std::string>& cells, const char* element) {
+  std::string html = "<tr>";
+  for (const std::string& cell : cells) html += std::string("<") + element + ">" + escaped(cell) + "</" + element + ">";
+  return html + "</tr>\n";
+}
+
+// The class on one page: the criteria are numbered, and named below. More of them than fit on paper stand with each
+// student only.
+std::string classTable(const ClassReport& report) {
+  constexpr std::size_t kMostOnPaper = 16;
+  ClassTable table(report.exercise);
+  for (const ReportedWork& work : report.works) table.add(work.row);
+  std::vector<std::size_t> columns = {ClassTable::Student, ClassTable::Minutes, ClassTable::Hints, ClassTable::Points,
+                                      ClassTable::Percent};
+  std::vector<std::string> headings;
+  for (const std::size_t column : columns) headings.push_back(table.heading(column));
+  const std::size_t criteria = table.columns() - ClassTable::FirstCriterion;
+  const bool fits = criteria <= kMostOnPaper;
+  for (std::size_t i = 0; fits && i < criteria; ++i) {
+    columns.push_back(ClassTable::FirstCriterion + i);
+    headings.push_back(std::to_string(i + 1));
+  }
+  std::string html =
+      "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\" width=\"100%\" "
+      "style=\"font-size: 8pt\">\n" +
+      cellsOf(headings, "th");
+  for (std::size_t row = 0; row < table.rows().size(); ++row) {
+    std::vector<std::string> cells;
+    for (const std::size_t column : columns) cells.push_back(table.cell(row, column));
+    if (cells.front().empty()) cells.front() = table.rows()[row].file;
+    html += cellsOf(cells, "td");
+  }
+  html += "</table>\n";
+  if (!fits) return html;
+  html += "<ol style=\"font-size: 8pt\">\n";
+  for (const MarkingCriterion& c : report.exercise.criteria) html += "<li>" + escaped(c.name) + "</li>\n";
+  return html + "</ol>\n";
+}
+
+std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
+                        const ImageElement& image) {
+  const ClassRow& row = work.row;
+  const std::string heading = row.attempt.student.empty() ? row.file : row.attempt.student;
+  std::string html = "<h2>" + escaped(heading) + "</h2>\n<p>File: " + escaped(row.file);
+  if (row.attempt.isHandedIn()) html += "<br/>Handed in: " + escaped(row.attempt.handedIn);
+  html += "</p>\n";
+  for (const std::string& remark : row.remarks) html += "<p><b>" + escaped(remark) + "</b></p>\n";
+  if (!row.problem.empty()) return html + "<p><b>Not marked: " + escaped(row.problem) + "</b></p>\n";
+  html += "<p><b>" + pointsText(row.marking) + "</b><br/>Time: " + minutesText(row.attempt.seconds) +
+          "; recorded: " + minutesText(work.details.seconds) +
+          ". Hints looked at: " + std::to_string(row.attempt.hintCount()) +
+          ".</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n"
+          "<tr><th>Criterion</th><th>Limits</th><th>Measured</th><th>Points</th><th>Reason</th></tr>\n";
+  for (const auto& cells : rowsOf(report, row.marking)) {
+    html += "<tr>";
+    for (const std::string& cell : cells) html += "<td>" + escaped(cell) + "</td>";
+    html += "</tr>\n";
+  }
+  html += "</table>\n";
+  if (!work.details.events.empty()) {
+    html += "<h3>Events</h3>\n<ul>\n";
+    for (const ReportEvent& event : work.details.events)
+      html += "<li>" + minutesText(event.seconds) + ": " + escaped(event.text.inEnglish()) + "</li>\n";
+    html += "</ul>\n";
+  }
+  for (std::size_t i = 0; i < work.details.curves.size(); ++i) {
+    const Plot plot = plotOf(work.details.curves[i]);
+    const QImage drawn = plotImage({&plot, 1}, {kPlotWidth, kPlotHeight}, ThemeKind::Light, kSharpness);
+    html += "<p>" + image(drawn, name + "-" + std::to_string(i)) + "</p>\n";
+  }
+  return html;
+}
+
+// The lines of a text, as they are.
+std::string linesOf(const std::string& text) {
+  std::string html = escaped(text);
+  for (std::size_t at = html.find('\n'); at != std::string::npos; at = html.find('\n', at))
+    html.replace(at, 1, "<br/>");
+  return html;
+}
+
+std::string bodyOf(const ClassReport& report, const ImageElement& image, Progress progress) {
+  std::string html = "<h1>" + escaped(report.exercise.title) + "</h1>\n";
+  if (!report.exercise.text.empty()) html += "<p>" + linesOf(report.exercise.text) + "</p>\n";
+  if (report.works.size() > 1) html += classTable(report);
+  for (std::size_t i = 0; i < report.works.size() && !progress.cancelled(); ++i) {
+    html += workSection(report, report.works[i], "work" + std::to_string(i), image);
+    progress.set(static_cast<double>(i + 1) / static_cast<double>(report.works.size()));
+  }
+  return html;
+}
+
+std::string base64Png(const QImage& picture) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  picture.save(&buffer, "PNG");
+  return buffer.data().toBase64().toStdString();
+}
+
+}  // namespace
+
+std::string htmlOf(const ClassReport& report, Progress progress) {
+  const auto image = [](const QImage& picture, const std::string& name) {
+    return "<img style=\"max-width: 100%\" width=\"" + std::to_string(kPlotWidth) + "\" alt=\"" + name +
+           "\" src=\"data:image/png;base64," + base64Png(picture) + "\"/>";
+  };
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>" +
+         escaped(report.exercise.title) +
+         "</title>\n<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; } "
+         "table { border-collapse: collapse; }</style></head>\n<body>\n" +
+         bodyOf(report, image, progress) + "</body>\n</html>\n";
+}
+
+std::string pdfOf(const ClassReport& report, Progress progress) {
+  QTextDocument document;
+  const auto image = [&](const QImage& picture, const std::string& name) {
+    document.addResource(QTextDocument::ImageResource, QUrl(QString::fromStdString(name)), picture);
+    return "<img src=\"" + name + "\" width=\"" + std::to_string(kPlotWidth) + "\"/>";
+  };
+  document.setHtml(QString::fromStdString(bodyOf(report, image, progress.part(0.0, 0.7))));
+  if (progress.cancelled()) return {};
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setTitle(QString::fromStdString(report.exercise.title));
+  document.print(&writer);
+  buffer.close();
+  return buffer.data().toStdString();
+}
+
+Status writeReport(const ClassReport& report, const std::filesystem::path& path, Progress progress) {
+  const std::string ending = path.extension().string();
+  if (ending != ".html" && ending != ".pdf") return unknownEnding(path, {".html", ".pdf"});
+  const Progress drawing = progress.part(0.0, 0.95);
+  const std::string bytes = ending == ".pdf" ? pdfOf(report, drawing) : htmlOf(report, drawing);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return writeFileAtomically(path, bytes, progress.part(0.95, 1.0));
+}
+
+}  // namespace handwheel
