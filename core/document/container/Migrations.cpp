@@ -54,8 +54,7 @@ std::span<const Migration> migrations() {
       // document of version 2 holds none.
       [](Container&) -> Status { return Done{}; },
       // A turned part may be bored: an older program would show it solid, and lose the bore when it saves. A document
-      // of
-      // version 3 has no bore, and the path of each pass in blobs of its own.
+      // of version 3 has no bore, and the path of each pass in blobs of its own.
       joinPasses,
   };
   return kChain;
