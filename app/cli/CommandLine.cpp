@@ -105,6 +105,14 @@ std::string_view firstSentence(std::string_view text) {
   return end == std::string_view::npos ? text : text.substr(0, end + 1);
 }
 
+// The text in a column: its lines after the first are indented as far.
+std::string inColumn(std::string_view text, std::size_t column) {
+  std::string lines(text);
+  for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 1))
+    lines.insert(at + 1, column, ' ');
+  return lines;
+}
+
 std::string overview(const Registered& registered) {
   std::string page =
       "Handwheel repairs scanned meshes, and prepares workpieces and robot cells.\n\n"
@@ -113,7 +121,7 @@ std::string overview(const Registered& registered) {
       "Commands:\n";
   for (const Command& command : allCommands(registered)) {
     const std::string name(command.spec.name);
-    page += "  " + name + std::string(11 - name.size(), ' ') + std::string(firstSentence(command.spec.summary)) + "\n";
+    page += "  " + name + std::string(11 - name.size(), ' ') + inColumn(firstSentence(command.spec.summary), 13) + "\n";
   }
   return page +
          "\n"

@@ -24,9 +24,14 @@ std::vector<std::string> namesOf(const std::vector<LoopResult>& loops) {
   return names;
 }
 
+// By which --keep-open, the steps and the report call it; nothing for one that is not of the input.
+std::string idOf(const LoopResult& loop) {
+  return loop.id < 0 ? std::string() : "id " + std::to_string(loop.id) + ", ";
+}
+
 std::string leftOpen(const LoopResult& loop, const std::string& name) {
-  const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
-  return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
+  return name + " (" + idOf(loop) + counted(loop.edges, "edge", "edges") +
+         ") stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
 }
 
 // To be said of what was wanted; nothing where all of it was done.
@@ -64,7 +69,9 @@ std::vector<std::string> patchWarnings(const RepairReport& repair) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const LoopResult& loop = repair.loops[i];
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
-    if (!warning.isEmpty()) lines.push_back(names[i] + ": look at its patch: " + warning.toStdString() + ".");
+    if (!warning.isEmpty())
+      lines.push_back(names[i] + " (" + idOf(loop) + counted(loop.edges, "edge", "edges") +
+                      "): look at its patch: " + warning.toStdString() + ".");
   }
   return lines;
 }

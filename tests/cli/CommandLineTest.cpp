@@ -17,8 +17,10 @@ class CommandLineTest : public QObject {
     const Ran overview = bench.run({"--help"});
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
-    for (const char* command : {"inspect", "repair", "convert", "picture", "new", "set", "measure", "compare",
-                                "decimate", "split", "merge", "section", "devices", "feel", "edit", "turn", "body"}) {
+    for (const char* command :
+         {"inspect",  "repair",    "convert",  "picture", "new",     "set",    "measure", "compare",
+          "decimate", "split",     "merge",    "section", "devices", "feel",   "edit",    "turn",
+          "body",     "recording", "exercise", "mark",    "program", "target", "train",   "force"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -27,8 +29,14 @@ class CommandLineTest : public QObject {
     }
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
-    const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;:()-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 20);
+    const QString table = QString(overview.out).section("Commands:\n", 1).section("\n\n", 0, 0) + '\n';
+    const QRegularExpression command("^  [a-z]+ ", QRegularExpression::MultilineOption);
+    const QRegularExpression entry("^  [a-z]+ +[A-Z][A-Za-z ,;:().'\n-]*?\\.$(?!\\n   )",
+                                   QRegularExpression::MultilineOption);
+    QCOMPARE(table.count(command), 24);
+    QCOMPARE(table.count(entry), 24);
+    for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
+      QVERIFY2(line.startsWith(QString(13, ' ')) || command.match(line).hasMatch(), qPrintable(line));
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
                                "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);

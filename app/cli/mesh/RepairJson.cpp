@@ -41,11 +41,6 @@ Json toJson(const SheetThickness& thickness) {
           {"thin_vertices", thickness.thinVertices}};
 }
 
-bool isOfSheet(FillFailure reason) {
-  return reason == FillFailure::Rim || reason == FillFailure::SheetIntersecting ||
-         reason == FillFailure::SheetTooThin || reason == FillFailure::SheetKeptOpen;
-}
-
 Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
   return {
@@ -131,10 +126,8 @@ HoleCounts countHoles(const RepairReport& repair) {
   HoleCounts counts;
   for (const LoopResult& loop : repair.loops) {
     if (loop.id < 0) continue;  // opened by the repair itself; what is still open is told apart
-    const bool isFilled = loop.outcome == LoopOutcome::Filled;
-    if (isFilled ? loop.method == FillMethod::ThickenedSheet : !loop.rim && isOfSheet(loop.reason)) continue;
     ++(loop.rim ? counts.sheetEdges : counts.holes);
-    (loop.rim ? counts.closedSheetEdges : counts.filled) += isFilled;
+    (loop.rim ? counts.closedSheetEdges : counts.filled) += loop.outcome == LoopOutcome::Filled;
   }
   return counts;
 }

@@ -17,8 +17,8 @@ nlohmann::ordered_json toJson(const RepairRun& run, const RepairRequest& request
 // "left-open"; "left" counts the defects that keep the file from being closed, and "reason" describes the first.
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request);
 
-// The holes of the input, and how many of them were filled. The outer edges of its sheets are counted apart; those that
-// a thickening closed are not counted.
+// The holes of the input, and how many of them were closed, be it by a patch or by thickening their sheet. The outer
+// edges of its sheets are counted apart.
 struct HoleCounts {
   std::size_t holes = 0;
   std::size_t filled = 0;

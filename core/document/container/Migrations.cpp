@@ -54,8 +54,7 @@ std::span<const Migration> migrations() {
       // document of version 2 holds none.
       [](Container&) -> Status { return Done{}; },
       // A turned part may be bored: an older program would show it solid, and lose the bore when it saves. A document
-      // of
-      // version 3 has no bore, and the path of each pass in blobs of its own.
+      // of version 3 has no bore, and the path of each pass in blobs of its own.
       joinPasses,
       // Passes may tell the speed of the spindle, and a part its crashes: an older program would mark both wrongly, and
       // lose the speeds when it saves. A document of version 4 has neither.

@@ -164,7 +164,6 @@ void SchemeSubdivisionTest::butterflyHasCubicPrecision() {
   QCOMPARE(inner, 5 * 4 * 2 + 4 * 4);  // edges of the 4 × 4 cells: along x, along y, and diagonals
 }
 
-// OpenMesh has tables up to 50 neighbours, without a check.
 // Area, volume, openness and the places of all vertices stay.
 void SchemeSubdivisionTest::midpointsLeaveTheSurface() {
   for (const TriangleSoup& soup :
@@ -212,6 +211,7 @@ void SchemeSubdivisionTest::midpointsOfSeamsAndNeedles() {
   QVERIFY(std::abs(test::volume(needle.compact().soup) - test::volume(ball)) < 1e-5);
 }
 
+// OpenMesh has tables up to 50 neighbours, without a check.
 void SchemeSubdivisionTest::hubs() {
   const HalfEdgeMesh before = surfaceOf(test::cylinder(5000, 1, 1.0, 1.0, true));
   const Box box = boundsOf(before);

@@ -88,7 +88,6 @@ void QuadricDecimationTest::toACount() {
   }
 }
 
-// Rounding must not hide that they cost nothing.
 // As a measurement with other samples finds it; nothing where only flat faces are joined.
 void QuadricDecimationTest::saysTheDistance() {
   const HalfEdgeMesh before = meshOfSoup(test::bumpySphere(4));
@@ -109,6 +108,7 @@ void QuadricDecimationTest::saysTheDistance() {
   QVERIFY(flat.largestDistance && *flat.largestDistance < 1e-12);
 }
 
+// Rounding must not hide that they cost nothing.
 void QuadricDecimationTest::flatFacesGoFirst() {
   HalfEdgeMesh mesh = meshOfSoup(cellCube(12));
   decimate(mesh, {.faces = 60, .method = kQuadric});
