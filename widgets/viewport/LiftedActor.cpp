@@ -4,6 +4,7 @@
 
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <string>
 
 namespace handwheel {
 
@@ -29,6 +30,12 @@ LiftedActor::LiftedActor(LayerProps& props, double lift) : m_props(props), m_lif
 void LiftedActor::setData(vtkPolyData* data) {
   m_mapper->SetInputData(data);
   m_props.show(m_actor, true);
+}
+
+void LiftedActor::drawOverAll() {
+  const std::string depth = std::to_string(1e-4 / (1.0 + m_lift));
+  m_actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Depth::Impl", true, "//VTK::Depth::Impl\n  gl_FragDepth = " + depth + ";\n", false);
 }
 
 void LiftedActor::prepare(const LayerFrame& frame) {
@@ -78,6 +85,16 @@ void StrokeActors::set(const std::vector<Stroke>& strokes, const Vec3& origin) {
   }
   dots.isEmpty() ? m_dots.hide() : m_dots.setData(dots.build(PolyDataBuilder::Kind::Points));
   segments.isEmpty() ? m_segments.hide() : m_segments.setData(segments.build(PolyDataBuilder::Kind::Segments));
+}
+
+void StrokeActors::drawOverAll() {
+  m_segments.drawOverAll();
+  m_dots.drawOverAll();
+}
+
+void StrokeActors::hide() {
+  m_segments.hide();
+  m_dots.hide();
 }
 
 void StrokeActors::prepare(const LayerFrame& frame) {

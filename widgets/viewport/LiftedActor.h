@@ -28,6 +28,8 @@ class LiftedActor {
   LiftedActor(LayerProps& props, double lift);
 
   void setData(vtkPolyData* data);
+  // Hides it behind nothing; of those drawn so, a higher one hides a lower one. To be called before it is drawn.
+  void drawOverAll();
   void hide() { m_props.show(m_actor, false); }
   void prepare(const LayerFrame& frame);
   vtkActor* actor() { return m_actor; }
@@ -57,6 +59,8 @@ class StrokeActors {
   StrokeActors(LayerProps& props, double lift, double width);
 
   void set(const std::vector<Stroke>& strokes, const Vec3& origin);
+  void drawOverAll();  // as LiftedActor
+  void hide();
   void prepare(const LayerFrame& frame);
 
  private:

@@ -151,7 +151,11 @@ void FileActions::fillRecentMenu() {
 }
 
 void FileActions::openPaths(const QStringList& paths) {
-  for (const QString& path : paths) m_loader.load(QFileInfo(path).absoluteFilePath());
+  for (const QString& path : paths) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const DocumentTab* const current = m_tabs.current();
+    if (!current || !current->ui.take(absolute)) m_loader.load(absolute);
+  }
 }
 
 QString FileActions::iconNameFor(const QString& path) const {
@@ -238,12 +242,29 @@ void FileActions::requestClose(DocumentTab* document, std::function<void()> then
   auto& waiting = m_closing[document];
   if (then) waiting.push_back(std::move(then));
   if (isUnderWay) return;
-  if (!document->document.isModified()) return endClosing(document, true);
-  m_tabs.setCurrent(document);
-  const auto ended = [this, document](bool isSaved) { endClosing(document, isSaved); };
-  askBeforeClosing(m_window, document->document.name(), [this, document, ended](CloseAnswer answer) {
-    if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, ended);
-    endClosing(document, answer == CloseAnswer::Discard);
+  decide(document, [this, document](bool isDecided) { endClosing(document, isDecided); });
+}
+
+bool FileActions::wouldLose(const DocumentTab& document) {
+  return document.document.isModified() || !document.ui.unsavedBeside(document).isEmpty();
+}
+
+// First about what is beside the document, then about itself.
+void FileActions::decide(DocumentTab* document, std::function<void(bool)> decided) {
+  if (wouldLose(*document)) m_tabs.setCurrent(document);
+  const auto decideItself = [this, document, decided](bool goesOn) {
+    if (!goesOn || !m_tabs.contains(document) || !document->document.isModified()) return decided(goesOn);
+    askBeforeClosing(m_window, document->document.name(), [this, document, decided](CloseAnswer answer) {
+      if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, decided);
+      decided(answer == CloseAnswer::Discard);
+    });
+  };
+  const QString beside = document->ui.unsavedBeside(*document);
+  if (beside.isEmpty()) return decideItself(true);
+  askBeforeClosing(m_window, beside, [this, document, decideItself](CloseAnswer answer) {
+    if (answer == CloseAnswer::Save && m_tabs.contains(document))
+      return document->ui.saveBeside(*document, decideItself);
+    decideItself(answer == CloseAnswer::Discard);
   });
 }
 
@@ -262,7 +283,7 @@ void FileActions::requestCloseAll(std::function<void()> then) {
 // Nothing is closed before the last answer: who cancels then keeps everything.
 void FileActions::decideNext(std::set<const DocumentTab*> discarded, std::function<void()> then) {
   const auto isUndecided = [&](const auto& open) {
-    return m_closing.contains(open.get()) || (open->document.isModified() && !discarded.contains(open.get()));
+    return m_closing.contains(open.get()) || (wouldLose(*open) && !discarded.contains(open.get()));
   };
   const auto& all = m_tabs.all();
   const auto next = std::find_if(all.begin(), all.end(), isUndecided);
@@ -276,15 +297,10 @@ void FileActions::decideNext(std::set<const DocumentTab*> discarded, std::functi
     return;
   }
   m_closing[document];  // a second wish to close it waits
-  m_tabs.setCurrent(document);
-  askBeforeClosing(m_window, document->document.name(), [=, this](CloseAnswer answer) mutable {
-    if (answer == CloseAnswer::Discard) discarded.insert(document);
-    const auto goOn = [=, this](bool isDecided) {
-      m_closing.erase(document);
-      if (isDecided) decideNext(discarded, then);
-    };
-    if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, goOn);
-    goOn(answer == CloseAnswer::Discard);
+  decide(document, [=, this](bool isDecided) mutable {
+    m_closing.erase(document);
+    discarded.insert(document);
+    if (isDecided) decideNext(discarded, then);
   });
 }
 

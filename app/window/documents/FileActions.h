@@ -63,8 +63,11 @@ class FileActions : public QObject {
   void askForName(DocumentTab* document, std::function<void(bool)> ended, bool asContainer = false);
   void offerAnotherName(DocumentTab* document, Message message);
   void offerContainer(DocumentTab* document, Message message);
+  static bool wouldLose(const DocumentTab& document);
+  // Asks what to do with what a document would lose. decided: false when the user cancels, or saving fails.
+  void decide(DocumentTab* document, std::function<void(bool)> decided);
   void endClosing(DocumentTab* document, bool close);
-  // discarded: documents whose changes the user discards.
+  // discarded: documents about which the user has decided.
   void decideNext(std::set<const DocumentTab*> discarded, std::function<void()> then);
   void followDocument();
   void fillRecentMenu();

@@ -107,6 +107,22 @@ class KindUi : public QObject {
   // To be called before a document is destroyed.
   virtual void forget(DocumentTab* document) { (void)document; }
 
+  // Opens a file beside the current document, such as a program that is to run on it; false: it is no such file.
+  virtual bool take(const QString& path) {
+    (void)path;
+    return false;
+  }
+  // What would be lost with a document and is not in it, such as the text of a program: its name. Empty: nothing.
+  virtual QString unsavedBeside(const DocumentTab& document) const {
+    (void)document;
+    return {};
+  }
+  // Saves that; ended: called with whether it is saved, which a person may have declined.
+  virtual void saveBeside(DocumentTab& document, std::function<void(bool isSaved)> ended) {
+    (void)document;
+    ended(true);
+  }
+
   virtual std::vector<StartAction> startActions() const { return {}; }
 
   // The properties of the current document, of this kind, that are in the list of its properties now.

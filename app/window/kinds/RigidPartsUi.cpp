@@ -42,6 +42,7 @@ void RigidPartsUi::setDocument(DocumentTab* document) {
     m_document->document.disconnect(this);
     m_layer->setParts({});
     m_replaced.reset();
+    m_instead.reset();
     m_model.reset();
   }
   m_document = document;
@@ -95,7 +96,13 @@ std::vector<QAction*> RigidPartsUi::panelActions() const {
 }
 
 void RigidPartsUi::showParts() {
-  m_layer->setParts((m_replaced ? m_replaced : m_model)->parts);
+  m_layer->setParts((m_replaced ? m_replaced : m_instead ? m_instead : m_model)->parts);
+}
+
+void RigidPartsUi::showInstead(const std::shared_ptr<const DisplayModel>& model) {
+  if (model == m_instead) return;
+  m_instead = model;
+  if (m_document) showParts();
 }
 
 void RigidPartsUi::setFelt(bool isFelt) {

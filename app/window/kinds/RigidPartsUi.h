@@ -44,6 +44,8 @@ class RigidPartsUi : public KindUi {
   // What is displayed of the document. By default what its kind says.
   virtual DisplayModel displayed(const Document& document) const;
   void show();  // after it changed
+  // Shows other parts in place of those of the document, unless a tool shows its own; null: the document's.
+  void showInstead(const std::shared_ptr<const DisplayModel>& model);
   PartsLayer& layer() { return *m_layer; }
   void refreshPanel();
   std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
@@ -60,6 +62,7 @@ class RigidPartsUi : public KindUi {
   bool m_isFelt = true;
   std::shared_ptr<const DisplayModel> m_model;     // of the document; null: none
   std::shared_ptr<const DisplayModel> m_replaced;  // by the tool; null: nothing
+  std::shared_ptr<const DisplayModel> m_instead;   // of showInstead()
   QPointer<PropertyList> m_panel;
   DocumentTab* m_document = nullptr;
 };

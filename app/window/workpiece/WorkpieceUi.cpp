@@ -59,11 +59,14 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_target(window, this),
       m_lathe(window, this),
       m_thread(window, this),
+      m_program(window, this),
       m_panel(makePanel()) {
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
     if (this->document()) show();
   });
+  connect(&m_program, &ProgramDock::message, this, &KindUi::message);
+  connect(&m_program, &ProgramDock::partShown, this, &WorkpieceUi::showInstead);
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
   // When the tool shows the change, too, and it is in the history.
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
@@ -85,10 +88,17 @@ void WorkpieceUi::setDocument(DocumentTab* document) {
   m_target.setDocument(document);
   m_thread.setDocument(document);
   RigidPartsUi::setDocument(document);
+  m_program.setDocument(document);
+}
+
+void WorkpieceUi::refreshVisibility() {
+  RigidPartsUi::refreshVisibility();
+  m_program.setVisible(document() && document()->visible);
 }
 
 void WorkpieceUi::forget(DocumentTab* document) {
   parts().jobs.cancelOf(document);
+  m_program.forget(document);
 }
 
 DisplayModel WorkpieceUi::displayed(const Document& document) const {

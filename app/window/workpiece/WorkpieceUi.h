@@ -7,6 +7,7 @@
 #include "window/workpiece/LatheView.h"
 #include "window/workpiece/TargetView.h"
 #include "window/workpiece/ThreadView.h"
+#include "window/workpiece/program/ProgramDock.h"
 
 namespace handwheel {
 
@@ -22,8 +23,16 @@ class WorkpieceUi : public RigidPartsUi {
   void setDocument(DocumentTab* document) override;
   void forget(DocumentTab* document) override;
   QWidget* panel() override { return m_panel; }
-  QList<QAction*> menu() override { return QList<QAction*>{m_thread.action()} + m_target.actions(); }
-  bool isSettled() const override { return RigidPartsUi::isSettled() && m_target.isSettled(); }
+  QList<QAction*> menu() override {
+    return QList<QAction*>{m_thread.action()} + m_target.actions() + QList<QAction*>{m_program.action()};
+  }
+  bool isSettled() const override { return RigidPartsUi::isSettled() && m_target.isSettled() && m_program.isSettled(); }
+  void refreshVisibility() override;
+  bool take(const QString& path) override { return m_program.take(path); }
+  QString unsavedBeside(const DocumentTab& document) const override { return m_program.unsavedOf(document); }
+  void saveBeside(DocumentTab& document, std::function<void(bool)> ended) override {
+    m_program.saveOf(document, std::move(ended));
+  }
   std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
@@ -47,6 +56,7 @@ class WorkpieceUi : public RigidPartsUi {
   TargetView m_target;
   LatheView m_lathe;
   ThreadView m_thread;
+  ProgramDock m_program;
   QPointer<QWidget> m_panel;
   bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+namespace handwheel {
+
+class NumberField;
+
+// Asks for some numbers; the window stays usable meanwhile. Deleted when closed.
+class NumbersDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  struct Number {
+    const char* name;  // of its field, for tests
+    QString label;
+    QString unit;  // "mm", "r/min"
+    double value, least, largest;
+    QString tip = {};
+  };
+  // button: what accepting does.
+  NumbersDialog(const QString& title, const QString& intro, const QString& button, std::vector<Number> numbers,
+                QWidget* parent);
+
+ signals:
+  void chosen(const std::vector<double>& values);  // in the order of the numbers; all within their limits
+
+ private:
+  std::vector<NumberField*> m_fields;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <QPointer>
+#include <functional>
+#include <map>
+#include <memory>
+
+class QDockWidget;
+class QStackedWidget;
+
+namespace handwheel {
+
+class PathLayer;
+class ProgramSession;
+struct DisplayModel;
+
+// The dock “Program” of workpieces: a page for each document, made when it is first shown, and what it shows in the
+// view while the dock is open. Window thread.
+class ProgramDock : public QObject {
+  Q_OBJECT
+
+ public:
+  ProgramDock(const WindowContext& parts, QObject* parent);
+  ~ProgramDock() override;
+
+  QAction* action() { return &m_toggle; }
+  void setDocument(DocumentTab* document);
+  void forget(DocumentTab* document);
+  void setVisible(bool isVisible);  // what is shown in the view, with the document
+  bool isSettled() const;
+
+  // Opens a program in the dock; false: it is none by its name.
+  bool take(const QString& path);
+  // The program whose text would be lost with a document; empty: none.
+  QString unsavedOf(const DocumentTab& document) const;
+  void saveOf(const DocumentTab& document, std::function<void(bool isSaved)> ended);
+
+ signals:
+  // What the view is to show in place of the document; null: the document.
+  void partShown(const std::shared_ptr<const handwheel::DisplayModel>& part);
+  void message(const handwheel::Message& message);
+
+ private:
+  void makeDock();
+  void open(bool isOpen);
+  void follow();
+  ProgramSession* present();
+  void show();
+
+  WindowContext m_parts;
+  QAction m_toggle;
+  bool m_isOpen = false;  // as the user wants it, for any workpiece
+  QPointer<QDockWidget> m_dock;
+  QPointer<QStackedWidget> m_pages;
+  std::shared_ptr<PathLayer> m_layer;
+  std::map<const DocumentTab*, std::unique_ptr<ProgramSession>> m_sessions;
+  DocumentTab* m_document = nullptr;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+
+#include <QString>
+#include <filesystem>
+
+namespace handwheel {
+
+// The text of a program as an editor has it, and how its file wrote it.
+struct ProgramFile {
+  QString text;             // lines end in '\n'
+  bool isLatin = false;     // ISO 8859-1 instead of UTF-8
+  bool hasReturns = false;  // lines end in "\r\n"
+};
+
+// What an editor can show without a wait; a run from the command line takes more.
+inline constexpr std::size_t kMostProgramBytes = std::size_t{4} << 20;
+
+// Errors: those of readFileBytes(), FileTooLarge. Blocks.
+Result<ProgramFile> readProgramFile(const std::filesystem::path& path, Progress progress);
+// As it was read; as UTF-8 where the text has other characters. Errors: those of writeFileAtomically(). Blocks.
+Status writeProgramFile(const std::filesystem::path& path, const ProgramFile& file, Progress progress);
+
+// Whether a name is that of a program: .ngc, .nc, .tap, .txt.
+bool isProgramName(const QString& path);
+QString programNameFilter();  // "*.ngc *.nc …"
+
+}  // namespace handwheel

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "machining/program/ProgramSetup.h"
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace handwheel {
+
+class NumberField;
+class ProgramEditor;
+class ProgramPlayer;
+
+// A line of the list below a program: an error, a collision, a note. A click on it jumps there.
+struct ProgramFinding {
+  enum class Weight { Note, Warning, Error };
+  Weight weight = Weight::Note;
+  int line = 0;    // of the program, from 1; 0: none
+  int column = 0;  // from 1; 0: the whole line
+  QString text;
+  std::optional<std::size_t> move;  // of the tool path, at whose end it is
+};
+
+// The widgets of a program: editor, dialect and nose, run and cut, findings, player. It decides nothing. Window thread.
+class ProgramPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  // What the buttons above the editor do.
+  struct Actions {
+    QAction *open, *save, *saveAs, *fromPasses, *cycles;
+  };
+  ProgramPanel(const Actions& actions, QWidget* parent = nullptr);
+
+  ProgramEditor& editor() { return *m_editor; }
+  ProgramPlayer& player() { return *m_player; }
+
+  QString name() const;  // of the file, with a sign where its text is not saved
+  void setName(const QString& name);
+  ProgramDialect dialect() const;
+  void setDialect(ProgramDialect dialect);  // without a signal
+  double nose() const;                      // mm
+  void setNose(double mm);                  // without a signal
+
+  // Also as marks in the editor.
+  void setFindings(std::vector<ProgramFinding> findings);
+  void setSummary(const QString& text);
+  // A run under way shows its progress (0…1) and can be cancelled.
+  void setRunning(bool isRunning);
+  void setProgress(double fraction);
+  void setCuttable(bool isCuttable, const QString& why);
+
+ signals:
+  void setupChanged();  // dialect or nose
+  void runRequested();
+  void cancelRequested();
+  void cutRequested();
+  void findingChosen(const handwheel::ProgramFinding& finding);
+  void dropped(const QString& path);
+  void saveRequested();  // by its key in the editor
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeFileRow(const Actions& actions);
+  QWidget* makeSetupRow();
+  QWidget* makeRunRow();
+  void chosen(int row);
+
+  ProgramEditor* m_editor;
+  ProgramPlayer* m_player;
+  QLabel* m_name;
+  QComboBox* m_dialect;
+  NumberField* m_nose;
+  QPushButton* m_run;
+  QPushButton* m_cancel;
+  QPushButton* m_cut;
+  QProgressBar* m_progress;
+  QLabel* m_summary;
+  QListWidget* m_list;
+  std::vector<ProgramFinding> m_findings;
+};
+
+}  // namespace handwheel

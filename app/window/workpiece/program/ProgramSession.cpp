@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The text of a program and its file. What is done with it: ProgramSessionRun.cpp and ProgramSessionMake.cpp.
+#include "window/workpiece/program/ProgramSession.h"
+
+#include "controls/program/ProgramEditor.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "machining/program/ProgramCheck.h"
+#include "machining/program/ProgramErrors.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "window/ActionToolTip.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/workpiece/program/ProgramPlayer.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTextCursor>
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kPauseMs = 500;  // after the last key, before the text is checked
+const auto kProgramFolderKey = QStringLiteral("program/folder");
+
+// Columns of errors count bytes of UTF-8, those of the editor characters.
+int columnIn(const QString& line, const std::string& bytes) {
+  int column = 0;
+  std::from_chars(bytes.data(), bytes.data() + bytes.size(), column);
+  if (column <= 0) return 0;
+  return static_cast<int>(QString::fromUtf8(line.toUtf8().left(column - 1)).size()) + 1;
+}
+
+ProgramFinding findingOf(const Error& error, const QTextDocument& text) {
+  ProgramFinding finding;
+  finding.weight = ProgramFinding::Weight::Error;
+  if (error.position.kind == InputPosition::Kind::Line) finding.line = static_cast<int>(error.position.value);
+  if (error.code == ProgramError::Refused && error.arguments.size() >= 4) {
+    finding.column = columnIn(text.findBlockByNumber(finding.line - 1).text(), error.arguments[0]);
+    finding.text = ProgramSession::tr("%1: %2. %3")
+                       .arg(QString::fromStdString(error.arguments[1]), QString::fromStdString(error.arguments[2]),
+                            QString::fromStdString(error.arguments[3]));
+    return finding;
+  }
+  Error bare = error;
+  bare.position = {};
+  finding.text = errorSentence(bare) + QLatin1Char(' ') + errorAdvice(bare);
+  return finding;
+}
+
+}  // namespace
+
+ProgramSession::ProgramSession(const WindowContext& parts, DocumentTab& document, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_document(document),
+      m_checks(JobRunner::Policy::Latest, parts.pool),
+      m_runs(JobRunner::Policy::Queue, parts.pool),
+      m_views(JobRunner::Policy::Queue, parts.pool),
+      m_files(JobRunner::Policy::Queue, parts.pool) {
+  prepareActions();
+  m_panel = new ProgramPanel({&m_open, &m_save, &m_saveAs, &m_fromPasses, &m_cycles}, parts.window);
+  m_panel->hide();
+  connectPanel();
+  connect(&document.document, &Document::changed, this, &ProgramSession::documentChanged);
+  m_pause.setSingleShot(true);
+  m_pause.setInterval(kPauseMs);
+  connect(&m_pause, &QTimer::timeout, this, &ProgramSession::check);
+  showName();
+  documentChanged();
+}
+
+ProgramSession::~ProgramSession() {
+  if (!m_panel) return;
+  m_panel->editor().document()->disconnect(this);
+  m_panel->editor().disconnect(this);
+  m_panel->player().disconnect(this);
+  delete m_panel;
+}
+
+void ProgramSession::prepareActions() {
+  const auto named = [](QAction& action, const char* name, const char* iconName, const QString& text,
+                        const QString& tip) {
+    action.setText(text);
+    prepare(action, name, iconName, tip);
+  };
+  named(m_open, "openProgram", "open", tr("&Open program…"), tr("Open a program: .ngc, .nc, .tap or .txt"));
+  named(m_save, "saveProgram", "save", tr("&Save program"), tr("Save the program in its file (Ctrl+S in the text)"));
+  named(m_saveAs, "saveProgramAs", "save-as", tr("Save program &as…"), tr("Save the program under another name"));
+  named(m_fromPasses, "programFromPasses", nullptr, tr("Program from &passes…"),
+        tr("Write the passes that cut this part as a program"));
+  named(m_cycles, "roughAndFinish", nullptr, tr("&Rough and finish…"),
+        tr("Write a program that makes the target from the part. It is simulated before it is shown."));
+  connect(&m_open, &QAction::triggered, this, &ProgramSession::askForFile);
+  connect(&m_save, &QAction::triggered, this, [this] { save({}); });
+  connect(&m_saveAs, &QAction::triggered, this, [this] { askForName({}); });
+  connect(&m_fromPasses, &QAction::triggered, this, &ProgramSession::askForPasses);
+  connect(&m_cycles, &QAction::triggered, this, &ProgramSession::askForCycles);
+}
+
+void ProgramSession::connectPanel() {
+  ProgramEditor& editor = m_panel->editor();
+  connect(editor.document(), &QTextDocument::contentsChanged, this, [this, text = editor.document()] {
+    if (std::exchange(m_revision, text->revision()) != text->revision()) textChanged();  // else it is coloured only
+  });
+  connect(editor.document(), &QTextDocument::modificationChanged, this, &ProgramSession::showName);
+  connect(&editor, &ProgramEditor::cursorLineChanged, this, [this](int line) {
+    if (!m_trial || m_panel->player().isPlaying()) return;
+    goTo(m_trial->steps().afterLine(static_cast<std::uint32_t>(line)));
+  });
+  connect(m_panel, &ProgramPanel::setupChanged, this, &ProgramSession::textChanged);
+  connect(m_panel, &ProgramPanel::runRequested, this, &ProgramSession::run);
+  connect(m_panel, &ProgramPanel::cancelRequested, &m_runs, &JobRunner::cancelAll);
+  connect(m_panel, &ProgramPanel::cutRequested, this, &ProgramSession::cut);
+  connect(m_panel, &ProgramPanel::findingChosen, this, &ProgramSession::choose);
+  connect(m_panel, &ProgramPanel::dropped, this, &ProgramSession::read);
+  connect(m_panel, &ProgramPanel::saveRequested, this, [this] { save({}); });
+  connect(&m_panel->player(), &ProgramPlayer::timeWanted, this, [this](double time) {
+    if (m_trial) goTo(m_trial->steps().at(time));
+  });
+  connect(&m_panel->player(), &ProgramPlayer::stepWanted, this, [this](bool isBack) {
+    if (!m_trial) return;
+    const ProgramSteps& steps = m_trial->steps();
+    goTo(isBack ? steps.previous(m_position) : steps.next(m_position));
+    showPlace();
+  });
+  connect(&m_runs, &JobRunner::progressed, this, [this] {
+    const std::vector<JobStatus> jobs = m_runs.jobs();
+    if (m_panel && !jobs.empty()) m_panel->setProgress(jobs.front().fraction);
+  });
+  connect(&m_runs, &JobRunner::changed, this, [this] {
+    if (m_panel) m_panel->setRunning(!m_runs.isIdle());
+  });
+}
+
+const WorkpieceDocument& ProgramSession::workpiece() const {
+  return static_cast<const WorkpieceDocument&>(m_document.document);
+}
+
+ProgramSetup ProgramSession::setup() const {
+  return usualSetup(m_panel->dialect(), workpiece().workpiece().stock, m_panel->nose());
+}
+
+bool ProgramSession::isSettled() const {
+  return !m_pause.isActive() && m_checks.isIdle() && m_runs.isIdle() && m_views.isIdle() && m_files.isIdle();
+}
+
+bool ProgramSession::isUnsaved() const {
+  const QTextDocument* const text = m_panel->editor().document();
+  return text->isModified() && (!text->isEmpty() || !m_path.isEmpty());
+}
+
+QString ProgramSession::fileName() const {
+  return m_path.isEmpty() ? tr("Untitled program") : QFileInfo(m_path).fileName();
+}
+
+void ProgramSession::showName() {
+  const bool isBlank = m_path.isEmpty() && m_panel->editor().document()->isEmpty();
+  m_panel->setName(isBlank ? QString() : isUnsaved() ? fileName() + QStringLiteral(" •") : fileName());
+}
+
+void ProgramSession::textChanged() {
+  forgetRun();
+  m_runs.cancelAll();
+  m_pause.start();
+  showName();
+}
+
+void ProgramSession::check() {
+  const std::string text = m_panel->editor().toPlainText().toStdString();
+  Job job;
+  job.name = tr("Checking the program");
+  job.work = [this, text, setup = setup()](Progress progress) -> Job::Finish {
+    return [this, problems = programProblems(text, setup, progress)] { checked(problems, false); };
+  };
+  m_checks.start(std::move(job));
+}
+
+void ProgramSession::checked(const std::vector<Error>& problems, bool isJumping) {
+  if (!m_panel || m_trial) return;
+  std::vector<ProgramFinding> findings;
+  for (const Error& each : problems) findings.push_back(findingOf(each, *m_panel->editor().document()));
+  const auto count = static_cast<int>(findings.size());
+  if (isJumping && count > 0) m_panel->editor().goTo(findings.front().line, std::max(1, findings.front().column));
+  m_panel->setFindings(std::move(findings));
+  m_panel->setSummary(count > 0 ? tr("%n error(s): the program does not run as it is.", nullptr, count) : QString());
+}
+
+void ProgramSession::fail(const QString& title, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return;
+  emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error)});
+}
+
+void ProgramSession::askForFile() {
+  auto* dialog =
+      new QFileDialog(m_parts.window, tr("Open a program"),
+                      QSettings().value(kProgramFolderKey, QFileInfo(m_document.document.path()).path()).toString(),
+                      tr("Programs (%1);;All files (*)").arg(programNameFilter()));
+  dialog->setObjectName(QStringLiteral("programDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &ProgramSession::read);
+  dialog->open();
+}
+
+void ProgramSession::read(const QString& path) {
+  Job job;
+  job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
+  job.failed = [this, path](const Error& error) {
+    fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), error);
+  };
+  job.work = [this, path, failed = job.failed](Progress progress) -> Job::Finish {
+    const Result<ProgramFile> file = readProgramFile(path.toStdString(), progress);
+    if (!file) return [failed, error = file.error()] { failed(error); };
+    return [this, path, read = *file] { taken(path, read); };
+  };
+  m_files.start(std::move(job));
+}
+
+void ProgramSession::taken(const QString& path, const ProgramFile& file) {
+  QSettings().setValue(kProgramFolderKey, QFileInfo(path).absolutePath());
+  if (const auto dialect = recognisedDialect(file.text.toStdString())) m_panel->setDialect(*dialect);
+  m_path = path;
+  m_file = file;
+  setText(file.text, m_panel->nose());
+  m_panel->editor().document()->setModified(false);
+  showName();
+  m_parts.log.add(tr("Program read from %1").arg(QFileInfo(path).fileName()));
+}
+
+// By the cursor, so that the editor can undo it.
+void ProgramSession::setText(const QString& text, double nose) {
+  m_panel->setNose(nose);
+  QTextCursor all(m_panel->editor().document());
+  all.select(QTextCursor::Document);
+  all.insertText(text);
+  m_panel->editor().goTo(1);
+}
+
+void ProgramSession::save(std::function<void(bool)> ended) {
+  if (m_path.isEmpty()) return askForName(std::move(ended));
+  write(m_path, std::move(ended));
+}
+
+void ProgramSession::askForName(std::function<void(bool)> ended) {
+  auto* dialog =
+      new QFileDialog(m_parts.window, tr("Save the program"),
+                      QSettings().value(kProgramFolderKey, QFileInfo(m_document.document.path()).path()).toString(),
+                      tr("Programs (%1);;All files (*)").arg(programNameFilter()));
+  dialog->setObjectName(QStringLiteral("saveProgramDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  const bool isFanuc = m_panel->dialect() == ProgramDialect::Fanuc;
+  dialog->setDefaultSuffix(isFanuc ? QStringLiteral("nc") : QStringLiteral("ngc"));
+  if (!m_path.isEmpty()) dialog->selectFile(m_path);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, ended](const QString& path) { write(path, ended); });
+  if (ended) connect(dialog, &QFileDialog::rejected, this, [ended] { ended(false); });
+  dialog->open();
+}
+
+void ProgramSession::write(const QString& path, std::function<void(bool)> ended) {
+  QSettings().setValue(kProgramFolderKey, QFileInfo(path).absolutePath());
+  ProgramFile file = m_file;
+  file.text = m_panel->editor().toPlainText();
+  const int revision = m_panel->editor().document()->revision();
+  Job job;
+  job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
+  job.lane = Job::Lane::Saving;
+  job.failed = [this, path, ended](const Error& error) {
+    fail(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
+    if (ended) ended(false);
+  };
+  job.work = [this, path, file, revision, ended, failed = job.failed](Progress progress) -> Job::Finish {
+    const Status written = writeProgramFile(path.toStdString(), file, progress);
+    if (!written) return [failed, error = written.error()] { failed(error); };
+    return [this, path, revision, ended] {
+      m_path = path;
+      if (m_panel->editor().document()->revision() == revision) m_panel->editor().document()->setModified(false);
+      showName();
+      m_parts.log.add(tr("Program saved as %1").arg(QFileInfo(path).fileName()));
+      if (ended) ended(true);
+    };
+  };
+  m_files.start(std::move(job));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "document/workpiece/ProgramTrial.h"
+#include "viewport/path/PathLayer.h"
+#include "window/JobRunner.h"
+#include "window/kinds/KindUi.h"
+#include "window/workpiece/program/ProgramFile.h"
+#include "window/workpiece/program/ProgramPanel.h"
+
+#include <QAction>
+#include <QPointer>
+#include <QTimer>
+
+namespace handwheel {
+
+class WorkpieceDocument;
+
+// What the view shows of a program that was run.
+struct ProgramPicture {
+  PathLayer::Lines lines;
+  std::vector<std::vector<Vec3>> tool;       // outlines
+  std::shared_ptr<const DisplayModel> part;  // as it is cut up to the line; null: as the document has it
+};
+
+// The program of one document: its text and file, its runs, and the place at which one looks. Window thread; runs are
+// jobs on what they were given.
+class ProgramSession : public QObject {
+  Q_OBJECT
+
+ public:
+  ProgramSession(const WindowContext& parts, DocumentTab& document, QObject* parent);
+  ~ProgramSession() override;
+
+  ProgramPanel* panel() { return m_panel; }
+  const ProgramPicture& picture() const { return m_picture; }
+  bool isSettled() const;
+  bool isUnsaved() const;
+  QString fileName() const;  // "shaft.ngc"
+
+  // Reads a program, and replaces the text by it, which the undo of the editor brings back.
+  void read(const QString& path);
+  void save(std::function<void(bool isSaved)> ended);
+
+ signals:
+  void pictureChanged();
+  void message(const handwheel::Message& message);
+
+ private:
+  const WorkpieceDocument& workpiece() const;
+  ProgramSetup setup() const;
+  void prepareActions();
+  void connectPanel();
+  // The text is another one, or is understood otherwise: what was found of it is over.
+  void textChanged();
+  void documentChanged();
+  void forgetRun();
+  void check();
+  void checked(const std::vector<Error>& problems, bool isJumping);  // to the first
+  void run();
+  void ran(ProgramTrial::Pointer trial, PathLayer::Lines lines);
+  void cut();
+  void setText(const QString& text, double nose);
+  void askForFile();
+  void taken(const QString& path, const ProgramFile& file);
+  void askForName(std::function<void(bool)> ended);
+  void write(const QString& path, std::function<void(bool)> ended);
+  void askForPasses();
+  void writePasses(double spindle);
+  void askForCycles();
+  void writeCycles(const std::vector<double>& numbers);
+  void offer(const std::string& text, double nose);
+  void showName();
+  void fail(const QString& title, const Error& error);
+
+  // Looking at a run.
+  void goTo(const ProgramPosition& position);
+  void showPlace();
+  void showPart();
+  void choose(const ProgramFinding& finding);
+  std::vector<ProgramFinding> findingsOf(const ProgramTrial& trial) const;
+  QString summaryOf(const ProgramTrial& trial) const;
+
+  WindowContext m_parts;
+  DocumentTab& m_document;
+  QAction m_open, m_save, m_saveAs, m_fromPasses, m_cycles;
+  QPointer<ProgramPanel> m_panel;
+  QString m_path;  // of the file; empty: none yet
+  ProgramFile m_file;
+  JobRunner m_checks, m_runs, m_views, m_files;
+  int m_revision = 0;  // of the text
+  QTimer m_pause;      // since the last change of the text
+
+  ProgramTrial::Pointer m_trial;  // null: the text was not run as it is
+  WorkpieceSnapshot m_start;      // of the trial
+  ProgramPosition m_position, m_shown;
+  bool m_isShowing = false;  // a job makes the part of a place
+  ProgramPicture m_picture;
+};
+
+}  // namespace handwheel

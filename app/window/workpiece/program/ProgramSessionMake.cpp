@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Programs that are written for the user: of passes, and for a target.
+#include "controls/program/ProgramEditor.h"
+#include "document/workpiece/PassesProgram.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "machining/TurningFidelity.h"
+#include "machining/program/CycleProgram.h"
+#include "panels/LogModel.h"
+#include "window/documents/DocumentTab.h"
+#include "window/fidelity/FidelityChoice.h"
+#include "window/workpiece/program/NumbersDialog.h"
+#include "window/workpiece/program/ProgramSession.h"
+
+namespace handwheel {
+
+void ProgramSession::askForPasses() {
+  auto* dialog = new NumbersDialog(
+      tr("Program from passes"),
+      tr("The passes that cut this part become a program in the chosen dialect. It is shown in the editor; "
+         "undo brings the present text back."),
+      tr("&Write"), {{"passesSpindle", tr("Spindle speed"), tr("r/min"), PassProgram().spindle, 1.0, kMostSpindle}},
+      m_parts.window);
+  dialog->setObjectName(QStringLiteral("passesDialog"));
+  connect(dialog, &NumbersDialog::chosen, this,
+          [this](const std::vector<double>& numbers) { writePasses(numbers.front()); });
+  dialog->open();
+}
+
+void ProgramSession::writePasses(double spindle) {
+  Job job;
+  job.name = tr("Writing the program");
+  job.failed = [this](const Error& error) { fail(tr("The passes cannot be written as a program"), error); };
+  job.work = [this, spindle, start = workpiece().workpiece(), dialect = m_panel->dialect(),
+              failed = job.failed](Progress) -> Job::Finish {
+    PassProgram how;
+    how.spindle = spindle;
+    const Result<PassesProgram> program = passesProgram(start, dialect, how);
+    if (!program) return [failed, error = program.error()] { failed(error); };
+    return [this, made = *program] { offer(made.text, made.nose); };
+  };
+  m_runs.start(std::move(job));
+}
+
+void ProgramSession::askForCycles() {
+  const CycleSettings usual;
+  auto* dialog = new NumbersDialog(
+      tr("Rough and finish"),
+      tr("Writes a program that makes the outside of the target from this part. It is simulated first, and refused "
+         "where it collides or cuts into the target."),
+      tr("&Write"),
+      {{"cyclesDepth", tr("Depth of cut"), tr("mm"), usual.depth, 0.02, 100.0, tr("Of a roughing cut, on the radius")},
+       {"cyclesAllowance", tr("Allowance"), tr("mm"), usual.allowance, 0.0, 10.0, tr("Left for the finishing cut")},
+       {"cyclesNose", tr("Nose radius"), tr("mm"), usual.nose, TurningPass::kLeastNose, TurningPass::kLargestNose},
+       {"cyclesRoughFeed", tr("Feed of roughing"), tr("mm/rev"), usual.roughFeed, 1e-3, 10.0},
+       {"cyclesFinishFeed", tr("Feed of finishing"), tr("mm/rev"), usual.finishFeed, 1e-3, 10.0},
+       {"cyclesSpeed", tr("Surface speed"), tr("m/min"), usual.speed, 1.0, 5000.0},
+       {"cyclesMostSpindle", tr("Greatest spindle speed"), tr("r/min"), usual.mostSpindle, 1.0, kMostSpindle}},
+      m_parts.window);
+  dialog->setObjectName(QStringLiteral("cyclesDialog"));
+  connect(dialog, &NumbersDialog::chosen, this, &ProgramSession::writeCycles);
+  dialog->open();
+}
+
+void ProgramSession::writeCycles(const std::vector<double>& numbers) {
+  CycleSettings settings;
+  double* const places[] = {&settings.depth,      &settings.allowance, &settings.nose,       &settings.roughFeed,
+                            &settings.finishFeed, &settings.speed,     &settings.mostSpindle};
+  std::size_t next = 0;
+  for (double* place : places) *place = numbers[next++];
+  const double spacing = m_parts.fidelity.values().of(turnSpacingSetting());
+  Job job;
+  job.name = tr("Writing and simulating the cycles");
+  job.failed = [this](const Error& error) { fail(tr("There are no cycles for this target"), error); };
+  job.work = [this, settings, spacing, start = workpiece().workpiece(), dialect = m_panel->dialect(),
+              failed = job.failed](Progress progress) -> Job::Finish {
+    if (!start.target) return {};
+    const TurnedProfile part = partOf(start, spacing).profile;
+    const CycleTask task{start.target->profile, start.stock, part, start.stock.position};
+    const Result<std::string> text = cycleProgram(task, dialect, settings, progress);
+    if (!text) return [failed, error = text.error()] { failed(error); };
+    return [this, made = *text, nose = settings.nose] { offer(made, nose); };
+  };
+  m_runs.start(std::move(job));
+}
+
+// It has no file yet: that of the text before stays as it is.
+void ProgramSession::offer(const std::string& text, double nose) {
+  m_path.clear();
+  m_file = {};
+  setText(QString::fromStdString(text), nose);
+  showName();
+  run();
+}
+
+}  // namespace handwheel

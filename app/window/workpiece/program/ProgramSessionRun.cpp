@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Running a program, cutting the work with it, and looking at its lines one by one.
+#include "controls/QuantityText.h"
+#include "controls/program/ProgramEditor.h"
+#include "document/workpiece/TurnedPartDisplay.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "machining/TurningFidelity.h"
+#include "machining/program/ProgramCheck.h"
+#include "machining/program/ProgramErrors.h"
+#include "viewport/Viewport.h"
+#include "viewport/camera/CameraNavigation.h"
+#include "window/documents/DocumentTab.h"
+#include "window/fidelity/FidelityChoice.h"
+#include "window/workpiece/program/ProgramPlayer.h"
+#include "window/workpiece/program/ProgramSession.h"
+#include "window/workpiece/program/ToolPathLines.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+double zeroOf(const StockCylinder& stock) {
+  return stock.position + stock.length;
+}
+
+bool isOfProgram(const Error& error) {
+  return error.code == ProgramError::Refused || error.code == ProgramError::Endless ||
+         error.code == ProgramError::TooManyMoves;
+}
+
+// The move of a collision: the first of its line that ends there.
+std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
+  const auto found = std::find_if(path.moves.begin(), path.moves.end(), [&](const ToolMove& move) {
+    return move.line == collision.line && move.to == collision.at;
+  });
+  return static_cast<std::size_t>(found - path.moves.begin());
+}
+
+}  // namespace
+
+void ProgramSession::forgetRun() {
+  if (!m_trial) return;
+  m_trial.reset();
+  m_picture = {};
+  m_panel->player().setDuration(0.0);
+  m_panel->editor().setCurrentLine(0);
+  m_panel->setCuttable(false, tr("Run the program first."));
+  m_panel->setSummary({});
+  m_panel->setFindings({});
+  emit pictureChanged();
+}
+
+// What was run on another part is over.
+void ProgramSession::documentChanged() {
+  const WorkpieceSnapshot& now = workpiece().workpiece();
+  m_fromPasses.setEnabled(now.part != nullptr);
+  m_cycles.setEnabled(now.target != nullptr);
+  const StockCylinder &a = m_start.stock, &b = now.stock;
+  const bool isSame = m_start.part == now.part && m_start.chord == now.chord && a.diameter == b.diameter &&
+                      a.length == b.length && a.position == b.position;
+  if (m_trial && !isSame) forgetRun();
+}
+
+void ProgramSession::run() {
+  forgetRun();
+  m_pause.stop();
+  m_checks.cancelAll();
+  m_start = workpiece().workpiece();
+  const std::string text = m_panel->editor().toPlainText().toStdString();
+  const double spacing = m_parts.fidelity.values().of(turnSpacingSetting());
+  Job job;
+  job.name = tr("Running the program");
+  job.failed = [this](const Error& error) {
+    fail(tr("The program could not be run"), error);
+    if (m_panel) m_panel->setSummary(error.code == ErrorCode::Cancelled ? tr("The run was cancelled.") : QString());
+  };
+  job.work = [this, text, spacing, start = m_start, setup = setup(),
+              failed = job.failed](Progress progress) -> Job::Finish {
+    auto trial = ProgramTrial::run(start, text, setup, spacing, nullptr, progress.part(0.0, 0.95));
+    if (!trial && isOfProgram(trial.error()))
+      return [this, problems = programProblems(text, setup, progress.part(0.95, 1.0))] { checked(problems, true); };
+    if (!trial) return [failed, error = trial.error()] { failed(error); };
+    const double dash = 0.02 * std::max(start.stock.diameter, start.stock.length);
+    const PathLayer::Lines lines = toolPathLines(trial.value()->path(), zeroOf(start.stock), dash);
+    return [this, made = trial.value(), lines] { ran(made, lines); };
+  };
+  m_runs.start(std::move(job));
+}
+
+void ProgramSession::ran(ProgramTrial::Pointer trial, PathLayer::Lines lines) {
+  m_trial = std::move(trial);
+  m_panel->setFindings(findingsOf(*m_trial));
+  m_panel->setSummary(summaryOf(*m_trial));
+  m_panel->setCuttable(m_trial->part() != nullptr, m_trial->part()
+                                                       ? tr("Cut the part as the program does: one step of the history")
+                                                       : tr("The program does not touch the part."));
+  m_panel->player().setDuration(m_trial->steps().duration());
+  m_picture.lines = std::move(lines);
+  m_shown = {};
+  goTo(m_trial->steps().end());
+}
+
+std::vector<ProgramFinding> ProgramSession::findingsOf(const ProgramTrial& trial) const {
+  std::vector<ProgramFinding> findings;
+  const LengthUnit unit = m_document.document.displayUnit();
+  for (const ProgramCollision& each : trial.collisions()) {
+    const auto length = [unit](double mm) {
+      return quantityText(std::round(mm * 1e3) / 1e3, Quantity::Length, unit, QLocale());
+    };
+    const QString what = each.kind == ProgramCollision::Kind::Chuck
+                             ? tr("collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.")
+                             : tr("collision: a rapid move through material, to ⌀ %1, Z %2.");
+    findings.push_back({ProgramFinding::Weight::Error, static_cast<int>(each.line), 0,
+                        what.arg(length(2.0 * each.at.x()), length(each.at.y())), moveOf(each, trial.path())});
+  }
+  for (const ToolPath::Note& note : trial.path().notes)
+    findings.push_back({ProgramFinding::Weight::Note, static_cast<int>(note.line), 0, QString::fromStdString(note.text),
+                        std::nullopt});
+  return findings;
+}
+
+QString ProgramSession::summaryOf(const ProgramTrial& trial) const {
+  const auto count = static_cast<int>(trial.collisionCount());
+  const QString collisions = count > 0 ? tr("%n collision(s).", nullptr, count) : tr("No collision.");
+  if (!trial.part()) return tr("The program does not touch the part. %1").arg(collisions);
+  return tr("Time with tool changes %1. It removes %2 mm³. %3")
+      .arg(programTime(trial.path().time), QLocale().toString(trial.removed(), 'f', 0), collisions);
+}
+
+void ProgramSession::cut() {
+  if (!m_trial || !m_trial->part()) return;
+  const QString text = m_path.isEmpty() ? tr("Run program") : tr("Run %1").arg(fileName());
+  const auto part = m_trial->part();
+  const QString done =
+      tr("Cut: %1 mm³ removed. Undo brings them back.").arg(QLocale().toString(m_trial->removed(), 'f', 0));
+  m_document.document.commit(text, std::make_unique<TurnedPartEdit>(part));
+  m_panel->setSummary(done);
+}
+
+// The tool at once, the part as soon as a worker has it.
+void ProgramSession::goTo(const ProgramPosition& position) {
+  m_position = position;
+  const ProgramSteps& steps = m_trial->steps();
+  m_panel->player().setTime(steps.timeAt(position));
+  m_panel->editor().setCurrentLine(static_cast<int>(steps.lineAt(position)));
+  if (!m_trial->path().moves.empty()) {
+    const ToolMove& move = steps.moveAt(position);
+    m_picture.tool = toolOutline(m_trial->setup().tool(move.tool), m_trial->setup().dialect, steps.tipAt(position),
+                                 zeroOf(m_start.stock));
+  }
+  showPart();
+  emit pictureChanged();
+}
+
+void ProgramSession::showPart() {
+  const bool isUpToDate = m_picture.part && m_shown == m_position;
+  if (m_isShowing || isUpToDate) return;
+  m_isShowing = true;
+  Job job;
+  job.name = tr("Cutting up to the line");
+  job.failed = [this](const Error&) { m_isShowing = false; };
+  job.work = [this, trial = m_trial, position = m_position, chord = m_start.chord,
+              base = m_start.stock.position](Progress progress) -> Job::Finish {
+    const std::optional<TurnedProfile> profile = trial->profileAt(position, progress);
+    std::shared_ptr<const DisplayModel> model;
+    if (profile) model = std::make_shared<const DisplayModel>(displayOf(TurnedSurface(*profile, chord), base));
+    return [this, trial, position, model] {
+      m_isShowing = false;
+      if (trial == m_trial) {
+        m_picture.part = model;
+        m_shown = position;
+        emit pictureChanged();
+      }
+      if (m_trial) showPart();
+    };
+  };
+  m_views.start(std::move(job));
+}
+
+// Looks at the tool where it is out of sight.
+void ProgramSession::showPlace() {
+  Box box;
+  for (const auto& outline : m_picture.tool)
+    for (const Vec3& p : outline) box.extend(p);
+  Viewport& view = m_parts.viewport;
+  const CameraNavigation navigation(view.camera(), {view.width(), view.height()});
+  const Vec2 at = box.isEmpty() ? Vec2(-1, -1) : Vec2(navigation.toScreen(box.center()));
+  const bool isInView = at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= view.width() && at.y() <= view.height();
+  if (box.isEmpty() || isInView) return;
+  const double room = 0.5 * m_start.stock.diameter;  // of the part around it
+  view.flyTo(Box(box.min() - Vec3::Constant(room), box.max() + Vec3::Constant(room)), Vec3::Zero());
+}
+
+void ProgramSession::choose(const ProgramFinding& finding) {
+  m_panel->player().setPlaying(false);
+  if (finding.line > 0) m_panel->editor().goTo(finding.line, std::max(1, finding.column));
+  m_panel->editor().setFocus();
+  if (!m_trial || !finding.move) return;
+  goTo({*finding.move + 1, 0.0});
+  m_panel->editor().setCurrentLine(finding.line);
+  showPlace();
+}
+
+}  // namespace handwheel

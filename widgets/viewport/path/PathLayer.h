@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Lighting.h"
+#include "viewport/ViewLayer.h"
+
+#include <memory>
+#include <vector>
+
+namespace handwheel {
+
+// A line of a tool path in one look.
+struct PathLine {
+  enum class Look { Rapid, Feed, Thread };
+  static constexpr std::size_t kLooks = 3;
+
+  std::vector<Vec3> points;  // mm
+  Look look = Look::Feed;
+};
+
+// A line as dashes of this length and gaps of two thirds of it; as one dash where there would be very many. Rapid moves
+// are drawn so.
+std::vector<PathLine> dashed(const PathLine& line, double length);
+
+// The colour of a look, on the background of the view.
+QColor pathColour(PathLine::Look look, const SceneColours& colours);
+
+// A tool path over the model, which hides none of it, and the outline of the tool. It is not fitted and not picked.
+class PathLayer : public ViewLayer {
+ public:
+  using Lines = std::shared_ptr<const std::vector<PathLine>>;
+
+  PathLayer();
+  ~PathLayer() override;
+
+  void setLines(Lines lines);  // null: none
+  // Closed outlines, such as those of a nose and its holder; empty: none.
+  void setTool(std::vector<std::vector<Vec3>> outlines);
+
+  Box bounds() const override { return {}; }
+  Box drawnBounds() const override;
+  std::vector<Vec3> outline() const override { return {}; }
+  void setStyle(const SurfaceStyle& style) override;
+  std::size_t takePiece() override;
+  int builtCount() const override;
+  void prepare(const LayerFrame& frame) override;
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d;
+};
+
+}  // namespace handwheel
