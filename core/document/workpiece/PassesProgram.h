@@ -5,14 +5,12 @@
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "machining/program/ProgramWriter.h"
 
-#include <map>
-
 namespace handwheel {
 
 // The passes of a workpiece as a program, and the tools with which it makes the same part again.
 struct PassesProgram {
   std::string text;
-  std::map<int, ProgramTool> tools;  // by number, T1 is that of the first pass
+  ProgramTools tools;  // T1 is that of the first pass
 };
 
 // Writes them. Errors: NoPasses, BoredPasses, OtherTools.

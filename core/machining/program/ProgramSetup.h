@@ -27,10 +27,12 @@ ProfilePoint tipDirection(ProgramDialect dialect, int orientation);
 // The orientation of a tool that turns the outside towards the chuck.
 int outsideOrientation(ProgramDialect dialect);
 
+using ProgramTools = std::map<int, ProgramTool>;  // by number
+
 // The machine on which a program runs.
 struct ProgramSetup {
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
-  std::map<int, ProgramTool> tools;  // by number
+  ProgramTools tools;
   ProgramTool standard;              // what any other number has
   ProfilePoint reference{0, 0};      // mm, (r, z): machine zero, in the coordinates of the part
   double grip = 0.0;                 // mm of the part, from its lower end, that the chuck holds

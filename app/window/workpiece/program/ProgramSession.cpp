@@ -116,7 +116,10 @@ void ProgramSession::connectPanel() {
     if (!m_trial || m_panel->player().isPlaying()) return;
     goTo(m_trial->steps().afterLine(static_cast<std::uint32_t>(line)));
   });
-  connect(m_panel, &ProgramPanel::setupChanged, this, &ProgramSession::textChanged);
+  connect(m_panel, &ProgramPanel::setupChanged, this, [this] {
+    m_tools.clear();
+    textChanged();
+  });
   connect(m_panel, &ProgramPanel::runRequested, this, &ProgramSession::run);
   connect(m_panel, &ProgramPanel::cancelRequested, &m_runs, &JobRunner::cancelAll);
   connect(m_panel, &ProgramPanel::cutRequested, this, &ProgramSession::cut);
@@ -146,7 +149,9 @@ const WorkpieceDocument& ProgramSession::workpiece() const {
 }
 
 ProgramSetup ProgramSession::setup() const {
-  return usualSetup(m_panel->dialect(), workpiece().workpiece().stock, m_panel->nose());
+  ProgramSetup setup = usualSetup(m_panel->dialect(), workpiece().workpiece().stock, m_panel->nose());
+  setup.tools = m_tools;
+  return setup;
 }
 
 bool ProgramSession::isSettled() const {
@@ -230,15 +235,16 @@ void ProgramSession::taken(const QString& path, const ProgramFile& file) {
   if (const auto dialect = recognisedDialect(file.text.toStdString())) m_panel->setDialect(*dialect);
   m_path = path;
   m_file = file;
-  setText(file.text, m_panel->nose());
+  setText(file.text, {});
   m_panel->editor().document()->setModified(false);
   showName();
   m_parts.log.add(tr("Program read from %1").arg(QFileInfo(path).fileName()));
 }
 
 // By the cursor, so that the editor can undo it.
-void ProgramSession::setText(const QString& text, double nose) {
-  m_panel->setNose(nose);
+void ProgramSession::setText(const QString& text, ProgramTools tools) {
+  m_tools = std::move(tools);
+  if (!m_tools.empty()) m_panel->setNose(m_tools.begin()->second.noseRadius);
   QTextCursor all(m_panel->editor().document());
   all.select(QTextCursor::Document);
   all.insertText(text);

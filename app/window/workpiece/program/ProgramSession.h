@@ -63,7 +63,7 @@ class ProgramSession : public QObject {
   void run();
   void ran(ProgramTrial::Pointer trial, PathLayer::Lines lines);
   void cut();
-  void setText(const QString& text, double nose);
+  void setText(const QString& text, ProgramTools tools);
   void askForFile();
   void taken(const QString& path, const ProgramFile& file);
   void askForName(std::function<void(bool)> ended);
@@ -72,7 +72,7 @@ class ProgramSession : public QObject {
   void writePasses(double spindle);
   void askForCycles();
   void writeCycles(const std::vector<double>& numbers);
-  void offer(const std::string& text, double nose);
+  void offer(const std::string& text, ProgramTools tools);
   void showName();
   void fail(const QString& title, const Error& error);
 
@@ -88,7 +88,8 @@ class ProgramSession : public QObject {
   DocumentTab& m_document;
   QAction m_open, m_save, m_saveAs, m_fromPasses, m_cycles;
   QPointer<ProgramPanel> m_panel;
-  QString m_path;  // of the file; empty: none yet
+  ProgramTools m_tools;  // of a text that was made here; none: all have the nose of the panel
+  QString m_path;        // of the file; empty: none yet
   ProgramFile m_file;
   JobRunner m_checks, m_runs, m_views, m_files;
   int m_revision = 0;  // of the text

@@ -39,7 +39,7 @@ void ProgramSession::writePasses(double spindle) {
     how.spindle = spindle;
     const Result<PassesProgram> program = passesProgram(start, dialect, how);
     if (!program) return [failed, error = program.error()] { failed(error); };
-    return [this, made = *program] { offer(made.text, made.nose); };
+    return [this, made = *program] { offer(made.text, made.tools); };
   };
   m_runs.start(std::move(job));
 }
@@ -81,16 +81,17 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
     const CycleTask task{start.target->profile, start.stock, part, start.stock.position};
     const Result<std::string> text = cycleProgram(task, dialect, settings, progress);
     if (!text) return [failed, error = text.error()] { failed(error); };
-    return [this, made = *text, nose = settings.nose] { offer(made, nose); };
+    const ProgramTool tool{settings.nose, outsideOrientation(dialect), {0.0, 0.0}};
+    return [this, made = *text, tool] { offer(made, {{1, tool}}); };
   };
   m_runs.start(std::move(job));
 }
 
 // It has no file yet: that of the text before stays as it is.
-void ProgramSession::offer(const std::string& text, double nose) {
+void ProgramSession::offer(const std::string& text, ProgramTools tools) {
   m_path.clear();
   m_file = {};
-  setText(QString::fromStdString(text), nose);
+  setText(QString::fromStdString(text), std::move(tools));
   showName();
   run();
 }
