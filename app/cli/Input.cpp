@@ -107,6 +107,20 @@ bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kind
   return isContainerName(path) || std::any_of(kinds.all().begin(), kinds.all().end(), hasEndingOf);
 }
 
+std::string refusalToOverwrite(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs) {
+  for (const std::filesystem::path& input : inputs)
+    if (!input.empty() && isSameFile(output, input))
+      return output.string() + " is an input and is not replaced. Write to another file.";
+  return {};
+}
+
+std::string refusalOfData(const std::string& option, const std::filesystem::path& output,
+                          const std::vector<std::filesystem::path>& inputs, const DocumentKinds& kinds) {
+  if (isDocumentName(output, kinds))
+    return option + " takes another name than " + output.string() + ", which is that of a document.";
+  return refusalToOverwrite(output, inputs);
+}
+
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input) {
   if (!checkNotNewer(output)) {
     return output.string() +

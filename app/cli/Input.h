@@ -49,6 +49,12 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 // Whether the extension of the path is that of a document. Other data must not be written there.
 bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kinds);
 
+// What is wrong with writing this file, as a sentence; empty when nothing is. It must not be one of the inputs.
+std::string refusalToOverwrite(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
+// The same for data that are no document, which must not have the name of one either. option: such as "--csv".
+std::string refusalOfData(const std::string& option, const std::filesystem::path& output,
+                          const std::vector<std::filesystem::path>& inputs, const DocumentKinds& kinds);
+
 // Why the output must not be overwritten, as a sentence; empty when it may. The reason is that a newer program wrote
 // the document there, or that it is the document that was read and is damaged.
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input);

@@ -62,6 +62,26 @@ class ExerciseTest : public QObject {
         marked.out);
     QCOMPARE(ran({"mark", "shaft.handwheel", "ada.handwheel", "--report", "class.pdf"}), 0);
     QVERIFY(bench.content("class.pdf").startsWith("%PDF"));
+
+    // No command writes over what it was given.
+    const auto keeps = [&](const char* name, const QStringList& words) {
+      const QByteArray before = bench.content(name);
+      return bench.run(words).code == 1 && bench.content(name) == before && !before.isEmpty();
+    };
+    QVERIFY(keeps("ada.handwheel", {"mark", "shaft.handwheel", "--csv", "ada.handwheel", "bob.handwheel"}));
+    QVERIFY(keeps("class.csv", {"mark", "shaft.handwheel", "ada.handwheel", "class.csv", "--csv", "class.csv"}));
+    for (const char* const purpose : {"--student", "--stock", "--solution"})
+      QVERIFY(keeps("shaft.handwheel", {"exercise", "shaft.handwheel", purpose, "-o", "shaft.handwheel"}));
+    QVERIFY(keeps("task.handwheel",
+                  {"exercise", "task.handwheel", "--hand-in", "bar.handwheel", "--name", "A", "-o", "task.handwheel"}));
+    QVERIFY(keeps("bar.handwheel",
+                  {"exercise", "task.handwheel", "--hand-in", "bar.handwheel", "--name", "A", "-o", "bar.handwheel"}));
+    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X36\nG1 Z-99\nM2\n");
+    QVERIFY(keeps("shaft.handwheel", {"turn", "shaft.handwheel", "--program", "p.ngc", "-o", "shaft.handwheel"}));
+    // The chuck of the exercise holds 25 mm of its bar of 120.
+    const Ran turned = bench.run({"turn", "shaft.handwheel", "--program", "p.ngc", "-o", "turned.handwheel", "--json"});
+    QVERIFY2(turned.code == 0 && turned.err.contains("chuck"), turned.err);
+    QVERIFY(nlohmann::json::parse(turned.out.toStdString())["collisions"].get<int>() > 0);
   }
 
   void theStudentsFileHasNoAnswers() {

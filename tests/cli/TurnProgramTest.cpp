@@ -79,6 +79,14 @@ class TurnProgramTest : public QObject {
     QVERIFY2(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
   }
 
+  void aStillSpindleIsTold() {
+    const Bench bench;
+    bench.put("p.ngc", "G21 G18 G7 S500\nF100\nG0 X44 Z2\nX36\nG1 Z-20\nM2\n");
+    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
+    QCOMPARE(figuresOf(ran)["collisions"].get<int>(), 1);
+    QVERIFY2(ran.err.contains("line 5: feed into material with the spindle at rest"), ran.err);
+  }
+
   void collisionsAreCounted() {
     const Bench bench;
     bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X30 Z-20\nG0 X44\nG0 Z-105\nG0 X10\nM2\n");
@@ -117,6 +125,17 @@ class TurnProgramTest : public QObject {
       QVERIFY2(std::abs(ratio - 1.0) < 2e-3, again.out);
     }
     QCOMPARE(bench.run({"program", "t.dxf", "--stock", "cylinder:20x100", "-o", "x.ngc"}).code, 1);
+    // No command writes over what it was given, nor a program over a document.
+    const auto keeps = [&](const char* name, const QStringList& words) {
+      const QByteArray before = bench.content(name);
+      return bench.run(words).code == 1 && bench.content(name) == before && !before.isEmpty();
+    };
+    QVERIFY(keeps("t.handwheel", {"program", "t.handwheel", "-o", "t.handwheel"}));
+    QVERIFY(keeps("t.handwheel", {"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.handwheel"}));
+    QVERIFY(keeps("t.dxf", {"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.dxf"}));
+    QVERIFY(keeps("t.dxf", {"target", "t.dxf", "-o", "t.dxf"}));
+    QVERIFY(keeps("t.handwheel", {"turn", "cylinder:40x100", "--program", "again.ngc", "--target", "t.handwheel", "-o",
+                                  "t.handwheel"}));
     QCOMPARE(bench.run({"program", "none.svg", "-o", "x.ngc"}).code, 1);
   }
 
@@ -126,6 +145,13 @@ class TurnProgramTest : public QObject {
     const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.step"});
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("p.ngc") && ran.err.contains("line 3") && ran.err.contains("column 7, Y2"), ran.err);
+    QVERIFY(!bench.names().contains("a.step"));
+    // A target that cannot be read is told before anything is cut or written.
+    bench.put("good.ngc", kShoulder);
+    bench.put("bad.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
+    for (const char* const target : {"none.dxf", "bad.dxf"})
+      QCOMPARE(bench.run({"turn", "cylinder:40x100", "--program", "good.ngc", "--target", target, "-o", "a.step"}).code,
+               1);
     QVERIFY(!bench.names().contains("a.step"));
     bench.put("air.ngc", "G0 X100\nM2\n");
     QCOMPARE(bench.run({"turn", "cylinder:40x100", "--program", "air.ngc", "-o", "a.step"}).code, 2);

@@ -15,6 +15,7 @@
 #include "text/NoteText.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -23,6 +24,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kSecondsOfMinute = 60.0;
+constexpr const char* kPurposes[] = {"student", "stock", "solution", "hand-in"};  // of which one is given
 
 Parameter flag(const char* id, std::string meaning) {
   return {.property = {.id = id, .group = {}, .label = {}, .value = false}, .meaning = std::move(meaning)};
@@ -98,7 +100,7 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
 std::string problemOf(const Arguments& arguments, const OperationValues& values) {
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   int purposes = 0;
-  for (const char* purpose : {"student", "stock", "solution", "hand-in"}) purposes += values.isSet(purpose) ? 1 : 0;
+  for (const char* const purpose : kPurposes) purposes += values.isSet(purpose) ? 1 : 0;
   if (purposes > 1) return "Give one of --student, --stock, --solution and --hand-in.";
   if (values.isSet("hand-in") && !values.isSet("name")) return "--hand-in needs the student's name: --name NAME.";
   return {};
@@ -111,6 +113,13 @@ int runExercise(const Arguments& arguments, const DocumentKinds& kinds) {
   if (const std::string problem = problemOf(arguments, values); !problem.empty())
     return failUsage(problem, exerciseOperation().id);
   const std::filesystem::path input = arguments.operands[0], output = arguments.valueOf("output");
+  std::vector<std::filesystem::path> inputs;
+  // What is derived must not replace what it is derived from; the exercise itself may be written where it was.
+  if (std::any_of(std::begin(kPurposes), std::end(kPurposes),
+                  [&](const char* purpose) { return values.isSet(purpose); }))
+    inputs.push_back(input);
+  if (values.isSet("hand-in")) inputs.emplace_back(values.text("hand-in"));
+  if (const std::string refusal = refusalToOverwrite(output, inputs); !refusal.empty()) return refuse(refusal);
   std::optional<Result<OpenedFile>> opened;
   runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(input, {}, job.progress()); });
   if (!*opened) return fail(opened->error());

@@ -22,10 +22,22 @@ std::shared_ptr<const ExerciseSnapshot> exerciseOf(const Result<OpenedFile>& ope
 }
 
 // Returns what is wrong with the words, or nothing.
-std::string problemOf(const Arguments& arguments) {
+std::string problemOf(const Arguments& arguments, const DocumentKinds& kinds) {
   const std::string ending = std::filesystem::path(arguments.valueOf("report")).extension().string();
   if (arguments.has("report") && ending != ".html" && ending != ".pdf")
     return "--report takes a name that ends in .html or .pdf.";
+  const std::vector<std::filesystem::path> inputs(arguments.operands.begin(), arguments.operands.end());
+  for (const char* const option : {"csv", "report"}) {
+    if (!arguments.has(option)) continue;
+    const std::filesystem::path path = arguments.valueOf(option);
+    const bool isTable = std::string_view(option) == "csv";
+    const std::string refusal =
+        isTable ? refusalOfData("--csv", path, inputs, kinds) : refusalToOverwrite(path, inputs);
+    if (!refusal.empty()) return refusal;
+  }
+  if (arguments.has("csv") && arguments.has("report") &&
+      isSameFile(arguments.valueOf("csv"), arguments.valueOf("report")))
+    return "The table and the report need a file each.";
   if (arguments.operands.size() < 2) return "Name the exercise, then what was handed in.";
   return {};
 }
@@ -65,7 +77,7 @@ int writeFiles(const ClassReport& report, const Arguments& arguments) {
 }
 
 int runMark(const Arguments& arguments, const DocumentKinds& kinds) {
-  if (const std::string problem = problemOf(arguments); !problem.empty()) return failUsage(problem, "mark");
+  if (const std::string problem = problemOf(arguments, kinds); !problem.empty()) return failUsage(problem, "mark");
   std::optional<Result<OpenedFile>> opened;
   runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());

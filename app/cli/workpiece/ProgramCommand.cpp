@@ -3,10 +3,11 @@
 #include "cli/workpiece/ProgramCommand.h"
 
 #include "base/NumberText.h"
+#include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/workpiece/TurnedFigures.h"
-#include "document/FileBytes.h"
+#include "document/AtomicFile.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/TurningFidelity.h"
 #include "machining/program/ProgramInterpreter.h"
@@ -16,7 +17,6 @@
 #include "machining/target/TargetDeviation.h"
 
 #include <cmath>
-#include <fstream>
 
 namespace handwheel {
 
@@ -137,6 +137,8 @@ int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
   ProgramRequest request;
   if (const std::string problem = readProgramRequest(arguments, request); !problem.empty())
     return failUsage(problem, "program");
+  if (const std::string refusal = refusalOfData("-o", request.output, {request.from}, kinds); !refusal.empty())
+    return refuse(refusal);
   Written written;
   runInterruptible("Writing", [&](CommandJob& job) {
     written = request.stock ? cyclesFor(request, kinds, job.progress()) : passesOfFile(request, kinds, job.progress());
@@ -146,10 +148,7 @@ int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
     return fail(*written.error);
   }
   if (!written.problem.empty()) return refuse(written.problem);
-  std::ofstream file(request.output, std::ios::binary | std::ios::trunc);
-  file << written.text;
-  file.close();
-  if (!file) return fail(Error{ErrorCode::WriteFailed, {""}, {}, request.output});
+  if (const Status saved = writeFileAtomically(request.output, written.text); !saved) return fail(saved.error());
   return print("Wrote " + request.output + ".\n");
 }
 

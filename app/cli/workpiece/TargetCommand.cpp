@@ -54,6 +54,8 @@ Result<WrittenFile> writeOutcome(const TargetRequest& request, const OpenedFile&
 }
 
 Result<TargetOutcome> carryOut(const TargetRequest& request, const DocumentKinds& kinds, Progress progress) {
+  const std::string overwrites = refusalToOverwrite(request.output, {request.input});
+  if (!request.output.empty() && !overwrites.empty()) return TargetOutcome{{}, {}, {}, {}, overwrites};
   const Result<ImportedTarget> imported = importTarget(request.input, request.others, progress.part(0.0, 0.4));
   if (!imported) return imported.error();
   OpenedFile file = DocumentKinds::blank(*kinds.withId("workpiece"));

@@ -159,6 +159,7 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
 
 Result<ProgramSetup> setupOf(const TurnRequest& request, const StockCylinder& stock) {
   ProgramSetup setup;
+  setup.grip = request.grip;
   setup.dialect = request.dialect;
   setup.standard = {request.noseRadius.value_or(0.0), outsideOrientation(request.dialect), {0, 0}};
   setup.reference = {0.5 * stock.diameter + kHomeDistance, kHomeDistance};
@@ -175,7 +176,7 @@ Result<ProgramSetup> setupOf(const TurnRequest& request, const StockCylinder& st
   return setup;
 }
 
-const char* sentenceOf(ProgramCollision::Kind kind) {
+const char* collisionSentence(ProgramCollision::Kind kind) {
   switch (kind) {
     case ProgramCollision::Kind::Chuck:
       return "collision with the chuck.";
@@ -217,7 +218,7 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   for (const ToolPath::Note& note : simulation.notes())
     remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
   for (const ProgramCollision& collision : simulation.collisions())
-    remarks.push_back("line " + std::to_string(collision.line) + ": " + sentenceOf(collision.kind));
+    remarks.push_back("line " + std::to_string(collision.line) + ": " + collisionSentence(collision.kind));
   std::vector<TurningPass> passes = simulation.takePasses();
   if (passes.empty()) return workpiece;
   TurnedPart part{simulation.part(), TurnedSurface(simulation.part(), workpiece.chord), before.passes};
@@ -255,6 +256,15 @@ int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   return code == kExitDone && !isSame ? kExitSomethingLeft : code;
 }
 
+// Of an exercise: its material, its speed and its chuck, unless the words say otherwise.
+void useMachineOf(const TurningTask& task, const Arguments& arguments, TurnRequest& request) {
+  request.grip = task.lathe.chuckHeight;
+  if (!arguments.has("spindle")) request.spindle = task.lathe.spindleSpeed;
+  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterial* const material = materials.find(task.material);
+  if (material && !arguments.has("material")) request.material = *material;
+}
+
 }  // namespace
 
 int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
@@ -272,6 +282,10 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (request.isReplay) return replay(*given, request.asJson);
 
   if (const std::string refusal = refusalToReplace(request.output, file.file); !refusal.empty()) return refuse(refusal);
+  std::vector<std::filesystem::path> inputs{request.program, request.recording, request.tools, request.target};
+  if (exercise) inputs.emplace_back(request.input);  // a workpiece would take the place of the exercise
+  if (const std::string refusal = refusalToOverwrite(request.output, inputs); !refusal.empty()) return refuse(refusal);
+  if (exercise) useMachineOf(*exercise->task, arguments, request);
   std::string unreadable;
   std::vector<std::string> remarks;
   TurnedFigures figures;
@@ -280,6 +294,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<WrittenFile>> written;
   runInterruptible("Turning", [&](CommandJob& job) {
     if (!request.target.empty()) target = readTarget(request.target, kinds, job.progress().part(0.0, 0.1));
+    if (target && !*target) return;
     const Progress cutting = job.progress().part(0.1, 0.7);
     turned = request.program.empty() ? turnByRecording(*given, request, figures, unreadable, cutting)
                                      : turnByProgram(*given, request, figures, remarks, cutting);
@@ -332,8 +347,10 @@ std::vector<Command> workpieceCommands() {
              "Nose radius, 0.05 to 50; without it the tool of a program is a point, that of a recording has 1",
              "nose-radius"},
             {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
-            {"material", 0, "NAME", "Of the work, for the forces (default medium-carbon-steel)"},
-            {"spindle", 0, "RPM", "Speed of the spindle of a recording, for the forces (default 500)"},
+            {"material", 0, "NAME",
+             "Of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
+            {"spindle", 0, "RPM",
+             "Speed of the spindle of a recording, for the forces (default 500, or that of the exercise)"},
             {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
             {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
             {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},

@@ -25,17 +25,18 @@ constexpr double kSection = 1e-3;  // mm, of the section of a workpiece that is 
 
 std::string figuresAsJson(const TurnedFigures& figures) {
   nlohmann::ordered_json json = {{"removed_mm3", figures.removed}, {"max_force_N", figures.force},
-                                 {"max_power_kW", figures.power},  {"collisions", figures.collisions},
+                                 {"max_power_kW", figures.power},  {"collisions", nullptr},
                                  {"time_s", figures.time},         {"profile_error_mm", nullptr}};
+  if (figures.collisions) json["collisions"] = *figures.collisions;
   if (figures.profileError) json["profile_error_mm"] = *figures.profileError;
   return json.dump(2) + "\n";
 }
 
 std::string figuresAsText(const TurnedFigures& figures) {
-  std::string text = "Removed: " + roundedText(figures.removed) +
-                     " mm³. Largest force: " + roundedText(figures.force, 4) +
-                     " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) +
-                     " s. Collisions: " + std::to_string(figures.collisions) + ".\n";
+  std::string text =
+      "Removed: " + roundedText(figures.removed) + " mm³. Largest force: " + roundedText(figures.force, 4) +
+      " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) + " s." +
+      (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") + "\n";
   if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
   return text;
 }

@@ -13,11 +13,11 @@ namespace handwheel {
 
 // What 'handwheel turn' reports.
 struct TurnedFigures {
-  double removed = 0.0;             // mm³
-  double force = 0.0, power = 0.0;  // N, kW: the largest
-  std::size_t collisions = 0;
-  double time = 0.0;                   // s
-  std::optional<double> profileError;  // mm, from a target
+  double removed = 0.0;                   // mm³
+  double force = 0.0, power = 0.0;        // N, kW: the largest
+  std::optional<std::size_t> collisions;  // none where they were not looked for
+  double time = 0.0;                      // s
+  std::optional<double> profileError;     // mm, from a target
 };
 
 // As JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s, profile_error_mm.

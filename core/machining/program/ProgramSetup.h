@@ -32,6 +32,7 @@ struct ProgramSetup {
   std::map<int, ProgramTool> tools;  // by number
   ProgramTool standard;              // what any other number has
   ProfilePoint reference{0, 0};      // mm, (r, z): machine zero, in the coordinates of the part
+  double grip = 0.0;                 // mm of the part, from its lower end, that the chuck holds
   double rapidSpeed = 5000.0;        // mm/min
   double toolChange = 2.0;           // s
   std::uint64_t mostBlocks = 5'000'000;

@@ -71,7 +71,7 @@ void ProgramSimulation::judge(const ToolMove& move, double deepest, double nose)
 }
 
 bool ProgramSimulation::reachesChuck(const ToolMove& move, double nose) const {
-  const double face = -m_part.length() - kTouch;
+  const double face = m_setup.grip - m_part.length() - kTouch;
   const double lowest = std::min(move.from.y(), move.to.y()) - nose;
   const double reach = m_largest + std::max(m_largest, 40.0);  // mm: jaws and body
   return lowest < face && std::min(move.from.x(), move.to.x()) - nose < reach;

@@ -27,7 +27,8 @@ struct ProgramCollision {
 
 // Cuts a part along the tool path of a program, move by move.
 //
-// The upper end of the part is z = 0 of the program; it is gripped at the lower end, where the chuck begins. A tool
+// The upper end of the part is z = 0 of the program; it is gripped at the lower end, where the chuck
+// holds ProgramSetup::grip of it. A tool
 // cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
 // the outside, or the axis for a tool whose tip points outwards. A feed along the axis towards the chuck drills, with
 // the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so does a feed with the spindle at
