@@ -241,15 +241,23 @@ void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, cons
   const bool isPartly = done.sheets && done.sheets->leftCount() > 0;
   const bool isThickened = !isPartly && done.sheets && done.sheets->thickened > 0;
   const bool isMeasured = done.distance && *done.distance;
+  const QStringList account = done.isFix ? repairAccount(document.inspection) : QStringList();
   QStringList how;
   if (isPartly) how << sheetsText(*done.sheets, unit);
-  if (isThickened) how << tr("by %1").arg(thicknessText(done.sheets->thickness, unit));
   if (isMeasured)
     how << tr("largest distance found between the surface before and after %1").arg(lengthText(**done.distance, unit));
-  const QStringList account = done.isFix ? repairAccount(document.inspection) : QStringList();
-  const QString all = (how + account).join(QStringLiteral(", "));
-  const auto weight = isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info;
-  m_log.add(all.isEmpty() ? tr("%1: %2").arg(name, text) : tr("%1: %2: %3").arg(name, text, all), command, weight);
+  how << account;
+  const QString separator = QStringLiteral(", ");
+  QString line = tr("%1: %2").arg(name, text);
+  if (isThickened) {
+    const QString thickness = thicknessText(done.sheets->thickness, unit);
+    line = (QStringList(tr("%1: %2 by %3").arg(name, text, thickness)) + how).join(separator);
+    how.prepend(thickness);
+  } else if (!how.isEmpty()) {
+    line = tr("%1: %2: %3").arg(name, text, how.join(separator));
+  }
+  const QString all = how.join(separator);
+  m_log.add(line, command, isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
   if (isPartly) {
     emit changedPartly(&document, text, all);
   } else if (isMeasured || !account.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0)) {
