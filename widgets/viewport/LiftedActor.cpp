@@ -34,8 +34,9 @@ void LiftedActor::setData(vtkPolyData* data) {
 
 void LiftedActor::drawOverAll() {
   const std::string depth = std::to_string(1e-4 / (1.0 + m_lift));
+  // The last of all: lines as tubes have set a depth of their own by then.
   m_actor->GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Depth::Impl", true, "//VTK::Depth::Impl\n  gl_FragDepth = " + depth + ";\n", false);
+      "//VTK::Coincident::Impl", true, "//VTK::Coincident::Impl\n  gl_FragDepth = " + depth + ";\n", false);
 }
 
 void LiftedActor::prepare(const LayerFrame& frame) {

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/ProgramTrial.h"
+
+#include "TestClass.h"
+#include "document/workpiece/PassesProgram.h"
+#include "document/workpiece/WorkpieceErrors.h"
+#include "machining/program/ProgramErrors.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr double kSpacing = 0.05;  // mm
+
+// 50 mm of a bar of 40 mm are turned to 36 mm. Back, it goes out before it goes right.
+constexpr const char* kTurn =
+    "G7 G21 G97 S600 M3\n"
+    "G0 X36 Z2\n"
+    "G1 Z-50 F120\n"
+    "G0 X44\n"
+    "G0 Z2\n"
+    "M2\n";
+
+WorkpieceSnapshot freshBar() {
+  WorkpieceSnapshot workpiece;
+  workpiece.stock = {40.0, 100.0, -100.0};
+  workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
+  return workpiece;
+}
+
+ProgramTrial::Pointer tried(const char* text, const WorkpieceSnapshot& workpiece) {
+  const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 0.0);
+  const auto trial = ProgramTrial::run(workpiece, text, setup, kSpacing, nullptr);
+  return trial ? *trial : nullptr;
+}
+
+double radiusAt(const TurnedProfile& profile, double z) {  // from the lower end
+  return profile.radius(static_cast<std::size_t>(std::lround(z / profile.spacing())));
+}
+
+}  // namespace
+
+// A program is tried on a workpiece, which stays as it is.
+class ProgramTrialTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aCylinder() {
+    const WorkpieceSnapshot workpiece = freshBar();
+    const auto trial = tried(kTurn, workpiece);
+    QVERIFY(trial && trial->part() && !workpiece.part);
+    const double ring = M_PI * (20.0 * 20.0 - 18.0 * 18.0);               // mm², of the section that goes
+    QVERIFY(std::abs(trial->removed() - 50.0 * ring) < ring * kSpacing);  // one sample at the shoulder
+    QCOMPARE(trial->collisionCount(), std::size_t(0));
+    // 52 mm at 120 mm/min; the rapid moves take the rest.
+    QVERIFY(trial->path().time > 26.0 && trial->path().time < 32.0);
+    // The passes cut the same part again, bit for bit.
+    TurnedProfile again(workpiece.stock, kSpacing);
+    for (const auto& pass : trial->part()->passes) cut(again, *pass);
+    QVERIFY(again == trial->part()->profile);
+  }
+
+  // The part at a place of the path: in the middle of the cut the tip is at z = -24, 76 mm above the lower end.
+  void thePartUpToALine() {
+    const WorkpieceSnapshot workpiece = freshBar();
+    const auto trial = tried(kTurn, workpiece);
+    QVERIFY(trial != nullptr);
+    const ProgramPosition cutting = trial->steps().previous(trial->steps().afterLine(3));
+    QCOMPARE(trial->steps().moveAt(cutting).line, 3u);
+    const auto half = trial->profileAt({cutting.done, 0.5});
+    QVERIFY(half.has_value());
+    QVERIFY(std::abs(radiusAt(*half, 77.0) - 18.0) < 1e-9 && std::abs(radiusAt(*half, 75.0) - 20.0) < 1e-9);
+    QVERIFY(*trial->profileAt({}) == TurnedProfile(workpiece.stock, kSpacing));
+    QVERIFY(*trial->profileAt(trial->steps().end()) == trial->part()->profile);
+  }
+
+  // Many moves, of which few versions are kept: each place is what the moves before it leave.
+  void everyPlaceOfALongPath() {
+    std::string text = "G7 G21 S600 M3\nG0 X44 Z1\n";
+    for (int i = 0; i < 350; ++i)
+      text += "G1 X" + std::to_string(39.0 - 0.01 * i) + " Z" + std::to_string(-0.2 * i) + " F500\n";
+    text += "M2\n";
+    const auto trial = tried(text.c_str(), freshBar());
+    QVERIFY(trial != nullptr);
+    ProgramSimulation simulation(TurnedProfile(freshBar().stock, kSpacing), trial->path(), trial->setup());
+    do {
+      if (simulation.done() % 7 != 0) continue;
+      QVERIFY(*trial->profileAt({simulation.done(), 0.0}) == simulation.part());
+    } while (simulation.step());
+  }
+
+  void whatCannotRunIsSaid() {
+    const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, freshBar().stock, 0.0);
+    const auto refused = ProgramTrial::run(freshBar(), "G68\n", setup, kSpacing, nullptr);
+    QVERIFY(!refused && refused.error().code == ProgramError::Refused);
+    const auto beside = tried("G0 X60 Z2\nG1 Z-10 F100\nM2\n", freshBar());
+    QVERIFY(beside && !beside->part() && beside->removed() == 0.0);
+    JobState state;
+    state.cancelled = true;
+    const auto cancelled = ProgramTrial::run(freshBar(), kTurn, setup, kSpacing, nullptr, Progress(state));
+    QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
+  }
+
+  // The passes of a program, written as a program, make the same part.
+  void passesAsAProgram() {
+    WorkpieceSnapshot workpiece = freshBar();
+    QVERIFY(passesProgram(workpiece, ProgramDialect::LinuxCnc, {}).error().code == WorkpieceError::NoPasses);
+    workpiece.part = tried(kTurn, workpiece)->part();
+    const auto program = passesProgram(workpiece, ProgramDialect::LinuxCnc, {});
+    QVERIFY(bool(program));
+    QCOMPARE(program->nose, 0.0);
+    const auto again = tried(program->text.c_str(), freshBar());
+    QVERIFY(again && again->part());
+    const TurnedProfile &a = workpiece.part->profile, &b = again->part()->profile;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const bool isShoulder = std::abs(a.z(i) - 50.0) < 2.0 * kSpacing;
+      QVERIFY2(isShoulder || std::abs(a.radius(i) - b.radius(i)) < 2e-3, qPrintable(QString::number(a.z(i))));
+    }
+  }
+};
+
+HANDWHEEL_TEST(ProgramTrialTest)
+#include "ProgramTrialTest.moc"

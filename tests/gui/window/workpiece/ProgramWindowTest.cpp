@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "controls/program/ProgramEditor.h"
+#include "document/workpiece/TargetEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/workpiece/program/ProgramPlayer.h"
+#include "window/workpiece/program/ProgramSession.h"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// The new bar of the window is 50 × 100 mm. 40 mm of it become 46 mm thick.
+constexpr const char* kTurned =
+    "G7 G21 G97 S600 M3\n"
+    "G0 X46 Z2\n"
+    "G1 Z-40 F240\n"
+    "G0 X54\n"
+    "G0 Z2\n"
+    "M2\n";
+
+// A window with a new workpiece and the dock of programs.
+struct ProgramWindow {
+  WindowDriver driver;
+
+  bool begin() {
+    driver.choose("newWorkpiece");
+    if (!driver.settle()) return false;
+    driver.choose("programDockToggle");
+    return driver.settle() && QTest::qWaitFor([this] { return editor().isVisible(); }, kPatienceMs);
+  }
+  WorkpieceDocument& document() {
+    return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+  }
+  ProgramEditor& editor() { return *driver.find<ProgramEditor>("programEditor"); }
+  ProgramSession& session() { return *driver.window().findChild<ProgramSession*>(); }
+  QListWidget& findings() { return *driver.find<QListWidget>("programFindings"); }
+  // Pasted, as a person does with a text of several lines.
+  void write(const char* text) {
+    editor().selectAll();
+    editor().insertPlainText(QString::fromLatin1(text));
+  }
+  bool run(const char* text) {
+    write(text);
+    driver.click("programRun");
+    return driver.settle();
+  }
+  void clickFinding(int row) {
+    QListWidget& list = findings();
+    list.scrollToItem(list.item(row));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(row)).center());
+  }
+  // Answers the question before closing. False when it does not come.
+  bool answer(QMessageBox::StandardButton button) {
+    QMessageBox* box = nullptr;
+    const auto appears = [&] {
+      box = driver.window().findChild<QMessageBox*>(QStringLiteral("closePrompt"));
+      return box && box->isVisible();
+    };
+    if (!QTest::qWaitFor(appears, kPatienceMs)) return false;
+    box->button(button)->click();
+    return QTest::qWaitFor([&] { return !driver.window().findChild<QMessageBox*>(QStringLiteral("closePrompt")); });
+  }
+};
+
+double volumeOf(const WorkpieceSnapshot& workpiece) {
+  return workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+}
+
+}  // namespace
+
+// Lathe programs in the window: opened, corrected, run, looked at, cut, written and saved.
+class ProgramWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // A run changes nothing; cutting is one step, which undo takes back.
+  void openedRunAndCut() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("turned.ngc");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(kTurned) > 0);
+    file.close();
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.driver.click("openProgramButton");
+    QVERIFY(window.driver.enterFileName("programDialog", path));
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.editor().toPlainText(), QString::fromLatin1(kTurned));
+    QCOMPARE(window.driver.text("programName"), QStringLiteral("turned.ngc"));
+    QVERIFY(!window.driver.find<QPushButton>("programCut")->isEnabled());
+    window.driver.click("programRun");
+    QVERIFY(window.driver.settle());
+    QVERIFY(!window.document().workpiece().part);
+    QCOMPARE(window.document().history()->count(), 0);
+    QVERIFY2(window.driver.text("programSummary").contains("No collision"),
+             qPrintable(window.driver.text("programSummary")));
+    const double before = volumeOf(window.document().workpiece());
+    window.driver.click("programCut");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.document().history()->count(), 1);
+    const double ring = M_PI * (25.0 * 25.0 - 23.0 * 23.0);  // mm²
+    const double spacing = window.document().workpiece().part->profile.spacing();
+    const double removed = before - volumeOf(window.document().workpiece());
+    QVERIFY2(std::abs(removed - 40.0 * ring) < ring * spacing, qPrintable(QString::number(removed)));
+    window.driver.click("quickActions/undo");
+    QVERIFY(!window.document().workpiece().part);
+    QVERIFY(!window.driver.find<QPushButton>("programCut")->isEnabled());  // it was run on another part
+  }
+
+  // All errors are listed; a click on one puts the cursor there; nothing runs.
+  void errorsAreListedAtTheirPlaces() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.write("G21\nG68 X1\nG0 X20 Z2 M77\nM2\n");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.findings().count(), 2);
+    QVERIFY(window.findings().item(0)->text().contains("G68"));
+    QVERIFY(window.findings().item(1)->text().contains("M77"));
+    window.clickFinding(1);
+    QCOMPARE(window.editor().textCursor().blockNumber() + 1, 3);
+    QCOMPARE(window.editor().textCursor().positionInBlock() + 1, 11);
+    window.driver.click("programRun");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.editor().textCursor().blockNumber() + 1, 2);
+    QVERIFY(!window.driver.find<QPushButton>("programCut")->isEnabled());
+    window.write(kTurned);
+    QVERIFY(window.driver.settle());
+    QVERIFY(!window.findings().isVisible());
+  }
+
+  // Lines are stepped, and the tool and the part are those of the line.
+  void steppedLineByLine() {
+    ProgramWindow window;
+    QVERIFY(window.begin() && window.run(kTurned));
+    const auto tip = [&window] {
+      const auto& insert = window.session().picture().tool.back();
+      return insert.front();
+    };
+    const double upper = window.document().workpiece().stock.position + window.document().workpiece().stock.length;
+    QCOMPARE(window.editor().currentLine(), 5);
+    QVERIFY((tip() - Vec3(27.0, 0.0, upper + 2.0)).norm() < 1e-9);
+    window.driver.click("programBack");
+    window.driver.click("programBack");
+    QVERIFY(window.driver.settle());
+    QVERIFY((tip() - Vec3(23.0, 0.0, upper - 40.0)).norm() < 1e-9);  // the end of line 3
+    window.driver.click("programBack");
+    QVERIFY(window.driver.settle());
+    QVERIFY((tip() - Vec3(23.0, 0.0, upper + 2.0)).norm() < 1e-9);
+    const auto narrowest = [&window] {
+      double least = 1e9;
+      for (const DisplayPart& part : window.session().picture().part->parts)
+        for (const Vec3& p : part.soup->points) {
+          const double r = std::hypot(p.x(), p.y());
+          if (r > 1.0) least = std::min(least, r);
+        }
+      return least;
+    };
+    QVERIFY(std::abs(narrowest() - 25.0) < 0.1);  // the chord of the circles
+    window.driver.click("programStep");
+    QVERIFY(window.driver.settle());
+    QVERIFY(std::abs(narrowest() - 23.0) < 0.1);
+    // The cursor chooses the place, too.
+    window.editor().goTo(2);
+    QVERIFY(window.driver.settle());
+    QVERIFY((tip() - Vec3(23.0, 0.0, upper + 2.0)).norm() < 1e-9);
+    // Played, it comes to the end by itself.
+    auto* speed = window.driver.find<QComboBox>("programSpeed");
+    speed->setCurrentIndex(speed->count() - 1);
+    window.driver.click("programPlay");
+    QTRY_VERIFY_WITH_TIMEOUT(!window.driver.find<ProgramPlayer>("programPlayer")->isPlaying(), kPatienceMs);
+    QCOMPARE(window.editor().currentLine(), 5);
+    QVERIFY(window.driver.settle());
+    // Closed, the dock shows nothing in the view any more.
+    window.driver.choose("programDockToggle");
+    QVERIFY(!window.editor().isVisible());
+    QVERIFY(window.editor().toPlainText().startsWith("G7"));
+  }
+
+  void collisionsAreListed() {
+    ProgramWindow window;
+    QVERIFY(window.begin() && window.run("G7 G21 S600 M3\nG0 X60 Z2\nG0 X40\nG0 Z-30\nG0 X60\nM2\n"));
+    QCOMPARE(window.findings().count(), 1);
+    QVERIFY(window.findings().item(0)->text().startsWith("Line 4"));
+    window.clickFinding(0);
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.editor().currentLine(), 4);
+    QCOMPARE(window.editor().textCursor().blockNumber() + 1, 4);
+  }
+
+  // A program without end is let go of at once.
+  void cancelledAtOnce() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.write("#1=0\no1 while [#1 LT 4000000]\n#1=[#1+1]\no1 endwhile\nM2\n");
+    window.driver.click("programRun");
+    auto* cancel = window.driver.find<QPushButton>("programCancel");
+    QTRY_VERIFY(cancel->isVisible());
+    QElapsedTimer clock;
+    clock.start();
+    cancel->click();
+    auto* again = window.driver.find<QPushButton>("programRun");
+    QTRY_VERIFY(again->isVisible());
+    QVERIFY2(clock.elapsed() < 250, qPrintable(QString::number(clock.elapsed())));
+    QVERIFY(window.driver.text("programSummary").contains("cancelled"));
+  }
+
+  // The target is made: no more than 0.01 mm off, but for a sample at the shoulder.
+  void roughedAndFinished() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    const double upper = window.document().workpiece().stock.position + window.document().workpiece().stock.length;
+    const auto profile = TargetProfile::make({{{22.0, upper - 50.0}, {22.0, upper - 30.0}},
+                                              {{22.0, upper - 30.0}, {18.0, upper - 30.0}},
+                                              {{18.0, upper - 30.0}, {18.0, upper}}});
+    QVERIFY(bool(profile));
+    auto target = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{*profile, "shaft"});
+    window.document().commit(QStringLiteral("Import target"), std::make_unique<TargetEdit>(target));
+    QVERIFY(window.driver.settle());
+    window.driver.find<QAction>("roughAndFinish")->trigger();
+    window.driver.click("numbersAccept");
+    QVERIFY(window.driver.settle());
+    QVERIFY(window.editor().toPlainText().contains("G96"));
+    QCOMPARE(window.findings().count(), 0);
+    window.driver.click("programCut");
+    QVERIFY(window.driver.settle());
+    const TurnedProfile& part = window.document().workpiece().part->profile;
+    const std::vector<std::pair<double, double>> expected{{5, 18}, {20, 18}, {29, 18}, {31, 22}, {45, 22}};
+    for (const auto& [below, radius] : expected) {
+      const auto i = static_cast<std::size_t>(std::lround((part.length() - below) / part.spacing()));
+      QVERIFY2(std::abs(part.radius(i) - radius) < 0.01, qPrintable(QString::number(part.radius(i))));
+    }
+  }
+
+  // What was typed and not saved is asked about: kept, saved or let go as the person says.
+  void unsavedTextIsAskedAbout() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("typed.ngc");
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.write("G0 X60 Z2\nM2\n");
+    window.driver.choose("closeDocument");
+    QVERIFY(window.answer(QMessageBox::Cancel));
+    QCOMPARE(window.driver.tabs(), 1);
+    window.driver.choose("closeDocument");
+    QVERIFY(window.answer(QMessageBox::Save));
+    QVERIFY(window.driver.enterFileName("saveProgramDialog", path));
+    QTRY_COMPARE(window.driver.tabs(), 0);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("G0 X60 Z2\nM2\n"));
+  }
+
+  // A program that is opened as any file comes to the workpiece on which one works.
+  void anOpenedProgramComesToItsDock() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("part.nc");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("%\r\nO1\r\nT0101\r\nG0 X60. Z2.\r\nM30\r\n%\r\n") > 0);
+    file.close();
+    ProgramWindow window;
+    window.driver.choose("newWorkpiece");
+    QVERIFY(window.driver.settle());
+    QVERIFY(window.driver.open(path));
+    QCOMPARE(window.driver.tabs(), 1);
+    QTRY_VERIFY(window.editor().isVisible());
+    QVERIFY(window.editor().toPlainText().startsWith("%\nO1"));
+    QCOMPARE(window.driver.find<QComboBox>("programDialect")->currentText(), QStringLiteral("Fanuc, system A"));
+    // Saved, its lines end as they did.
+    window.editor().moveCursor(QTextCursor::End);
+    QTest::keyClicks(&window.editor(), "(end)");
+    QTest::keyClick(&window.editor(), Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(window.driver.settle());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().endsWith("M30\r\n%\r\n(end)"));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(ProgramWindowTest)
+#include "ProgramWindowTest.moc"
