@@ -12,11 +12,11 @@ using namespace handwheel;
 
 namespace {
 
-TriangleSoup flatGrid(std::uint32_t n) {
+TriangleSoup gridToTear(std::uint32_t n) {
   return test::grid(n, n, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
 }
 
-VertexPairs closing(const HalfEdgeMesh& mesh) {
+VertexPairs pairsThatClose(const HalfEdgeMesh& mesh) {
   const VertexPairs near = nearBorderVertices(mesh);
   return closingPairs(near, closingEdges(mesh, near));
 }
@@ -37,12 +37,12 @@ class ClosingEdgesTest : public QObject {
 // A sheet that is torn along a line, by less than the reach: all pairs along it but none elsewhere. Each edge takes the
 // two pairs at its ends.
 void ClosingEdgesTest::ofASlit() {
-  TriangleSoup soup = flatGrid(5);
+  TriangleSoup soup = gridToTear(5);
   test::append(soup, test::moved(soup, {4.0 + 1e-6, 0, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const VertexPairs near = nearBorderVertices(mesh);
   QCOMPARE(near.size(), std::size_t{5});
-  QVERIFY(closing(mesh) == near);
+  QVERIFY(pairsThatClose(mesh) == near);
   const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
   QCOMPARE(edges.size(), std::size_t{4});
   for (const ClosingEdge& edge : edges) {
@@ -52,7 +52,7 @@ void ClosingEdgesTest::ofASlit() {
 }
 
 void ClosingEdgesTest::partnersOfARow() {
-  TriangleSoup soup = flatGrid(5);
+  TriangleSoup soup = gridToTear(5);
   test::append(soup, test::moved(soup, {4.0 + 1e-6, 0, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const VertexPairs near = nearBorderVertices(mesh);
@@ -69,17 +69,17 @@ void ClosingEdgesTest::partnersOfARow() {
 
 // Two squares whose corners are nearer than the reach share no edge when they are merged.
 void ClosingEdgesTest::noneWhereOnlyCornersMeet() {
-  TriangleSoup soup = flatGrid(3);
+  TriangleSoup soup = gridToTear(3);
   test::append(soup, test::moved(soup, {2.0 + 1e-6, 2.0 + 1e-6, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   QCOMPARE(nearBorderVertices(mesh).size(), std::size_t{1});
-  QVERIFY(closing(mesh).empty());
+  QVERIFY(pairsThatClose(mesh).empty());
   QVERIFY(closingEdges(mesh, {}).empty());
 }
 
 // Two tears, which share no pair, are two runs.
 void ClosingEdgesTest::runs() {
-  const TriangleSoup sheet = flatGrid(5);
+  const TriangleSoup sheet = gridToTear(5);
   TriangleSoup soup = sheet;
   test::append(soup, test::moved(sheet, {4.0 + 1e-6, 0, 0}));
   test::append(soup, test::moved(sheet, {8.0 + 2e-6, 0, 0}));
