@@ -17,6 +17,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
