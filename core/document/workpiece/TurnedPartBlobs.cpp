@@ -53,8 +53,12 @@ bool isWhole(const ReadArray<double>& path, std::uint64_t begin, std::uint64_t e
 }
 
 nlohmann::json threadJson(const ThreadCut& thread) {
-  return {{"pitch", thread.pitch}, {"starts", thread.starts}, {"hand", thread.isLeft ? kLeft : kRight},
-          {"angle", thread.angle}, {"flat", thread.flat},     {"offset", thread.offset}};
+  return {{"pitch", thread.pitch},
+          {"starts", static_cast<std::uint64_t>(thread.starts)},
+          {"hand", thread.isLeft ? kLeft : kRight},
+          {"angle", thread.angle},
+          {"flat", thread.flat},
+          {"offset", thread.offset}};
 }
 
 std::optional<ThreadCut> threadFrom(const nlohmann::json& entry) {

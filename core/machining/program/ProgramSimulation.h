@@ -6,6 +6,7 @@
 #include "machining/force/ForcePeaks.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
+#include "machining/thread/ThreadGroove.h"
 
 #include <optional>
 #include <utility>
@@ -73,6 +74,7 @@ class ProgramSimulation {
   };
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
+  void meetThread(const ToolMove& move, const ThreadGroove& groove);
   bool leavesThread(const ToolMove& move) const;
   bool reachesChuck(const ToolMove& move, double nose) const;
 
@@ -89,6 +91,8 @@ class ProgramSimulation {
   std::uint32_t m_lastCollision = 0;  // line
   std::vector<TurningPass> m_passes;
   std::optional<Lead> m_lead;  // the last move was a thread
+  // The largest section of a groove so far, and its pitch: what a pass cuts is more than the ones before.
+  double m_section = 0.0, m_sectionPitch = 0.0;  // mm², mm
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;
