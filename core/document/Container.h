@@ -40,7 +40,7 @@ struct ReadContainer {
 };
 
 // Version of the format; see container/Migrations.h.
-inline constexpr int kContainerVersion = 4;
+inline constexpr int kContainerVersion = 5;
 // Largest unpacked size of all entries together, bytes; larger containers are neither written nor read. So that no size
 // needs more than 32 bits.
 inline constexpr std::uint64_t kLargestContainer = std::uint64_t{3} << 30;
