@@ -62,6 +62,15 @@ const ErrorDescription TargetError::NotTurned{
                                "it is not a turned part: face %1, a %2 at (%3, %4, %5), does not turn about its axis")},
     .advice = {translatable("ErrorText", "Remove that feature, or choose to ignore what is not turned.")}};
 
+const ErrorDescription TargetError::MeshNotTurned{
+    .id = "MeshNotTurned",
+    .sentences = {translatable(
+        "ErrorText",
+        "it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm "
+        "are allowed")},
+    .advice = {
+        translatable("ErrorText", "Export the turned part as STEP, or as a finer mesh without other features.")}};
+
 const ErrorDescription TargetError::NotOneSolid{
     .id = "NotOneSolid",
     .sentences = {translatable("ErrorText", "the file contains %1 solids, and a target is one")},

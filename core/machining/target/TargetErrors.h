@@ -18,6 +18,7 @@ extern const ErrorDescription BinaryDrawing;    // a DXF file of the binary vari
 extern const ErrorDescription AxisUnknown;      // of the drawing
 extern const ErrorDescription NoAxis;           // of a solid: nothing in it turns
 extern const ErrorDescription NotTurned;        // {number of the face, kind of surface, x, y, z}
+extern const ErrorDescription MeshNotTurned;    // {deviation, tolerance}
 extern const ErrorDescription NotOneSolid;      // {count}
 
 }  // namespace handwheel::TargetError
