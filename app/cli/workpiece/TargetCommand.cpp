@@ -109,21 +109,23 @@ std::string targetText(const TargetOutcome& outcome, bool asJson) {
 }  // namespace
 
 Command targetCommand() {
-  return {{"target",
-           "IN",
-           "Reads what a part is to become: a turned part in STEP, a half section in DXF or SVG, or a workpiece.\n"
-           "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
-           "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
-           "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
-           "y = 0 in DXF and the lowest line in SVG.",
-           {
-               {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
-               {"output", 'o', "OUT", "The drawing or document to write"},
-               {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
-               {"json", 0, "", "Report as JSON"},
-               {"help", 'h', "", "Show this help"},
-           }},
-          runTarget};
+  return {
+      {"target",
+       "IN",
+       "Reads what a part is to become: a turned part in STEP, STL, OBJ, PLY or OFF, a half section in DXF or SVG, or\n"
+       "a workpiece.\n"
+       "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
+       "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
+       "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
+       "y = 0 in DXF and the lowest line in SVG.",
+       {
+           {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
+           {"output", 'o', "OUT", "The drawing or document to write"},
+           {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
+           {"json", 0, "", "Report as JSON"},
+           {"help", 'h', "", "Show this help"},
+       }},
+      runTarget};
 }
 
 int runTarget(const Arguments& arguments, const DocumentKinds& kinds) {

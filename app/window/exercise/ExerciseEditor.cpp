@@ -120,12 +120,12 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   return rows;
 }
 
-void ExerciseEditor::connectMoves(Rows& rows, const QString& text, Move move) {
+void ExerciseEditor::connectMoves(Rows& rows, const QString& text, Move moved) {
   for (const bool isUp : {true, false}) {
-    connect(isUp ? rows.up : rows.down, &QToolButton::clicked, this, [this, list = rows.list, text, move, isUp] {
+    connect(isUp ? rows.up : rows.down, &QToolButton::clicked, this, [this, list = rows.list, text, moved, isUp] {
       const int row = list->currentRow();
       if (!m_document || row < 0) return;
-      change(text, move(m_document->exercise(), static_cast<std::size_t>(row), isUp));
+      change(text, moved(m_document->exercise(), static_cast<std::size_t>(row), isUp));
       list->setCurrentRow(row + (isUp ? -1 : 1));
     });
   }

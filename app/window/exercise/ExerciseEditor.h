@@ -40,7 +40,7 @@ class ExerciseEditor : public QTabWidget {
   void fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,
                 const std::function<std::string(int)>& prefix);
   using Move = ExerciseSnapshot (*)(ExerciseSnapshot, std::size_t row, bool isUp);
-  void connectMoves(Rows& rows, const QString& text, Move move);
+  void connectMoves(Rows& rows, const QString& text, Move moved);
   void addCriterion(std::size_t figure);
   void change(const QString& text, ExerciseSnapshot exercise);
 

@@ -59,7 +59,9 @@ void ThreadDialog::showValues() {
   m_cut->setEnabled(pass.hasValue());
   if (!pass) return m_remark->setText(errorSentence(pass.error()));
   const double bottom = 2.0 * ThreadGroove::of(*pass).front().deepest();
-  m_remark->setText(tr("The bottom of the groove is at a diameter of %1.")
+  const bool isIso = m_values.number("depth") == 0.0;
+  m_remark->setText((isIso ? tr("ISO metric profile: the bottom of the groove is at a diameter of %1.")
+                           : tr("The bottom of the groove is at a diameter of %1."))
                         .arg(quantityText(bottom, Quantity::Length, m_unit, QLocale())));
 }
 

@@ -56,8 +56,10 @@ std::span<const Migration> migrations() {
       // A turned part may be bored: an older program would show it solid, and lose the bore when it saves. A document
       // of version 3 has no bore, and the path of each pass in blobs of its own.
       joinPasses,
-      // Passes may tell the speed of the spindle, and a part its crashes: an older program would mark both wrongly, and
-      // lose the speeds when it saves. A document of version 4 has neither.
+      // Passes may be those of threads and tell the speed of the spindle, and a part its crashes: an older program
+      // would
+      // cut a thread as a neck, mark the others wrongly, and lose all of it when it saves. A document of version 4 has
+      // none of them.
       [](Container&) -> Status { return Done{}; },
   };
   return kChain;

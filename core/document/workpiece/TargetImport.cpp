@@ -6,11 +6,13 @@
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "document/Utf8.h"
+#include "document/formats/MeshFormat.h"
 #include "document/formats/step/StepReader.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "machining/target/DxfReader.h"
 #include "machining/target/SampledProfile.h"
 #include "machining/target/SvgReader.h"
+#include "machining/target/TurnedMesh.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -60,12 +62,30 @@ Result<ImportedTarget> fromWorkpiece(std::string_view bytes, Progress progress) 
   return ImportedTarget{std::move(section.value()), {}, {}};
 }
 
-Result<ImportedTarget> importAny(std::string_view bytes, UnturnedFaces others, Progress progress) {
+bool isMeshName(const std::string& name) {
+  const std::optional<MeshFormat> format = formatForName(name);
+  return format && *format != MeshFormat::ThreeMf;  // an archive, as our own
+}
+
+Result<ImportedTarget> fromMesh(std::string_view bytes, const std::string& name, Progress progress) {
+  const Result<MeshFile> mesh = readMesh(bytes, name, {}, progress.part(0.0, 0.5));
+  if (!mesh) return mesh.error();
+  Result<TurnedMesh> turned = turnedMeshIn(mesh->soup, progress.part(0.5, 1.0));
+  if (!turned) return turned.error();
+  ImportedTarget imported{std::move(turned->target), {}, {}};
+  imported.notes.push_back({QT_TRANSLATE_NOOP("Note", "The rings of the mesh leave their circles by up to %1 mm."),
+                            {roundedText(turned->deviation, 3)}});
+  return imported;
+}
+
+Result<ImportedTarget> importAny(std::string_view bytes, const std::string& name, UnturnedFaces others,
+                                 Progress progress) {
   const std::string_view head = bytes.substr(0, kFileHead);
   if (looksLikeStep(head)) return fromStep(bytes, others, progress);
   if (bytes.starts_with("PK")) return fromWorkpiece(bytes, progress);
   if (looksLikeSvg(head)) return fromDrawing(readSvg(bytes, progress));
   if (looksLikeDxf(head)) return fromDrawing(readDxf(bytes, progress));
+  if (isMeshName(name)) return fromMesh(bytes, name, progress);
   return Error{DocumentError::FormatUnknown, targetEndings(), {}, {}};
 }
 
@@ -73,8 +93,8 @@ Result<ImportedTarget> importAny(std::string_view bytes, UnturnedFaces others, P
 
 Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedFaces others, Progress progress) {
   const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.1));
-  Result<ImportedTarget> imported =
-      bytes ? importAny(*bytes, others, progress.part(0.1, 1.0)) : Result<ImportedTarget>(bytes.error());
+  Result<ImportedTarget> imported = bytes ? importAny(*bytes, path.filename().string(), others, progress.part(0.1, 1.0))
+                                          : Result<ImportedTarget>(bytes.error());
   if (!imported) {
     Error error = imported.error();
     error.subject = path.string();
@@ -86,7 +106,7 @@ Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedF
 }
 
 std::vector<std::string> targetEndings() {
-  return {".step", ".stp", ".dxf", ".svg", std::string(kContainerEnding)};
+  return {".step", ".stp", ".dxf", ".svg", ".stl", ".obj", ".ply", ".off", std::string(kContainerEnding)};
 }
 
 std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock) {

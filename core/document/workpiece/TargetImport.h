@@ -19,9 +19,9 @@ struct ImportedTarget {
   std::vector<Note> notes;  // what the user should know of how it was read
 };
 
-// Reads a target by the content of the file: a turned part in STEP, the half section in DXF or SVG, or a workpiece of
-// our own, whose target counts if it has one, else the part. Blocks. Errors: those of the readers, FormatUnknown; the
-// subject is the path.
+// Reads a target by the content of the file: a turned part in STEP or as a mesh, the half section in DXF or SVG, or a
+// workpiece of our own, whose target counts if it has one, else the part. Blocks. Errors: those of the readers,
+// FormatUnknown; the subject is the path.
 Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedFaces others, Progress progress = {});
 
 // The extensions of these files: ".step", …

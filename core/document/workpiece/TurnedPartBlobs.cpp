@@ -89,8 +89,12 @@ std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const R
 }
 
 nlohmann::json threadJson(const ThreadCut& thread) {
-  return {{"pitch", thread.pitch}, {"starts", thread.starts}, {"hand", thread.isLeft ? kLeft : kRight},
-          {"angle", thread.angle}, {"flat", thread.flat},     {"offset", thread.offset}};
+  return {{"pitch", thread.pitch},
+          {"starts", static_cast<std::uint64_t>(thread.starts)},
+          {"hand", thread.isLeft ? kLeft : kRight},
+          {"angle", thread.angle},
+          {"flat", thread.flat},
+          {"offset", thread.offset}};
 }
 
 std::optional<ThreadCut> threadFrom(const nlohmann::json& entry) {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramSimulation.h"
 
-#include "machining/thread/ThreadGroove.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +32,17 @@ bool isThread(const ToolMove& move) {
   const double pitch = move.feed * along / length;
   return pitch >= ThreadCut::kLeastPitch && pitch <= ThreadCut::kLargestPitch &&
          along / pitch <= ThreadGroove::kMostTurns;
+}
+
+// The area between the edge and a line at this height (mm) above the bottom of a groove, by Simpson's rule; mm².
+double sectionOf(const ThreadCut& cut, double height, double noseRadius) {
+  constexpr int kParts = 32;
+  double sum = 0.0;
+  for (int i = 0; i <= kParts; ++i) {
+    const double width = 2.0 * cut.distanceAt(height * i / kParts, noseRadius);
+    sum += width * (i == 0 || i == kParts ? 1.0 : i % 2 == 1 ? 4.0 : 2.0);
+  }
+  return sum * height / (3.0 * kParts);
 }
 
 }  // namespace
@@ -231,12 +240,30 @@ TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   return pass;
 }
 
+// The chip of a thread is what its section has more than that of the pass before: an area for each turn.
+void ProgramSimulation::meetThread(const ToolMove& move, const ThreadGroove& groove) {
+  const double middle = 0.5 * (std::max(groove.from(), 0.0) + std::min(groove.to(), m_part.length()));
+  const double at = std::clamp(middle / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
+  const auto sample = static_cast<std::size_t>(at);
+  const bool isBore = groove.side() == TurningSide::Bore;
+  const double surface = isBore ? m_part.inner(sample) : m_part.radius(sample);
+  const double section = sectionOf(groove.cut(), std::abs(surface - groove.deepest()), groove.noseRadius());
+  if (std::abs(m_sectionPitch - groove.cut().pitch) > kOnAxis) m_section = 0.0;
+  Removal removal;
+  removal.area = std::max(0.0, section - m_section) / groove.cut().lead() * lengthOf(move);
+  removal.radius = surface;
+  m_section = std::max(m_section, section);
+  m_sectionPitch = groove.cut().pitch;
+  meet(move, removal, move.time, lengthOf(move));
+}
+
 // Of several moves the passes are one where they go on with the same lead.
 void ProgramSimulation::cutThread(const ToolMove& move) {
   if (m_lead && m_lead->end != move.from) m_lead.reset();
   TurningPass pass = threadOf(move);
   const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
   if (!grooves.empty() && grooves.front().touches(m_part)) {
+    meetThread(move, grooves.front());
     const bool goesOn = m_lead && !m_passes.empty() && m_passes.back().thread && m_passes.back().side == pass.side &&
                         m_passes.back().path.back() == pass.path.front() &&
                         std::abs(m_passes.back().thread->pitch - pass.thread->pitch) < kOnAxis &&

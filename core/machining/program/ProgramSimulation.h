@@ -6,6 +6,7 @@
 #include "machining/force/ForcePeaks.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
+#include "machining/thread/ThreadGroove.h"
 
 #include <optional>
 #include <utility>
@@ -83,6 +84,7 @@ class ProgramSimulation {
   };
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
+  void meetThread(const ToolMove& move, const ThreadGroove& groove);
   bool leavesThread(const ToolMove& move) const;
   bool reachesChuck(const ToolMove& move, double nose) const;
 
@@ -103,6 +105,8 @@ class ProgramSimulation {
   std::vector<TurningPass> m_passes;
   double m_passBegin = 0.0;  // s, of the program, where the last pass begins
   std::optional<Lead> m_lead;  // the last move was a thread
+  // The largest section of a groove so far, and its pitch: what a pass cuts is more than the ones before.
+  double m_section = 0.0, m_sectionPitch = 0.0;  // mm², mm
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

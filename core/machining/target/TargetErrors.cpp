@@ -67,6 +67,15 @@ const ErrorDescription TargetError::TooIntricate{
     .sentences = {translatable("ErrorText", "the outline goes to and fro too often to be checked")},
     .advice = {translatable("ErrorText", "Draw it with fewer lines, for example without hatching.")}};
 
+const ErrorDescription TargetError::MeshNotTurned{
+    .id = "MeshNotTurned",
+    .sentences = {translatable(
+        "ErrorText",
+        "it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm "
+        "are allowed")},
+    .advice = {
+        translatable("ErrorText", "Export the turned part as STEP, or as a finer mesh without other features.")}};
+
 const ErrorDescription TargetError::NotOneSolid{
     .id = "NotOneSolid",
     .sentences = {translatable("ErrorText", "the file contains %1 solids, and a target is one")},

@@ -19,6 +19,7 @@ extern const ErrorDescription AxisUnknown;      // of the drawing
 extern const ErrorDescription NoAxis;           // of a solid: nothing in it turns
 extern const ErrorDescription NotTurned;        // {number of the face, kind of surface, x, y, z}
 extern const ErrorDescription TooIntricate;     // its pieces overlap too often to be checked
+extern const ErrorDescription MeshNotTurned;    // {deviation, tolerance}
 extern const ErrorDescription NotOneSolid;      // {count}
 
 }  // namespace handwheel::TargetError

@@ -123,18 +123,22 @@ bool ThreadGroove::isWithin(const ThreadGroove& other) const {
                           m_cut.flat == other.m_cut.flat && m_side == other.m_side && m_nose == other.m_nose;
   if (!isSameForm) return false;
   const double apart = m_cut.offset - other.m_cut.offset;
-  const double aside = std::abs(apart - m_cut.pitch * std::round(apart / m_cut.pitch));
+  const double shift = apart - m_cut.pitch * std::round(apart / m_cut.pitch), aside = std::abs(shift);
+  if (from() - shift < other.from() - aside - kShare || to() - shift > other.to() + aside + kShare) return false;
   // Moved aside by no more than its flanks lie within those of the other one, all along.
   const double out = m_side == TurningSide::Bore ? -1.0 : 1.0;
-  const auto isBelow = [&](const ProfilePoint& p) {
-    const double higher = out * (p.x() - other.bottomAt(p.y()));
+  const auto isBelow = [&](double bottom, double z) {
+    const double beside = std::clamp(z - shift, other.from(), other.to());
+    const double higher = out * (bottom - other.bottomAt(beside));
     return higher >= 0.0 && aside <= higher * std::tan(0.5 * m_cut.angle) + kShare * m_cut.pitch;
   };
-  if (from() < other.from() - aside - kShare || to() > other.to() + aside + kShare) return false;
-  return std::all_of(m_bottom.begin(), m_bottom.end(), isBelow) &&
-         std::all_of(other.m_bottom.begin(), other.m_bottom.end(), [&](const ProfilePoint& p) {
-           return p.y() < from() || p.y() > to() || isBelow({bottomAt(p.y()), p.y()});
-         });
+  const auto isOwnBelow = [&](const ProfilePoint& p) { return isBelow(p.x(), p.y()); };
+  const auto isBelowAt = [&](const ProfilePoint& p) {
+    const double z = p.y() + shift;
+    return z < from() || z > to() || isBelow(bottomAt(z), z);
+  };
+  return std::all_of(m_bottom.begin(), m_bottom.end(), isOwnBelow) &&
+         std::all_of(other.m_bottom.begin(), other.m_bottom.end(), isBelowAt);
 }
 
 }  // namespace handwheel
