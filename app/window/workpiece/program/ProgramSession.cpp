@@ -109,7 +109,8 @@ void ProgramSession::prepareActions() {
 void ProgramSession::connectPanel() {
   ProgramEditor& editor = m_panel->editor();
   connect(editor.document(), &QTextDocument::contentsChanged, this, [this, text = editor.document()] {
-    if (std::exchange(m_revision, text->revision()) != text->revision()) textChanged();  // else it is coloured only
+    const QString now = text->toPlainText();
+    if (std::exchange(m_text, now) != now) textChanged();  // else it is marked or coloured only
   });
   connect(editor.document(), &QTextDocument::modificationChanged, this, &ProgramSession::showName);
   connect(&editor, &ProgramEditor::cursorLineChanged, this, [this](int line) {

@@ -92,8 +92,8 @@ class ProgramSession : public QObject {
   QString m_path;        // of the file; empty: none yet
   ProgramFile m_file;
   JobRunner m_checks, m_runs, m_views, m_files;
-  int m_revision = 0;  // of the text
-  QTimer m_pause;      // since the last change of the text
+  QString m_text;  // as it was last
+  QTimer m_pause;  // since the last change of the text
 
   ProgramTrial::Pointer m_trial;  // null: the text was not run as it is
   WorkpieceSnapshot m_start;      // of the trial
