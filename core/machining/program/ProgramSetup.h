@@ -33,11 +33,11 @@ using ProgramTools = std::map<int, ProgramTool>;  // by number
 struct ProgramSetup {
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   ProgramTools tools;
-  ProgramTool standard;              // what any other number has
-  ProfilePoint reference{0, 0};      // mm, (r, z): machine zero, in the coordinates of the part
-  double grip = 0.0;                 // mm of the part, from its lower end, that the chuck holds
-  double rapidSpeed = 5000.0;        // mm/min
-  double toolChange = 2.0;           // s
+  ProgramTool standard;          // what any other number has
+  ProfilePoint reference{0, 0};  // mm, (r, z): machine zero, in the coordinates of the part
+  double grip = 0.0;             // mm of the part, from its lower end, that the chuck holds
+  double rapidSpeed = 5000.0;    // mm/min
+  double toolChange = 2.0;       // s
   std::uint64_t mostBlocks = 5'000'000;
   std::size_t mostMoves = 2'000'000;
   bool skipsMarked = false;  // blocks that begin with '/'

@@ -33,8 +33,8 @@ struct ProgramCollision {
 // cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
 // the outside, or the axis for a tool whose tip points outwards. A feed along the axis towards the chuck drills, with
 // the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so does a feed with the spindle at
-// rest or reversed; each is a collision where it meets material. A thread is a pass of its own, which leaves the profile
-// as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves). One thread.
+// rest or reversed; each is a collision where it meets material. A thread is a pass of its own, which leaves the
+// profile as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves). One thread.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
@@ -103,7 +103,7 @@ class ProgramSimulation {
   bool m_isDrilling = false;  // the tool is on the axis and has drilled there
   int m_drill = -1;           // its number
   std::vector<TurningPass> m_passes;
-  double m_passBegin = 0.0;  // s, of the program, where the last pass begins
+  double m_passBegin = 0.0;    // s, of the program, where the last pass begins
   std::optional<Lead> m_lead;  // the last move was a thread
   // The largest section of a groove so far, and its pitch: what a pass cuts is more than the ones before.
   double m_section = 0.0, m_sectionPitch = 0.0;  // mm², mm
