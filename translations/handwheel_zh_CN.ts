@@ -957,6 +957,62 @@
         <source>Save the turned part alone in a file.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>nothing was cut yet, so there are no passes to write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part by hand first, or make cycles for a target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passes in a bore cannot be written as a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a program of your own for the bore.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write passes that were made with turning tools.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cycles collide in line %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a smaller nose or depth of cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cycles cut %1 mm into the target at Z %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a smaller nose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline goes to and fro too often to be checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw it with fewer lines, for example without hatching.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the turned part as STEP, or as a finer mesh without other features.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2372,6 +2428,22 @@
         <source>Power</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Pitch of a thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Major diameter of a thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch diameter of a thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minor diameter of a thread</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -2482,6 +2554,21 @@
     <message>
         <source>Document</source>
         <translation>文档</translation>
+    </message>
+</context>
+<context>
+    <name>LatheFigures</name>
+    <message>
+        <source>Kosilova</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kienzle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2973,6 +3060,70 @@
     </message>
     <message>
         <source>%1 is %2 above the upper limit, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no thread along the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 grooves, each within %2 mm of the pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool that cut it has no nose radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle turned the wrong way at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bar ⌀%1 × %2 mm, held by the chuck over %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle %1 r/min, feed up to %2 mm per revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force up to %1 N, power up to %2 kW</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool: %1, nose radius %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rings of the mesh leave their circles by up to %1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Threads are in the file as their envelope, without grooves: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scheme has no limit for it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4074,13 +4225,61 @@
         <source>Control point distance</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nominal size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody gets them without a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor power, kW (0: no limit)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle torque, N·m (0: no limit)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flank wear of the tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left-hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
     <message numerus="yes">
         <source>%Ln hole(s)</source>
         <translation type="unfinished">
-            <numerusform></numerusform>
+            <numerusform>%Ln 个孔洞</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5217,10 +5416,6 @@
         <translation>没有切割能干净地分开这些三角形；“全部修复”可能会将它们连同孔一起替换</translation>
     </message>
     <message>
-        <source>merging them would close no open edge, or make edges with more than two triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Train a force model</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5290,6 +5485,38 @@
     </message>
     <message>
         <source>Exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>merging them would make edges with more than two triangles, or change a boundary that is to stay open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the carriage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the cross slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the compound slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by ten divisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>separating all of them would take too long for a mesh of this size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Repair all” leaves them as they are; they can be fixed here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6300,6 +6527,22 @@
         <source>Add a criterion</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Move a criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>
@@ -6321,6 +6564,18 @@
     </message>
     <message>
         <source>Your name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: %1 … %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: at most %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: at least %1%2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6396,10 +6651,6 @@
     </message>
     <message>
         <source>Exercise: bored bush</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exercise: blank of a thread M20</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6499,6 +6750,26 @@
     <message>
         <source>E&amp;xercise</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: thread M20</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exercise: first shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model solution was not taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished">正在写入 %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation type="unfinished">已保存 %1</translation>
     </message>
 </context>
 <context>
@@ -6984,15 +7255,157 @@
     </message>
 </context>
 <context>
+    <name>handwheel::LatheEvents</name>
+    <message>
+        <source>%1 s: crash, %2 – %3 at R %4, Z %5. %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crashes and warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What met what, which rule was broken, and when. A crash stops the spindle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LatheFigures</name>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">力</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the cut, of all three components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the motor, and what it has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the spindle, and what it has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its speed now. A cut beyond power or torque slows it down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the middle of the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the cut, across its way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm/rev</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a turn of the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kosilova</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The law of the cutting force was not made for such a cut of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::LathePanel</name>
-    <message>
-        <source>Crashes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What met what, and when. A crash stops the spindle.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Tool in the post</source>
         <translation type="unfinished"></translation>
@@ -7042,10 +7455,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Constant surface speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Surface speed, m/min</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7059,10 +7468,6 @@
     </message>
     <message>
         <source>m/min, at most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Automatic feed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7110,10 +7515,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pitch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Carriage</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7134,15 +7535,39 @@
         <translation type="unfinished">无</translation>
     </message>
     <message>
-        <source>%1 s: %2 – %3 at R %4, Z %5. %6</source>
+        <source>mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>depth %1 mm, %2 m/min</source>
+        <source>Constant</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 r/min</source>
+        <source>Constant surface speed: the spindle turns faster the nearer the tool is to the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No automatic feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic feed of the carriage to the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic feed of the carriage away from the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic feed of the cross slide to the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic feed of the cross slide outward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thread, pitch</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7197,6 +7622,10 @@
     </message>
     <message>
         <source>Time since the beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show another hint</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7817,9 +8246,150 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ProgramDock</name>
+    <message>
+        <source>&amp;Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run lathe programs on the part, and write them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ProgramEditor</name>
     <message>
         <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProgramPanel</name>
+    <message>
+        <source>Errors and collisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A click jumps to the line, and shows the place of a collision.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a program, drop one here, or write one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Have a program written: of the recorded passes, or for the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control for which the program is written. It is recognised when a program is opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fanuc, system A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nose radius of the tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nose radius of all tools; 0: the tools are points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate the program on the part; the document stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>Stop this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cut the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: </source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProgramPlayer</name>
+    <message>
+        <source>One line back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One line on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time in the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times as fast as the machine it plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation type="unfinished">%1。 {1×?}</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7843,6 +8413,261 @@
     </message>
     <message>
         <source>not found</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProgramSession</name>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation type="unfinished">%1：%2：%3 {1:?} {2.?}</translation>
+    </message>
+    <message>
+        <source>&amp;Open program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a program: .ngc, .nc, .tap or .txt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the program in its file (Ctrl+S in the text)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save program &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the program under another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program from &amp;passes…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the passes that cut this part as a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rough and finish…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a program that makes the target from the part. It is simulated before it is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Untitled program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program does not run as it is.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Programs (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished">正在读取 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation type="unfinished">无法打开 %1</translation>
+    </message>
+    <message>
+        <source>Program read from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation type="unfinished">正在保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation type="unfinished">无法保存 %1</translation>
+    </message>
+    <message>
+        <source>Program saved as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program from passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo brings the present text back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The passes cannot be written as a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rough and finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes a program that makes the outside of the target from this part. It is simulated first, and refused where it collides or cuts into the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a roughing cut, on the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left for the finishing cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nose radius</source>
+        <translation type="unfinished">刀尖半径</translation>
+    </message>
+    <message>
+        <source>Feed of roughing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/rev</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed of finishing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing and simulating the cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no cycles for this target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program could not be run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does: one step of the history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program does not touch the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision: a rapid move through material, to ⌀ %1, Z %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n collision(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No collision.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program does not touch the part. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time with tool changes %1. It removes %2 mm³. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut: %1 mm³ removed. Undo brings them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting up to the line</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8247,11 +9072,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The remaining defects could not be repaired without damage. The list of defects gives the reasons.</source>
+        <source>Repaired %1: nothing was changed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Repaired %1: nothing was changed</source>
+        <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8386,6 +9211,42 @@
     </message>
     <message>
         <source>It could not be handed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exercise that %1 belongs to cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handwheel documents (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is open, and would be replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another name for the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handing in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed in by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work is in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give that file to your teacher.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8879,6 +9740,44 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ThreadDialog</name>
+    <message>
+        <source>Thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO metric profile: the bottom of the groove is at a diameter of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bottom of the groove is at a diameter of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ThreadView</name>
+    <message>
+        <source>T&amp;hread…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut a thread outside or in a bore, between two heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting the thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::TickTiming</name>
     <message>
         <source>Servo tick in use: %1 of %2 µs (%3 %)</source>
@@ -9127,6 +10026,10 @@
     <message>
         <source>Look from: %1</source>
         <translation>视向:%1</translation>
+    </message>
+    <message>
+        <source>L&amp;athe</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
