@@ -174,7 +174,7 @@ Eigen::Quaterniond orientationOf(StandardView view) {
     case StandardView::Bottom:
       return looking(-z, -y);
     case StandardView::Lathe:
-      return looking(x - 0.7 * y + 0.35 * z, -y);
+      return looking(x - 0.7 * y + 0.35 * z, (x - 0.7 * y).cross(z));  // so that the axis is level
     case StandardView::Isometric:
       break;
   }

@@ -43,6 +43,21 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
   return static_cast<std::size_t>(found - path.moves.begin());
 }
 
+// With the place as %1 and %2.
+QString collisionText(ProgramCollision::Kind kind) {
+  switch (kind) {
+    case ProgramCollision::Kind::Chuck:
+      return ProgramSession::tr("collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.");
+    case ProgramCollision::Kind::RapidInMaterial:
+      return ProgramSession::tr("collision: a rapid move through material, to ⌀ %1, Z %2.");
+    case ProgramCollision::Kind::SpindleAtRest:
+      return ProgramSession::tr("collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.");
+    case ProgramCollision::Kind::SpindleReversed:
+      break;
+  }
+  return ProgramSession::tr("collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.");
+}
+
 }  // namespace
 
 void ProgramSession::forgetRun() {
@@ -114,15 +129,15 @@ std::vector<ProgramFinding> ProgramSession::findingsOf(const ProgramTrial& trial
     const auto length = [unit](double mm) {
       return quantityText(std::round(mm * 1e3) / 1e3, Quantity::Length, unit, QLocale());
     };
-    const QString what = each.kind == ProgramCollision::Kind::Chuck
-                             ? tr("collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.")
-                             : tr("collision: a rapid move through material, to ⌀ %1, Z %2.");
     findings.push_back({ProgramFinding::Weight::Error, static_cast<int>(each.line), 0,
-                        what.arg(length(2.0 * each.at.x()), length(each.at.y())), moveOf(each, trial.path())});
+                        collisionText(each.kind).arg(length(2.0 * each.at.x()), length(each.at.y())),
+                        moveOf(each, trial.path())});
   }
-  for (const ToolPath::Note& note : trial.path().notes)
-    findings.push_back({ProgramFinding::Weight::Note, static_cast<int>(note.line), 0, QString::fromStdString(note.text),
-                        std::nullopt});
+  for (const auto* notes : {&trial.path().notes, &trial.notes()}) {
+    for (const ToolPath::Note& note : *notes)
+      findings.push_back({ProgramFinding::Weight::Note, static_cast<int>(note.line), 0,
+                          QString::fromStdString(note.text), std::nullopt});
+  }
   return findings;
 }
 
@@ -152,7 +167,7 @@ void ProgramSession::goTo(const ProgramPosition& position) {
   m_panel->editor().setCurrentLine(static_cast<int>(steps.lineAt(position)));
   if (!m_trial->path().moves.empty()) {
     const ToolMove& move = steps.moveAt(position);
-    m_picture.tool = toolOutline(m_trial->setup().tool(move.tool), m_trial->setup().dialect, steps.tipAt(position),
+    m_picture.tool = toolOutline(m_trial->setup().toolOf(move), m_trial->setup().dialect, steps.tipAt(position),
                                  zeroOf(m_start.stock));
   }
   showPart();
