@@ -16,31 +16,31 @@
     <name>ClassTable</name>
     <message>
         <source>Student</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüler</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgegeben</translation>
     </message>
     <message>
         <source>Minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Minuten</translation>
     </message>
     <message>
         <source>Hints</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Percent</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozent</translation>
     </message>
 </context>
 <context>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung</translation>
     </message>
 </context>
 <context>
@@ -739,279 +739,279 @@
     </message>
     <message>
         <source>the exercise is about “%1”, which this program cannot mark</source>
-        <translation type="unfinished"></translation>
+        <translation>die Übung handelt von „%1“, was dieses Programm nicht bewerten kann</translation>
     </message>
     <message>
         <source>the exercise does not say what it is about</source>
-        <translation type="unfinished"></translation>
+        <translation>die Übung sagt nicht, wovon sie handelt</translation>
     </message>
     <message>
         <source>Open it with a newer version of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen Sie sie mit einer neueren Version des Programms.</translation>
     </message>
     <message>
         <source>it was handed in for another exercise, “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>sie wurde für eine andere Übung abgegeben, „%1“</translation>
     </message>
     <message>
         <source>Mark it with the exercise that the student&apos;s file was made from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewerten Sie sie mit der Übung, aus der die Datei des Schülers entstanden ist.</translation>
     </message>
     <message>
         <source>the work does not belong to this exercise: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Arbeit gehört nicht zu dieser Übung: %1</translation>
     </message>
     <message>
         <source>Begin the exercise from its file, and hand in that work.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnen Sie die Übung aus ihrer Datei, und geben Sie diese Arbeit ab.</translation>
     </message>
     <message>
         <source>it has no work that was handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>sie enthält keine abgegebene Arbeit</translation>
     </message>
     <message>
         <source>Ask the student to hand in the exercise once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bitten Sie den Schüler, die Übung noch einmal abzugeben.</translation>
     </message>
     <message>
         <source>it is a student&apos;s copy, which has no marking scheme</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist eine Schülerfassung, und die hat kein Bewertungsschema</translation>
     </message>
     <message>
         <source>Give the teacher&apos;s file of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie die Lehrerdatei der Übung an.</translation>
     </message>
     <message>
         <source>a student&apos;s copy of an exercise cannot be changed</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schülerfassung einer Übung lässt sich nicht ändern</translation>
     </message>
     <message>
         <source>Change the teacher&apos;s file and make students&apos; copies of it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern Sie die Lehrerdatei, und erzeugen Sie die Schülerfassungen daraus neu.</translation>
     </message>
     <message>
         <source>the part has %1 closed hollows, which the file cannot contain</source>
-        <translation type="unfinished"></translation>
+        <translation>das Teil hat %1 geschlossene Hohlräume, die die Datei nicht enthalten kann</translation>
     </message>
     <message>
         <source>Bore the part open from an end, or export triangles, for example STL.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohren Sie das Teil von einem Ende her auf, oder exportieren Sie Dreiecke, zum Beispiel STL.</translation>
     </message>
     <message>
         <source>the table has no column for the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Tabelle fehlt eine Spalte für %1</translation>
     </message>
     <message>
         <source>Its first line has to name the columns; this one may be called %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre erste Zeile muss die Spalten benennen; diese darf %2 heißen.</translation>
     </message>
     <message>
         <source>the table has two columns for the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle hat zwei Spalten für %1</translation>
     </message>
     <message>
         <source>Remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen Sie eine davon.</translation>
     </message>
     <message>
         <source>the table gives the spindle speed only, and no cutting speed</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle gibt nur die Drehzahl an und keine Schnittgeschwindigkeit</translation>
     </message>
     <message>
         <source>Say the diameter of the work (on the command line: --diameter), or add a column v in m/min.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie den Durchmesser des Werkstücks an (auf der Befehlszeile: --diameter), oder fügen Sie eine Spalte v in m/min hinzu.</translation>
     </message>
     <message>
         <source>there are %1 different cuts, and a model needs at least %2</source>
-        <translation type="unfinished"></translation>
+        <translation>es sind %1 verschiedene Schnitte, und ein Modell braucht mindestens %2</translation>
     </message>
     <message>
         <source>Add measurements at other depths, feeds and speeds, made with a sharp tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie Messungen mit anderen Schnitttiefen, Vorschüben und Schnittgeschwindigkeiten hinzu, aufgenommen mit einem scharfen Werkzeug.</translation>
     </message>
     <message>
         <source>there is no work material &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Werkstoff „%1“</translation>
     </message>
     <message>
         <source>See the list of materials (on the command line: handwheel force --list).</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehen Sie in der Liste der Werkstoffe nach (auf der Befehlszeile: handwheel force --list).</translation>
     </message>
     <message>
         <source>column %1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte %1, %2: %3</translation>
     </message>
     <message>
         <source>%4 Then run the program again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%4 Führen Sie das Programm dann erneut aus.</translation>
     </message>
     <message>
         <source>the program did not end after %1 blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>das Programm war nach %1 Sätzen nicht zu Ende</translation>
     </message>
     <message>
         <source>Look for a loop whose condition never becomes false.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen Sie nach einer Schleife, deren Bedingung nie falsch wird.</translation>
     </message>
     <message>
         <source>the tool path has more than %1 moves</source>
-        <translation type="unfinished"></translation>
+        <translation>der Werkzeugweg hat mehr als %1 Bewegungen</translation>
     </message>
     <message>
         <source>Take a larger depth of cut, or divide the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nehmen Sie eine größere Schnitttiefe, oder teilen Sie das Programm.</translation>
     </message>
     <message>
         <source>the profile crosses the axis at Z %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>das Profil kreuzt die Achse bei Z %1 mm</translation>
     </message>
     <message>
         <source>Draw only the half of the section on one side of the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie nur die Hälfte des Schnitts auf einer Seite der Achse.</translation>
     </message>
     <message>
         <source>the profile touches the axis at Z %1 mm, so the part would be in pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>das Profil berührt die Achse bei Z %1 mm, das Teil zerfiele also in Stücke</translation>
     </message>
     <message>
         <source>Import each piece from a file of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren Sie jedes Stück aus einer eigenen Datei.</translation>
     </message>
     <message>
         <source>the profile crosses or touches itself at radius %1 mm, Z %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>das Profil kreuzt oder berührt sich selbst bei Radius %1 mm, Z %2 mm</translation>
     </message>
     <message>
         <source>Correct the outline there: it must enclose one area.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berichtigen Sie dort den Umriss: Er muss eine einzige Fläche einschließen.</translation>
     </message>
     <message>
         <source>the profile has a gap of %1 mm at radius %2 mm, Z %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>das Profil hat eine Lücke von %1 mm bei Radius %2 mm, Z %3 mm</translation>
     </message>
     <message>
         <source>Join the ends of the lines there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden Sie dort die Enden der Linien.</translation>
     </message>
     <message>
         <source>the profile encloses no material</source>
-        <translation type="unfinished"></translation>
+        <translation>das Profil schließt kein Material ein</translation>
     </message>
     <message>
         <source>Draw the outline of the half section, from one end of the part to the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie den Umriss des Halbschnitts von einem Ende des Teils zum anderen.</translation>
     </message>
     <message>
         <source>the file contains no profile</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei enthält kein Profil</translation>
     </message>
     <message>
         <source>Draw the half section with visible lines, arcs or polylines, outside of blocks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie den Halbschnitt mit sichtbaren Linien, Bögen oder Polylinien, außerhalb von Blöcken.</translation>
     </message>
     <message>
         <source>the file contains %1 separate outlines, and a profile is one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei enthält %1 getrennte Umrisse, und ein Profil ist nur einer</translation>
     </message>
     <message>
         <source>Remove frames, dimensions and other views, or join the ends of the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen Sie Rahmen, Maße und andere Ansichten, oder verbinden Sie die Enden der Linien.</translation>
     </message>
     <message>
         <source>it is a binary DXF file, and only those in text can be read</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist eine binäre DXF-Datei, und nur solche in Textform sind lesbar</translation>
     </message>
     <message>
         <source>Save it as ASCII DXF.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern Sie sie als ASCII-DXF.</translation>
     </message>
     <message>
         <source>the drawing does not show where the axis is</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zeichnung zeigt nicht, wo die Achse liegt</translation>
     </message>
     <message>
         <source>Draw the axis as a horizontal line with the id or layer &apos;axis&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie die Achse als waagerechte Linie mit der ID oder dem Layer „axis“.</translation>
     </message>
     <message>
         <source>the solid has no axis of revolution</source>
-        <translation type="unfinished"></translation>
+        <translation>der Volumenkörper hat keine Drehachse</translation>
     </message>
     <message>
         <source>Choose a part that can be turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie ein Teil, das sich drehen lässt.</translation>
     </message>
     <message>
         <source>it is not a turned part: face %1, a %2 at (%3, %4, %5), does not turn about its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Drehteil: Fläche %1 (%2) bei (%3, %4, %5) ist nicht rotationssymmetrisch zu seiner Achse</translation>
     </message>
     <message>
         <source>Remove that feature, or choose to ignore what is not turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen Sie dieses Merkmal, oder lassen Sie außer Acht, was nicht gedreht ist.</translation>
     </message>
     <message>
         <source>the file contains %1 solids, and a target is one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei enthält %1 Volumenkörper, und ein Ziel ist nur einer</translation>
     </message>
     <message>
         <source>Save the turned part alone in a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern Sie das Drehteil allein in einer Datei.</translation>
     </message>
     <message>
         <source>nothing was cut yet, so there are no passes to write</source>
-        <translation type="unfinished"></translation>
+        <translation>es wurde noch nichts gedreht, daher gibt es keine Schnitte zu schreiben</translation>
     </message>
     <message>
         <source>Cut the part by hand first, or make cycles for a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen Sie das Teil zuerst von Hand, oder erzeugen Sie Zyklen für ein Ziel.</translation>
     </message>
     <message>
         <source>passes in a bore cannot be written as a program</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte in einer Bohrung lassen sich nicht als Programm schreiben</translation>
     </message>
     <message>
         <source>Write a program of your own for the bore.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben Sie für die Bohrung ein eigenes Programm.</translation>
     </message>
     <message>
         <source>pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt %1 entstand mit einem Werkzeug, das kein Programm bewegt: Bohrer, Feile, Schleifpapier oder Schleifscheibe</translation>
     </message>
     <message>
         <source>Write passes that were made with turning tools.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben Sie Schnitte, die mit Drehmeißeln entstanden sind.</translation>
     </message>
     <message>
         <source>the cycles collide in line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zyklen kollidieren in Zeile %1</translation>
     </message>
     <message>
         <source>Take a smaller nose or depth of cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nehmen Sie einen kleineren Eckenradius oder eine kleinere Schnitttiefe.</translation>
     </message>
     <message>
         <source>the cycles cut %1 mm into the target at Z %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zyklen schneiden bei Z %2 um %1 mm in das Ziel</translation>
     </message>
     <message>
         <source>Take a smaller nose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nehmen Sie einen kleineren Eckenradius.</translation>
     </message>
     <message>
         <source>the outline goes to and fro too often to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>der Umriss geht zu oft hin und her, um geprüft zu werden</translation>
     </message>
     <message>
         <source>Draw it with fewer lines, for example without hatching.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie ihn mit weniger Linien, zum Beispiel ohne Schraffur.</translation>
     </message>
     <message>
         <source>it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm are allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Drehteil: Seine Punkte liegen bis zu %1 mm neben Kreisen um eine Achse, und %2 mm sind erlaubt</translation>
     </message>
     <message>
         <source>Export the turned part as STEP, or as a finer mesh without other features.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren Sie das Drehteil als STEP oder als feineres Netz ohne andere Merkmale.</translation>
     </message>
 </context>
 <context>
@@ -1694,207 +1694,207 @@
     </message>
     <message>
         <source>segments</source>
-        <translation type="unfinished"></translation>
+        <translation>Segmente</translation>
     </message>
     <message>
         <source>the number of segments is missing or impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>die Anzahl der Segmente fehlt oder ist unmöglich</translation>
     </message>
     <message>
         <source>its radius is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>sein Radius ist nicht größer als null</translation>
     </message>
     <message>
         <source>its code is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>sein Code ist keine Zahl</translation>
     </message>
     <message>
         <source>it has no extent</source>
-        <translation type="unfinished"></translation>
+        <translation>es hat keine Ausdehnung</translation>
     </message>
     <message>
         <source>it has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>es hat keinen Wert</translation>
     </message>
     <message>
         <source>a command was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Befehl wurde erwartet</translation>
     </message>
     <message>
         <source>it is not one that SVG has</source>
-        <translation type="unfinished"></translation>
+        <translation>in SVG gibt es das nicht</translation>
     </message>
     <message>
         <source>a coordinate is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate ist zu groß</translation>
     </message>
     <message>
         <source>its answer is not understood</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Antwort ist unverständlich</translation>
     </message>
     <message>
         <source>its outline differs</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr Umriss weicht ab</translation>
     </message>
     <message>
         <source>there are no fonts</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Schriften</translation>
     </message>
     <message>
         <source>the page cannot be painted</source>
-        <translation type="unfinished"></translation>
+        <translation>die Seite lässt sich nicht zeichnen</translation>
     </message>
     <message>
         <source>a list was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Liste wurde erwartet</translation>
     </message>
     <message>
         <source>a nose radius is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Eckenradius ist unmöglich</translation>
     </message>
     <message>
         <source>a number was expected, or nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl wurde erwartet oder nichts</translation>
     </message>
     <message>
         <source>a range ends before it begins</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bereich endet, bevor er beginnt</translation>
     </message>
     <message>
         <source>a section has no corners, too many, or impossible ones</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abschnitt hat keine Ecken, zu viele oder unmögliche</translation>
     </message>
     <message>
         <source>a switch was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Schalter wurde erwartet</translation>
     </message>
     <message>
         <source>a text in UTF-8 was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Text in UTF-8 wurde erwartet</translation>
     </message>
     <message>
         <source>a tool is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Werkzeug ist unmöglich</translation>
     </message>
     <message>
         <source>an object was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt wurde erwartet</translation>
     </message>
     <message>
         <source>criteria</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterien</translation>
     </message>
     <message>
         <source>feed and spindle speed must be above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub und Drehzahl müssen über 0 liegen</translation>
     </message>
     <message>
         <source>it has too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>es hat zu wenige Punkte</translation>
     </message>
     <message>
         <source>it is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist unmöglich</translation>
     </message>
     <message>
         <source>it is no object</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Objekt</translation>
     </message>
     <message>
         <source>it is not 1</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist nicht 1</translation>
     </message>
     <message>
         <source>it is not a list of the numbers that belong there</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Liste der Zahlen, die dorthin gehören</translation>
     </message>
     <message>
         <source>it is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist nicht bekannt</translation>
     </message>
     <message>
         <source>it is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist zu lang</translation>
     </message>
     <message>
         <source>it names a criterion that there is not</source>
-        <translation type="unfinished"></translation>
+        <translation>es nennt ein Kriterium, das es nicht gibt</translation>
     </message>
     <message>
         <source>its kind is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Art ist unbekannt</translation>
     </message>
     <message>
         <source>its lists differ in length, or do not ascend</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Listen sind verschieden lang oder nicht aufsteigend</translation>
     </message>
     <message>
         <source>its time is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Zeit ist unmöglich</translation>
     </message>
     <message>
         <source>lines</source>
-        <translation type="unfinished">Linien</translation>
+        <translation>Zeilen</translation>
     </message>
     <message>
         <source>nothing is left of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Teil ist nichts übrig</translation>
     </message>
     <message>
         <source>numbers with “;” between them were expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen mit „;“ dazwischen wurden erwartet</translation>
     </message>
     <message>
         <source>one of its numbers is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>eine seiner Zahlen ist unmöglich</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>points of two numbers each were expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte aus je zwei Zahlen wurden erwartet</translation>
     </message>
     <message>
         <source>points were expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte wurden erwartet</translation>
     </message>
     <message>
         <source>property</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschaft</translation>
     </message>
     <message>
         <source>rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen</translation>
     </message>
     <message>
         <source>steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>the bore is longer than the part</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bohrung ist länger als das Teil</translation>
     </message>
     <message>
         <source>the bore is wider than the part</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bohrung ist weiter als das Teil</translation>
     </message>
     <message>
         <source>there are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>es sind zu viele</translation>
     </message>
     <message>
         <source>there are two with this id</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt zwei mit dieser ID</translation>
     </message>
     <message>
         <source>there is no such choice</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Auswahl gibt es nicht</translation>
     </message>
     <message>
         <source>too many sections, or no list</source>
-        <translation type="unfinished"></translation>
+        <translation>zu viele Abschnitte oder keine Liste</translation>
     </message>
 </context>
 <context>
@@ -2302,147 +2302,147 @@
     <name>Figure</name>
     <message>
         <source>Time of the work</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit der Arbeit</translation>
     </message>
     <message>
         <source>Hints looked at</source>
-        <translation type="unfinished"></translation>
+        <translation>Angesehene Hinweise</translation>
     </message>
     <message>
         <source>from Z (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>von Z (mm)</translation>
     </message>
     <message>
         <source>to Z (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>bis Z (mm)</translation>
     </message>
     <message>
         <source>at radius (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>bei Radius (mm)</translation>
     </message>
     <message>
         <source>near Z (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>nahe Z (mm)</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished">Durchmesser</translation>
+        <translation>Durchmesser</translation>
     </message>
     <message>
         <source>Diameter of a bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser einer Bohrung</translation>
     </message>
     <message>
         <source>Length between two faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge zwischen zwei Planflächen</translation>
     </message>
     <message>
         <source>Depth of a bore to a face</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe einer Bohrung bis zu einer Planfläche</translation>
     </message>
     <message>
         <source>Radius of an arc</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius eines Bogens</translation>
     </message>
     <message>
         <source>Radius of an arc inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius eines Bogens innen</translation>
     </message>
     <message>
         <source>Angle of a taper to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel eines Kegels zur Achse</translation>
     </message>
     <message>
         <source>Largest deviation from the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Abweichung vom Ziel</translation>
     </message>
     <message>
         <source>Roughness Ra</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauheit Ra</translation>
     </message>
     <message>
         <source>Roughness Ra inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauheit Ra innen</translation>
     </message>
     <message>
         <source>Collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollisionen</translation>
     </message>
     <message>
         <source>Largest cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Schnittkraft</translation>
     </message>
     <message>
         <source>Largest power</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Leistung</translation>
     </message>
     <message>
         <source>Time of all passes</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit aller Schnitte</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished">Profil</translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished">Radius</translation>
+        <translation>Radius</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil</translation>
     </message>
     <message>
         <source>Bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrung</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished">Ziel</translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>Target, bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel, Bohrung</translation>
     </message>
     <message>
         <source>Path of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg des Werkzeugs</translation>
     </message>
     <message>
         <source>Centre of the nose</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der Schneidenecke</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Turning</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen</translation>
     </message>
     <message>
         <source>Cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittkraft</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>Pitch of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Steigung eines Gewindes</translation>
     </message>
     <message>
         <source>Major diameter of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Außendurchmesser eines Gewindes</translation>
     </message>
     <message>
         <source>Pitch diameter of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Flankendurchmesser eines Gewindes</translation>
     </message>
     <message>
         <source>Minor diameter of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerndurchmesser eines Gewindes</translation>
     </message>
 </context>
 <context>
@@ -2560,129 +2560,129 @@
     <name>LatheFigures</name>
     <message>
         <source>Kosilova</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosilova</translation>
     </message>
     <message>
         <source>Kienzle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kienzle</translation>
     </message>
     <message>
         <source>Network</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzwerk</translation>
     </message>
 </context>
 <context>
     <name>LathePart</name>
     <message>
         <source>Cutting edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneide</translation>
     </message>
     <message>
         <source>Tool holder</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeughalter</translation>
     </message>
     <message>
         <source>Tool post</source>
-        <translation type="unfinished"></translation>
+        <translation>Stahlhalter</translation>
     </message>
     <message>
         <source>Compound slide</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschlitten</translation>
     </message>
     <message>
         <source>Quill</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinole</translation>
     </message>
     <message>
         <source>Tailstock</source>
-        <translation type="unfinished"></translation>
+        <translation>Reitstock</translation>
     </message>
     <message>
         <source>Jaws</source>
-        <translation type="unfinished"></translation>
+        <translation>Backen</translation>
     </message>
     <message>
         <source>Chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Futter</translation>
     </message>
     <message>
         <source>Workpiece</source>
-        <translation type="unfinished">Werkstück</translation>
+        <translation>Werkstück</translation>
     </message>
     <message>
         <source>These parts must not touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Teile dürfen sich nicht berühren.</translation>
     </message>
     <message>
         <source>The rapid traverse ran into the workpiece.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Eilgang fuhr in das Werkstück.</translation>
     </message>
     <message>
         <source>The spindle was at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spindel stand still.</translation>
     </message>
     <message>
         <source>The spindle turned backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spindel lief rückwärts.</translation>
     </message>
     <message>
         <source>The cut was deeper than the cutting edge is long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt war tiefer, als die Schneide lang ist.</translation>
     </message>
     <message>
         <source>The cut needed more than the motor has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt brauchte mehr, als der Motor leistet.</translation>
     </message>
 </context>
 <context>
     <name>LatheTool</name>
     <message>
         <source>Turning tool, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmeißel, rechts</translation>
     </message>
     <message>
         <source>Turning tool, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmeißel, links</translation>
     </message>
     <message>
         <source>Facing tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Plandrehmeißel</translation>
     </message>
     <message>
         <source>Parting tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstechmeißel</translation>
     </message>
     <message>
         <source>Grooving tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstechmeißel</translation>
     </message>
     <message>
         <source>Form tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Formdrehmeißel</translation>
     </message>
     <message>
         <source>Threading tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewindedrehmeißel</translation>
     </message>
     <message>
         <source>Boring bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Innendrehmeißel</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrer</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Feile</translation>
     </message>
     <message>
         <source>Abrasive paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleifpapier</translation>
     </message>
     <message>
         <source>Grinding disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleifscheibe</translation>
     </message>
 </context>
 <context>
@@ -2951,187 +2951,187 @@
     </message>
     <message>
         <source>The description has neither model solution nor work.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beschreibung enthält weder Musterlösung noch Arbeit.</translation>
     </message>
     <message>
         <source>there is no such surface along all of the range</source>
-        <translation type="unfinished"></translation>
+        <translation>eine solche Fläche gibt es nicht über den ganzen Bereich</translation>
     </message>
     <message>
         <source>at Z %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>bei Z %1 mm</translation>
     </message>
     <message>
         <source>the first face is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>die erste Planfläche fehlt</translation>
     </message>
     <message>
         <source>the second face is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>die zweite Planfläche fehlt</translation>
     </message>
     <message>
         <source>between Z %1 and %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen Z %1 und %2 mm</translation>
     </message>
     <message>
         <source>there is no arc</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Bogen</translation>
     </message>
     <message>
         <source>the surface is within %1 mm of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>die Oberfläche weicht höchstens %1 mm vom Kreis ab</translation>
     </message>
     <message>
         <source>after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>nach %1 s</translation>
     </message>
     <message>
         <source>this figure is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Messgröße ist nicht bekannt</translation>
     </message>
     <message>
         <source>the scheme does not say where to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>das Schema sagt nicht, wo zu messen ist</translation>
     </message>
     <message>
         <source>the part is not what its recorded passes cut</source>
-        <translation type="unfinished"></translation>
+        <translation>das Teil ist nicht das, was seine aufgezeichneten Schnitte ergeben</translation>
     </message>
     <message>
         <source>there are too many passes to measure it</source>
-        <translation type="unfinished"></translation>
+        <translation>es sind zu viele Schnitte, um es zu messen</translation>
     </message>
     <message>
         <source>nothing was cut</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts wurde bearbeitet</translation>
     </message>
     <message>
         <source>the surface was not cut along all of the range</source>
-        <translation type="unfinished"></translation>
+        <translation>die Oberfläche wurde nicht über den ganzen Bereich bearbeitet</translation>
     </message>
     <message>
         <source>up to %1 µm, at Z %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>bis zu %1 µm, bei Z %2 mm</translation>
     </message>
     <message>
         <source>the exercise has no target</source>
-        <translation type="unfinished"></translation>
+        <translation>die Übung hat kein Ziel</translation>
     </message>
     <message>
         <source>%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm zu viel bei Z %2 mm, %3 mm zu wenig bei Z %4 mm</translation>
     </message>
     <message>
         <source>The tool hit the chuck at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug stieß bei Z %1 mm, ⌀%2 mm gegen das Futter.</translation>
     </message>
     <message>
         <source>The tool was rammed into the material at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug wurde bei Z %1 mm, ⌀%2 mm ins Material gerammt.</translation>
     </message>
     <message>
         <source>The file does not say its unit of length: taken as 1 mm in DXF, a pixel in SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei nennt ihre Längeneinheit nicht: angenommen wird 1 mm in DXF, ein Pixel in SVG.</translation>
     </message>
     <message>
         <source>Not read from the drawing: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Zeichnung nicht gelesen: %1.</translation>
     </message>
     <message>
         <source>Faces that are not of revolution were ignored: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht rotationssymmetrische Flächen wurden außer Acht gelassen: %1.</translation>
     </message>
     <message>
         <source>%1 is within %2 and %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt zwischen %2 und %3</translation>
     </message>
     <message>
         <source>%1 is not above %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt nicht über %2</translation>
     </message>
     <message>
         <source>%1 is not below %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt nicht unter %2</translation>
     </message>
     <message>
         <source>%1, without a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ohne Grenze</translation>
     </message>
     <message>
         <source>it could not be measured</source>
-        <translation type="unfinished"></translation>
+        <translation>es ließ sich nicht messen</translation>
     </message>
     <message>
         <source>%1 is %2 below the lower limit, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt %2 unter der unteren Grenze, %3</translation>
     </message>
     <message>
         <source>%1 is %2 above the upper limit, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt %2 über der oberen Grenze, %3</translation>
     </message>
     <message>
         <source>there is no thread along the range</source>
-        <translation type="unfinished"></translation>
+        <translation>im Bereich gibt es kein Gewinde</translation>
     </message>
     <message>
         <source>%1 grooves, each within %2 mm of the pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Gewinderillen, jede innerhalb von %2 mm der Steigung</translation>
     </message>
     <message>
         <source>the tool that cut it has no nose radius</source>
-        <translation type="unfinished"></translation>
+        <translation>das Werkzeug, das sie erzeugt hat, hat keinen Eckenradius</translation>
     </message>
     <message>
         <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile der Drehmaschine trafen sich bei Z %1 mm, ⌀%2 mm.</translation>
     </message>
     <message>
         <source>The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Eilgang fuhr bei Z %1 mm, ⌀%2 mm in das Werkstück.</translation>
     </message>
     <message>
         <source>The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schneide wurde bei Z %1 mm, ⌀%2 mm in das stehende Werkstück gedrückt.</translation>
     </message>
     <message>
         <source>The spindle turned the wrong way at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spindel lief bei Z %1 mm, ⌀%2 mm in der falschen Richtung.</translation>
     </message>
     <message>
         <source>The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt war bei Z %1 mm, ⌀%2 mm tiefer, als die Schneide hoch ist.</translation>
     </message>
     <message>
         <source>The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Motor konnte die Spindel bei Z %1 mm, ⌀%2 mm nicht drehen.</translation>
     </message>
     <message>
         <source>Bar ⌀%1 × %2 mm, held by the chuck over %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Stange ⌀%1 × %2 mm, auf %3 mm im Futter gespannt</translation>
     </message>
     <message>
         <source>Spindle %1 r/min, feed up to %2 mm per revolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel %1 1/min, Vorschub bis %2 mm je Umdrehung</translation>
     </message>
     <message>
         <source>Force up to %1 N, power up to %2 kW</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft bis %1 N, Leistung bis %2 kW</translation>
     </message>
     <message>
         <source>Tool: %1, nose radius %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug: %1, Eckenradius %2 mm</translation>
     </message>
     <message>
         <source>The rings of the mesh leave their circles by up to %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ringe des Netzes weichen bis zu %1 mm von ihren Kreisen ab.</translation>
     </message>
     <message>
         <source>Threads are in the file as their envelope, without grooves: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewinde stehen in der Datei als ihre Hüllfläche, ohne Rillen: %1.</translation>
     </message>
     <message>
         <source>the scheme has no limit for it</source>
-        <translation type="unfinished"></translation>
+        <translation>das Schema hat keine Grenze dafür</translation>
     </message>
 </context>
 <context>
@@ -4014,374 +4014,374 @@
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgröße</translation>
     </message>
     <message>
         <source>this figure is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Messgröße ist nicht bekannt</translation>
     </message>
     <message>
         <source>Measured at</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen bei</translation>
     </message>
     <message>
         <source>Tolerance on the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz in der Zeichnung</translation>
     </message>
     <message>
         <source>Lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>Upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>No points this far beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Punkte ab dieser Abweichung</translation>
     </message>
     <message>
         <source>Hidden from students</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor Schülern verborgen</translation>
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung</translation>
     </message>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>Titel</translation>
     </message>
     <message>
         <source>Author</source>
-        <translation type="unfinished"></translation>
+        <translation>Autor</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgabe</translation>
     </message>
     <message>
         <source>Time (min)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit (min)</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>Text</translation>
     </message>
     <message>
         <source>Hints, with | between</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise, mit | getrennt</translation>
     </message>
     <message>
         <source>Done when met</source>
-        <translation type="unfinished"></translation>
+        <translation>Erledigt, wenn erfüllt</translation>
     </message>
     <message>
         <source>Lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmaschine</translation>
     </message>
     <message>
         <source>Spindle speed (r/min)</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahl (1/min)</translation>
     </message>
     <message>
         <source>Held by the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Einspannlänge im Futter</translation>
     </message>
     <message>
         <source>Diameter of the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser des Futters</translation>
     </message>
     <message>
         <source>Largest feed (mm per revolution)</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Vorschub (mm je Umdrehung)</translation>
     </message>
     <message>
         <source>Largest force (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Kraft (N)</translation>
     </message>
     <message>
         <source>Motor power (kW)</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung (kW)</translation>
     </message>
     <message>
         <source>Midpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt</translation>
     </message>
     <message>
         <source>Trainer</source>
-        <translation type="unfinished"></translation>
+        <translation>Trainingsverfahren</translation>
     </message>
     <message>
         <source>Levenberg-Marquardt</source>
-        <translation type="unfinished"></translation>
+        <translation>Levenberg-Marquardt</translation>
     </message>
     <message>
         <source>BFGS</source>
-        <translation type="unfinished"></translation>
+        <translation>BFGS</translation>
     </message>
     <message>
         <source>Scaled conjugate gradient</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalierte konjugierte Gradienten</translation>
     </message>
     <message>
         <source>Gradient descent with momentum</source>
-        <translation type="unfinished"></translation>
+        <translation>Gradientenabstieg mit Impuls</translation>
     </message>
     <message>
         <source>Gradient descent</source>
-        <translation type="unfinished"></translation>
+        <translation>Gradientenabstieg</translation>
     </message>
     <message>
         <source>Feed and radial force</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub- und Passivkraft</translation>
     </message>
     <message>
         <source>By depth and nose</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Schnitttiefe und Eckenradius</translation>
     </message>
     <message>
         <source>Constant share</source>
-        <translation type="unfinished"></translation>
+        <translation>Fester Anteil</translation>
     </message>
     <message>
         <source>Laws of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetze der Tabelle</translation>
     </message>
     <message>
         <source>Tool material</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidstoff</translation>
     </message>
     <message>
         <source>Carbide</source>
-        <translation type="unfinished"></translation>
+        <translation>Hartmetall</translation>
     </message>
     <message>
         <source>High-speed steel</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnellarbeitsstahl</translation>
     </message>
     <message>
         <source>Read-out in diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzeige im Durchmesser</translation>
     </message>
     <message>
         <source>Depth limit (0: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze der Schnitttiefe (0: keine)</translation>
     </message>
     <message>
         <source>Compound slide angle (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel des Oberschlittens (°)</translation>
     </message>
     <message>
         <source>Backlash</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehrspiel</translation>
     </message>
     <message>
         <source>Length in the jaws</source>
-        <translation type="unfinished"></translation>
+        <translation>Einspannlänge in den Backen</translation>
     </message>
     <message>
         <source>Jaws grip inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Backen spannen von innen</translation>
     </message>
     <message>
         <source>In the tailstock</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Reitstock</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts</translation>
     </message>
     <message>
         <source>Centre</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentrierspitze</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrer</translation>
     </message>
     <message>
         <source>Tailstock at Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Reitstock bei Z</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Außen</translation>
     </message>
     <message>
         <source>Bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrung</translation>
     </message>
     <message>
         <source>Exact trimming</source>
-        <translation type="unfinished"></translation>
+        <translation>Exakter Beschnitt</translation>
     </message>
     <message>
         <source>Control points</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollpunkte</translation>
     </message>
     <message>
         <source>Control point distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Kontrollpunkte</translation>
     </message>
     <message>
         <source>Nominal size</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennmaß</translation>
     </message>
     <message>
         <source>nobody gets them without a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Grenze erhält sie niemand</translation>
     </message>
     <message>
         <source>Motor power, kW (0: no limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung, kW (0: unbegrenzt)</translation>
     </message>
     <message>
         <source>Spindle torque, N·m (0: no limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindeldrehmoment, N·m (0: unbegrenzt)</translation>
     </message>
     <message>
         <source>Flank wear of the tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiflächenverschleiß der Werkzeuge</translation>
     </message>
     <message>
         <source>Starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Gangzahl</translation>
     </message>
     <message>
         <source>From Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Z</translation>
     </message>
     <message>
         <source>To Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis Z</translation>
     </message>
     <message>
         <source>Pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Steigung</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>Left-hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Linksgängig</translation>
     </message>
     <message>
         <source>Inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Innen</translation>
     </message>
 </context>
 <context>
     <name>RepairAccount</name>
     <message numerus="yes">
         <source>%Ln hole(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln Loch</numerusform>
             <numerusform>%Ln Löcher</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln sheet edge(s) and kept hole(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Flächenrand oder offenes Loch</numerusform>
+            <numerusform>%Ln Flächenränder und offene Löcher</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln non-manifold edge(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln nicht-mannigfaltige Kante</numerusform>
             <numerusform>%Ln nicht-mannigfaltige Kanten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln non-manifold vertex(ices)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln nicht-mannigfaltiger Eckpunkt</numerusform>
             <numerusform>%Ln nicht-mannigfaltige Eckpunkte</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln one-sided edge(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln Kante mit nur einer Seite</numerusform>
             <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln body(ies) inside out</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln Körper mit der Innenseite nach außen</numerusform>
             <numerusform>%Ln Körper mit der Innenseite nach außen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln pair(s) of near vertices</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln Paar fast gleicher Eckpunkte</numerusform>
             <numerusform>%Ln Paare fast gleicher Eckpunkte</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln degenerate triangle(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln entartetes Dreieck</numerusform>
             <numerusform>%Ln entartete Dreiecke</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln duplicate triangle(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln doppeltes Dreieck</numerusform>
             <numerusform>%Ln doppelte Dreiecke</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln self-intersection(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln Selbstdurchdringung</numerusform>
             <numerusform>%Ln Selbstdurchdringungen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln piece(s) of debris</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln loses Stück</numerusform>
             <numerusform>%Ln lose Stücke</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln reversed triangle(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln umgekehrtes Dreieck</numerusform>
+            <numerusform>%Ln umgekehrte Dreiecke</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 closed</source>
-        <translation type="unfinished">%1 von %2 geschlossen</translation>
+        <translation>%1 von %2 geschlossen</translation>
     </message>
     <message>
         <source>%1 of %2 corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 berichtigt</translation>
     </message>
     <message>
         <source>%1 of %2 removed</source>
-        <translation type="unfinished">%1 von %2 entfernt</translation>
+        <translation>%1 von %2 entfernt</translation>
     </message>
     <message>
         <source>new: %1</source>
-        <translation type="unfinished">neu: %1</translation>
+        <translation>neu: %1</translation>
     </message>
 </context>
 <context>
@@ -4744,17 +4744,17 @@
     </message>
     <message>
         <source>Outer boundary %1</source>
-        <translation type="unfinished">Außenrand %1</translation>
+        <translation>Außenrand %1</translation>
     </message>
     <message>
         <source>Hole %1</source>
-        <translation type="unfinished">Loch %1</translation>
+        <translation>Loch %1</translation>
     </message>
     <message numerus="yes">
         <source>%1, thinner than requested at %2 of %n vertex(ices)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, an %2 von %n Eckpunkt dünner als verlangt</numerusform>
+            <numerusform>%1, an %2 von %n Eckpunkten dünner als verlangt</numerusform>
         </translation>
     </message>
 </context>
@@ -5453,107 +5453,107 @@
     </message>
     <message>
         <source>Train a force model</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kraftmodell trainieren</translation>
     </message>
     <message>
         <source>Cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittkraft</translation>
     </message>
     <message>
         <source>Set up the lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmaschine einrichten</translation>
     </message>
     <message>
         <source>carriage to the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Bettschlitten zum Futter</translation>
     </message>
     <message>
         <source>carriage away</source>
-        <translation type="unfinished"></translation>
+        <translation>Bettschlitten vom Futter weg</translation>
     </message>
     <message>
         <source>carriage by ten divisions to the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Bettschlitten um zehn Teilstriche zum Futter</translation>
     </message>
     <message>
         <source>carriage by ten divisions away</source>
-        <translation type="unfinished"></translation>
+        <translation>Bettschlitten um zehn Teilstriche vom Futter weg</translation>
     </message>
     <message>
         <source>cross slide in</source>
-        <translation type="unfinished"></translation>
+        <translation>Planschlitten hinein</translation>
     </message>
     <message>
         <source>cross slide out</source>
-        <translation type="unfinished"></translation>
+        <translation>Planschlitten heraus</translation>
     </message>
     <message>
         <source>cross slide by ten divisions in</source>
-        <translation type="unfinished"></translation>
+        <translation>Planschlitten um zehn Teilstriche hinein</translation>
     </message>
     <message>
         <source>cross slide by ten divisions out</source>
-        <translation type="unfinished"></translation>
+        <translation>Planschlitten um zehn Teilstriche heraus</translation>
     </message>
     <message>
         <source>compound slide in</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschlitten hinein</translation>
     </message>
     <message>
         <source>compound slide out</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschlitten heraus</translation>
     </message>
     <message>
         <source>start or stop the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel starten oder anhalten</translation>
     </message>
     <message>
         <source>turn the tool post</source>
-        <translation type="unfinished"></translation>
+        <translation>Stahlhalter drehen</translation>
     </message>
     <message>
         <source>stop the lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmaschine anhalten</translation>
     </message>
     <message>
         <source>move the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>das Werkzeug bewegen</translation>
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung</translation>
     </message>
     <message>
         <source>merging them would make edges with more than two triangles, or change a boundary that is to stay open</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr Verschmelzen ergäbe Kanten mit mehr als zwei Dreiecken oder würde einen Rand verändern, der offen bleiben soll</translation>
     </message>
     <message>
         <source>move the carriage</source>
-        <translation type="unfinished"></translation>
+        <translation>den Bettschlitten bewegen</translation>
     </message>
     <message>
         <source>move the cross slide</source>
-        <translation type="unfinished"></translation>
+        <translation>den Planschlitten bewegen</translation>
     </message>
     <message>
         <source>move the compound slide</source>
-        <translation type="unfinished"></translation>
+        <translation>den Oberschlitten bewegen</translation>
     </message>
     <message>
         <source>by ten divisions</source>
-        <translation type="unfinished"></translation>
+        <translation>um zehn Teilstriche</translation>
     </message>
     <message>
         <source>Thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewinde</translation>
     </message>
     <message>
         <source>separating all of them would take too long for a mesh of this size</source>
-        <translation type="unfinished"></translation>
+        <translation>alle zu trennen würde für ein Netz dieser Größe zu lange dauern</translation>
     </message>
     <message>
         <source>“Repair all” leaves them as they are; they can be fixed here</source>
-        <translation type="unfinished"></translation>
+        <translation>„Alles reparieren“ lässt sie, wie sie sind; hier lassen sie sich berichtigen</translation>
     </message>
 </context>
 <context>
@@ -6005,23 +6005,23 @@
     <name>handwheel::ClassView</name>
     <message>
         <source>&amp;Mark…</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;werten…</translation>
     </message>
     <message>
         <source>Mark files that students have handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien bewerten, die Schüler abgegeben haben</translation>
     </message>
     <message>
         <source>&amp;Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beri&amp;cht…</translation>
     </message>
     <message>
         <source>&amp;Table…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tabelle…</translation>
     </message>
     <message>
         <source>Submissions</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgaben</translation>
     </message>
 </context>
 <context>
@@ -6182,7 +6182,7 @@
     </message>
     <message>
         <source>Remains: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibt: %1.</translation>
     </message>
 </context>
 <context>
@@ -6519,300 +6519,300 @@
     <name>handwheel::ExerciseEditor</name>
     <message>
         <source>Add what is marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewertetes hinzufügen</translation>
     </message>
     <message>
         <source>Add a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schritt hinzufügen</translation>
     </message>
     <message>
         <source>Remove a criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kriterium entfernen</translation>
     </message>
     <message>
         <source>Remove a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schritt entfernen</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgabe</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewertung</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>Klasse</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">Hinzufügen</translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>%1 (%2 points)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2 Punkte)</translation>
     </message>
     <message>
         <source>%1. %2</source>
-        <translation type="unfinished">%1, %2 {1.?}</translation>
+        <translation>%1. %2</translation>
     </message>
     <message>
         <source>Add a criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kriterium hinzufügen</translation>
     </message>
     <message>
         <source>Move a criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kriterium verschieben</translation>
     </message>
     <message>
         <source>Move a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schritt verschieben</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>
     <message>
         <source>&amp;Begin</source>
-        <translation type="unfinished"></translation>
+        <translation>Begi&amp;nnen</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
-        <translation type="unfinished">&amp;Messen</translation>
+        <translation>&amp;Messen</translation>
     </message>
     <message>
         <source>&amp;Hand in…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abg&amp;eben…</translation>
     </message>
     <message>
         <source>Measure the sizes of the drawing on the part as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maße der Zeichnung am jetzigen Teil messen</translation>
     </message>
     <message>
         <source>Your name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Name</translation>
     </message>
     <message>
         <source>: %1 … %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>: %1 … %2%3</translation>
     </message>
     <message>
         <source>: at most %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>: höchstens %1%2</translation>
     </message>
     <message>
         <source>: at least %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>: mindestens %1%2</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ExerciseUi</name>
     <message>
         <source>&amp;Begin</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beginnen</translation>
     </message>
     <message>
         <source>Open the stock and work on the exercise, step by step</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rohteil öffnen und die Übung Schritt für Schritt bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Student&apos;s copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schülerfassung</translation>
     </message>
     <message>
         <source>Open the exercise as students see it; save it for them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Übung öffnen, wie Schüler sie sehen; für sie speichern</translation>
     </message>
     <message>
         <source>Take as model s&amp;olution</source>
-        <translation type="unfinished"></translation>
+        <translation>Als &amp;Musterlösung übernehmen</translation>
     </message>
     <message>
         <source>Keep the work that was begun from this exercise as its model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Arbeit, die aus dieser Übung begonnen wurde, als Musterlösung behalten</translation>
     </message>
     <message>
         <source>Take as &amp;target</source>
-        <translation type="unfinished"></translation>
+        <translation>Als &amp;Ziel übernehmen</translation>
     </message>
     <message>
         <source>Make the shape of that work the target of the exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form dieser Arbeit zum Ziel der Übung machen</translation>
     </message>
     <message>
         <source>&amp;Mark…</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;werten…</translation>
     </message>
     <message>
         <source>Mark files that students have handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien bewerten, die Schüler abgegeben haben</translation>
     </message>
     <message>
         <source>New e&amp;xercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;Übung</translation>
     </message>
     <message>
         <source>Prepare an exercise for students</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Übung für Schüler vorbereiten</translation>
     </message>
     <message>
         <source>First &amp;lesson at the lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste &amp;Lektion an der Drehmaschine</translation>
     </message>
     <message>
         <source>Turn a shoulder step by step, without having turned before</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt für Schritt einen Absatz drehen, ohne Vorkenntnisse</translation>
     </message>
     <message>
         <source>Turn your first shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ersten Absatz drehen</translation>
     </message>
     <message>
         <source>A lesson of three minutes: the program says what to do, and measures the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Lektion von drei Minuten: Das Programm sagt, was zu tun ist, und misst das Teil.</translation>
     </message>
     <message>
         <source>Exercise: shaft with shoulders</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Welle mit Absätzen</translation>
     </message>
     <message>
         <source>Exercise: bored bush</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Buchse mit Bohrung</translation>
     </message>
     <message>
         <source>Exercise: ball</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Kugel</translation>
     </message>
     <message>
         <source>Exercise: gourd</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Kalebasse</translation>
     </message>
     <message>
         <source>Exercise: dumb-bell weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Hantelgewicht</translation>
     </message>
     <message>
         <source>Exercise: wine glass</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Weinglas</translation>
     </message>
     <message>
         <source>Open a prepared exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine fertige Übung öffnen</translation>
     </message>
     <message>
         <source>Handed in by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgegeben von %1</translation>
     </message>
     <message>
         <source>The teacher marks it with the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lehrkraft bewertet sie mit der Übung.</translation>
     </message>
     <message numerus="yes">
         <source>%n step(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
         </translation>
     </message>
     <message>
         <source>New exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Übung</translation>
     </message>
     <message>
         <source>%1 points. Students get a copy without the answers.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte. Schüler erhalten eine Fassung ohne die Lösungen.</translation>
     </message>
     <message>
         <source>Opened %1: exercise “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geöffnet: Übung „%2“</translation>
     </message>
     <message>
         <source>Take the model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>Musterlösung übernehmen</translation>
     </message>
     <message>
         <source>The target was not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel wurde nicht übernommen</translation>
     </message>
     <message>
         <source>Take the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel übernehmen</translation>
     </message>
     <message>
         <source>Mark what was handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgaben bewerten</translation>
     </message>
     <message>
         <source>Submissions (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgaben (%1)</translation>
     </message>
     <message>
         <source>Marking</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgaben werden bewertet</translation>
     </message>
     <message>
         <source>%1 could not be saved</source>
-        <translation type="unfinished">%1 konnte nicht gespeichert werden</translation>
+        <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
     <message>
         <source>Save the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle speichern</translation>
     </message>
     <message>
         <source>Table (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle (%1)</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht speichern</translation>
     </message>
     <message>
         <source>Report (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht (%1)</translation>
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung</translation>
     </message>
     <message>
         <source>E&amp;xercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Üb&amp;ung</translation>
     </message>
     <message>
         <source>Exercise: thread M20</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: Gewinde M20</translation>
     </message>
     <message>
         <source>Exercise: first shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung: erster Absatz</translation>
     </message>
     <message>
         <source>The model solution was not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Musterlösung wurde nicht übernommen</translation>
     </message>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished">%1 wird geschrieben</translation>
+        <translation>%1 wird geschrieben</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished">%1 gespeichert</translation>
+        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -7128,32 +7128,32 @@
     <name>handwheel::HandwheelDial</name>
     <message>
         <source>Handwheel</source>
-        <translation type="unfinished">Handwheel</translation>
+        <translation>Handrad</translation>
     </message>
     <message>
         <source>Drag around the centre, or use the wheel or arrow keys: one division (Shift: ten, Ctrl: a tenth); Page Up and Down: one turn; Home or double click: set the dial to zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Um die Mitte ziehen, oder Mausrad oder Pfeiltasten: ein Teilstrich (Umschalt: zehn, Strg: ein Zehntel); Bild auf und Bild ab: eine Umdrehung; Pos1 oder Doppelklick: Skala auf null stellen</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 div</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Skt</translation>
     </message>
     <message numerus="yes">
         <source>%n turn(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Umdrehung</numerusform>
+            <numerusform>%n Umdrehungen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n turn(s) below zero</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Umdrehung unter null</numerusform>
+            <numerusform>%n Umdrehungen unter null</numerusform>
         </translation>
     </message>
 </context>
@@ -7311,375 +7311,375 @@
     <name>handwheel::LatheEvents</name>
     <message>
         <source>%1 s: crash, %2 – %3 at R %4, Z %5. %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s: Kollision, %2 – %3 bei R %4, Z %5. %6</translation>
     </message>
     <message>
         <source>%1 s: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s: %2</translation>
     </message>
     <message>
         <source>Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung: Der Schnitt braucht %1 kW vom Motor, der %2 kW hat; die Spindel wird langsamer.</translation>
     </message>
     <message>
         <source>Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment: Der Schnitt braucht %1 N·m an der Spindel, die %2 N·m hat; die Spindel bleibt stehen.</translation>
     </message>
     <message>
         <source>L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L/D: Das Werkstück ragt das %1-Fache seines Durchmessers heraus; die Regel ist das %2-Fache. Stützen Sie es ab.</translation>
     </message>
     <message>
         <source>Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchbiegung: Das Werkstück weicht aus und bleibt hier %1 mm dicker; die Grenze ist %2 mm.</translation>
     </message>
     <message>
         <source>Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rattern: %1 mm Schnitttiefe; bis %2 mm ist es bei jeder Drehzahl stabil.</translation>
     </message>
     <message>
         <source>Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiben: Ein Span von %1 mm wird nicht geschnitten, sondern gerieben; %2 mm ist das Mindeste.</translation>
     </message>
     <message>
         <source>Crashes and warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollisionen und Warnungen</translation>
     </message>
     <message>
         <source>What met what, which rule was broken, and when. A crash stops the spindle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich traf, welche Regel verletzt wurde und wann. Eine Kollision hält die Spindel an.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LatheFigures</name>
     <message>
         <source>Force</source>
-        <translation type="unfinished">Kraft</translation>
+        <translation>Kraft</translation>
     </message>
     <message>
         <source>%1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N</translation>
     </message>
     <message>
         <source>Of the cut, of all three components</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Schnitts, aus allen drei Komponenten</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>%1 of %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 %3</translation>
     </message>
     <message>
         <source>kW</source>
-        <translation type="unfinished"></translation>
+        <translation>kW</translation>
     </message>
     <message>
         <source>Of the motor, and what it has</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Motors, und was er hat</translation>
     </message>
     <message>
         <source>Torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>N·m</translation>
     </message>
     <message>
         <source>At the spindle, and what it has</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Spindel, und was sie hat</translation>
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel</translation>
     </message>
     <message>
         <source>%1 r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 1/min</translation>
     </message>
     <message>
         <source>Its speed now. A cut beyond power or torque slows it down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Drehzahl jetzt. Ein Schnitt über Leistung oder Drehmoment bremst sie.</translation>
     </message>
     <message>
         <source>Cutting speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittgeschwindigkeit</translation>
     </message>
     <message>
         <source>%1 m/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m/min</translation>
     </message>
     <message>
         <source>At the middle of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Mitte des Schnitts</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Of the cut, across its way</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Schnitts, quer zu seinem Weg</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub</translation>
     </message>
     <message>
         <source>%1 mm/rev</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/U</translation>
     </message>
     <message>
         <source>In a turn of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Umdrehung der Spindel</translation>
     </message>
     <message>
         <source>Law</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetz</translation>
     </message>
     <message>
         <source>Kosilova</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosilova</translation>
     </message>
     <message>
         <source>The law of the cutting force was not made for such a cut of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesetz der Schnittkraft wurde nicht für einen solchen Schnitt in %1 gemacht.</translation>
     </message>
     <message>
         <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetz der Schnittkraft für %1. Es wird in den Einstellungen von Geschwindigkeit und Genauigkeit gewählt; der Werkstoff ist eine Eigenschaft des Werkstücks.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
     <message>
         <source>Tool in the post</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug im Stahlhalter</translation>
     </message>
     <message>
         <source>Value for touching off, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert beim Ankratzen, mm</translation>
     </message>
     <message>
         <source>Touch off &amp;X</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;X ankratzen</translation>
     </message>
     <message>
         <source>The read-out shows this value for X here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Anzeige zeigt hier diesen Wert für X</translation>
     </message>
     <message>
         <source>Touch off &amp;Z</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Z ankratzen</translation>
     </message>
     <message>
         <source>The read-out shows this value for Z here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Anzeige zeigt hier diesen Wert für Z</translation>
     </message>
     <message>
         <source>Direction of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrichtung der Spindel</translation>
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel</translation>
     </message>
     <message>
         <source>&amp;Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorwärts</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stopp</translation>
     </message>
     <message>
         <source>&amp;Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückwärts</translation>
     </message>
     <message>
         <source>Speed, r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahl, 1/min</translation>
     </message>
     <message>
         <source>Surface speed, m/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittgeschwindigkeit, m/min</translation>
     </message>
     <message>
         <source>Largest speed, r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Drehzahl, 1/min</translation>
     </message>
     <message>
         <source>r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>1/min</translation>
     </message>
     <message>
         <source>m/min, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>m/min, höchstens</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub</translation>
     </message>
     <message>
         <source>Feed, mm in a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub, mm je Umdrehung</translation>
     </message>
     <message>
         <source>mm/rev</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/U</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>To chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Futter</translation>
     </message>
     <message>
         <source>Away</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Futter</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinein</translation>
     </message>
     <message>
         <source>Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Heraus</translation>
     </message>
     <message>
         <source>Pitch of the thread, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Steigung des Gewindes, mm</translation>
     </message>
     <message>
         <source>&amp;Half-nut</source>
-        <translation type="unfinished"></translation>
+        <translation>Schloss&amp;mutter</translation>
     </message>
     <message>
         <source>Closes the half-nut: the carriage follows the lead screw</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt die Schlossmutter: Der Bettschlitten folgt der Leitspindel</translation>
     </message>
     <message>
         <source>Carriage</source>
-        <translation type="unfinished"></translation>
+        <translation>Bettschlitten</translation>
     </message>
     <message>
         <source>Cross slide</source>
-        <translation type="unfinished"></translation>
+        <translation>Planschlitten</translation>
     </message>
     <message>
         <source>Compound slide</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschlitten</translation>
     </message>
     <message>
         <source>Tailstock quill</source>
-        <translation type="unfinished"></translation>
+        <translation>Reitstockpinole</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished">keine</translation>
+        <translation>keines</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstant</translation>
     </message>
     <message>
         <source>Constant surface speed: the spindle turns faster the nearer the tool is to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstante Schnittgeschwindigkeit: Die Spindel dreht umso schneller, je näher das Werkzeug der Achse ist</translation>
     </message>
     <message>
         <source>No automatic feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein selbsttätiger Vorschub</translation>
     </message>
     <message>
         <source>Automatic feed of the carriage to the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbsttätiger Vorschub des Bettschlittens zum Futter</translation>
     </message>
     <message>
         <source>Automatic feed of the carriage away from the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbsttätiger Vorschub des Bettschlittens vom Futter weg</translation>
     </message>
     <message>
         <source>Automatic feed of the cross slide to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbsttätiger Vorschub des Planschlittens zur Achse</translation>
     </message>
     <message>
         <source>Automatic feed of the cross slide outward</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbsttätiger Vorschub des Planschlittens nach außen</translation>
     </message>
     <message>
         <source>Thread, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewinde, Steigung</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
     <message>
         <source>Lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmaschine</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LessonPanel</name>
     <message>
         <source>Show a hint</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Hinweis zeigen</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Erledigt</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>%1, open</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, offen</translation>
     </message>
     <message>
         <source>%1, done</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, erledigt</translation>
     </message>
     <message>
         <source>%1, failed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, nicht bestanden</translation>
     </message>
     <message>
         <source>No steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Schritte</translation>
     </message>
     <message>
         <source>%1 of %2 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Schritten</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>The time is over</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeit ist um</translation>
     </message>
     <message>
         <source>Time since the beginning</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit seit Beginn</translation>
     </message>
     <message>
         <source>Show another hint</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einen Hinweis zeigen</translation>
     </message>
 </context>
 <context>
@@ -8284,450 +8284,458 @@
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton</translation>
     </message>
     <message>
         <source>Play the sound of machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Maschinengeräusche wiedergeben</translation>
     </message>
     <message>
         <source>Volume of machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Lautstärke der Maschinen</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Lautstärke</translation>
     </message>
     <message>
         <source>Spindle and cut, from speed, feed, force and wear. Louder means more force; a deep tone means chatter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel und Schnitt, aus Drehzahl, Vorschub, Kraft und Verschleiß. Lauter heißt mehr Kraft; ein tiefer Ton heißt Rattern.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramDock</name>
     <message>
         <source>&amp;Program</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Programm</translation>
     </message>
     <message>
         <source>Run lathe programs on the part, and write them</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehprogramme am Teil ausführen und schreiben</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramEditor</name>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramPanel</name>
     <message>
         <source>Errors and collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler und Kollisionen</translation>
     </message>
     <message>
         <source>A click jumps to the line, and shows the place of a collision.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick springt zur Zeile und zeigt die Stelle einer Kollision.</translation>
     </message>
     <message>
         <source>Open a program, drop one here, or write one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen Sie ein Programm, ziehen Sie eines hierher, oder schreiben Sie eines.</translation>
     </message>
     <message>
         <source>Run the program first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie zuerst das Programm laufen.</translation>
     </message>
     <message>
         <source>Make</source>
-        <translation type="unfinished"></translation>
+        <translation>Erstellen</translation>
     </message>
     <message>
         <source>Have a program written: of the recorded passes, or for the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm schreiben lassen: aus den aufgezeichneten Schnitten oder für das Ziel</translation>
     </message>
     <message>
         <source>Dialect</source>
-        <translation type="unfinished"></translation>
+        <translation>Dialekt</translation>
     </message>
     <message>
         <source>The control for which the program is written. It is recognised when a program is opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung, für die das Programm geschrieben ist. Sie wird beim Öffnen eines Programms erkannt.</translation>
     </message>
     <message>
         <source>LinuxCNC</source>
-        <translation type="unfinished"></translation>
+        <translation>LinuxCNC</translation>
     </message>
     <message>
         <source>Fanuc, system A</source>
-        <translation type="unfinished"></translation>
+        <translation>Fanuc, System A</translation>
     </message>
     <message>
         <source>Nose radius of the tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckenradius der Werkzeuge</translation>
     </message>
     <message>
         <source>Nose radius of all tools; 0: the tools are points</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckenradius aller Werkzeuge; 0: die Werkzeuge sind Punkte</translation>
     </message>
     <message>
         <source>Nose</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus&amp;führen</translation>
     </message>
     <message>
         <source>Simulate the program on the part; the document stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm am Teil simulieren; das Dokument bleibt, wie es ist</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stop this run</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Lauf anhalten</translation>
     </message>
     <message>
         <source>&amp;Cut the work</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstück &amp;zerspanen</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Laufs</translation>
     </message>
     <message>
         <source>Line %1: </source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: </translation>
     </message>
     <message>
         <source>Line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: </translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramPlayer</name>
     <message>
         <source>One line back</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile zurück</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>One line on</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile weiter</translation>
     </message>
     <message>
         <source>Time in the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit im Programm</translation>
     </message>
     <message>
         <source>Speed of playing</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielgeschwindigkeit</translation>
     </message>
     <message>
         <source>How many times as fast as the machine it plays</source>
-        <translation type="unfinished"></translation>
+        <translation>Wievielmal so schnell wie die Maschine es abspielt</translation>
     </message>
     <message>
         <source>%1×</source>
-        <translation type="unfinished">%1. {1×?}</translation>
+        <translation>%1×</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramSearchBar</name>
     <message>
         <source>Find in the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Programm suchen</translation>
     </message>
     <message>
         <source>Previous (Shift+F3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriger Treffer (Umschalt+F3)</translation>
     </message>
     <message>
         <source>Next (F3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Treffer (F3)</translation>
     </message>
     <message>
         <source>Close (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen (Esc)</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gefunden</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramSession</name>
     <message>
         <source>%1: %2. %3</source>
-        <translation type="unfinished">%1: %2: %3 {1:?} {2.?}</translation>
+        <translation>%1: %2. %3</translation>
     </message>
     <message>
         <source>&amp;Open program…</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open a program: .ngc, .nc, .tap or .txt</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm öffnen: .ngc, .nc, .tap oder .txt</translation>
     </message>
     <message>
         <source>&amp;Save program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm &amp;speichern</translation>
     </message>
     <message>
         <source>Save the program in its file (Ctrl+S in the text)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm in seiner Datei speichern (Strg+S im Text)</translation>
     </message>
     <message>
         <source>Save program &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save the program under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm unter einem anderen Namen speichern</translation>
     </message>
     <message>
         <source>Program from &amp;passes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm aus Schnitte&amp;n…</translation>
     </message>
     <message>
         <source>Write the passes that cut this part as a program</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schnitte, aus denen dieses Teil entstand, als Programm schreiben</translation>
     </message>
     <message>
         <source>&amp;Rough and finish…</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chruppen und schlichten…</translation>
     </message>
     <message>
         <source>Write a program that makes the target from the part. It is simulated before it is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm schreiben, das aus dem Teil das Ziel macht. Es wird simuliert, bevor es gezeigt wird.</translation>
     </message>
     <message>
         <source>Untitled program</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenanntes Programm</translation>
     </message>
     <message>
         <source>Checking the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm wird geprüft</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program does not run as it is.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Fehler: Das Programm läuft so nicht.</numerusform>
+            <numerusform>%n Fehler: Das Programm läuft so nicht.</numerusform>
         </translation>
     </message>
     <message>
         <source>Open a program</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm öffnen</translation>
     </message>
     <message>
         <source>Programs (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Programme (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished">%1 wird gelesen</translation>
+        <translation>%1 wird gelesen</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
-        <translation type="unfinished">%1 konnte nicht geöffnet werden</translation>
+        <translation>%1 konnte nicht geöffnet werden</translation>
     </message>
     <message>
         <source>Program read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm aus %1 gelesen</translation>
     </message>
     <message>
         <source>Save the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm speichern</translation>
     </message>
     <message>
         <source>Saving %1</source>
-        <translation type="unfinished">%1 wird gespeichert</translation>
+        <translation>%1 wird gespeichert</translation>
     </message>
     <message>
         <source>%1 could not be saved</source>
-        <translation type="unfinished">%1 konnte nicht gespeichert werden</translation>
+        <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
     <message>
         <source>Program saved as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm als %1 gespeichert</translation>
     </message>
     <message>
         <source>Program from passes</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm aus Schnitten</translation>
     </message>
     <message>
         <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo brings the present text back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schnitte, aus denen dieses Teil entstand, werden zu einem Programm im gewählten Dialekt. Es erscheint im Editor; „Rückgängig“ holt den jetzigen Text zurück.</translation>
     </message>
     <message>
         <source>&amp;Write</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schreiben</translation>
     </message>
     <message>
         <source>Spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahl</translation>
     </message>
     <message>
         <source>r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>1/min</translation>
     </message>
     <message>
         <source>Writing the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm wird geschrieben</translation>
     </message>
     <message>
         <source>The passes cannot be written as a program</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schnitte lassen sich nicht als Programm schreiben</translation>
     </message>
     <message>
         <source>Rough and finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Schruppen und schlichten</translation>
     </message>
     <message>
         <source>Writes a program that makes the outside of the target from this part. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt ein Programm, das aus diesem Teil die Außenform des Ziels macht. Es wird zuerst simuliert und abgelehnt, wenn es kollidiert oder in das Ziel schneidet.</translation>
     </message>
     <message>
         <source>Depth of cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitttiefe</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Of a roughing cut, on the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines Schruppschnitts, am Radius</translation>
     </message>
     <message>
         <source>Allowance</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufmaß</translation>
     </message>
     <message>
         <source>Left for the finishing cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleibt für den Schlichtschnitt</translation>
     </message>
     <message>
         <source>Nose radius</source>
-        <translation type="unfinished">Eckenradius</translation>
+        <translation>Eckenradius</translation>
     </message>
     <message>
         <source>Feed of roughing</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub beim Schruppen</translation>
     </message>
     <message>
         <source>mm/rev</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/U</translation>
     </message>
     <message>
         <source>Feed of finishing</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub beim Schlichten</translation>
     </message>
     <message>
         <source>Surface speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittgeschwindigkeit</translation>
     </message>
     <message>
         <source>m/min</source>
-        <translation type="unfinished"></translation>
+        <translation>m/min</translation>
     </message>
     <message>
         <source>Greatest spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Drehzahl</translation>
     </message>
     <message>
         <source>Writing and simulating the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklen werden geschrieben und simuliert</translation>
     </message>
     <message>
         <source>There are no cycles for this target</source>
-        <translation type="unfinished"></translation>
+        <translation>Für dieses Ziel gibt es keine Zyklen</translation>
     </message>
     <message>
         <source>Run the program first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie zuerst das Programm laufen.</translation>
     </message>
     <message>
         <source>Running the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm läuft</translation>
     </message>
     <message>
         <source>The program could not be run</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm konnte nicht ausgeführt werden</translation>
     </message>
     <message>
         <source>The run was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Lauf wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Cut the part as the program does: one step of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil schneiden wie das Programm: ein Schritt im Verlauf</translation>
     </message>
     <message>
         <source>The program does not touch the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm berührt das Teil nicht.</translation>
     </message>
     <message>
         <source>collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollision: Die Spitze ist jenseits der Futterstirnfläche, bei ⌀ %1, Z %2.</translation>
     </message>
     <message>
         <source>collision: a rapid move through material, to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollision: eine Eilgangbewegung durch Material, nach ⌀ %1, Z %2.</translation>
     </message>
     <message numerus="yes">
         <source>%n collision(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Kollision.</numerusform>
+            <numerusform>%n Kollisionen.</numerusform>
         </translation>
     </message>
     <message>
         <source>No collision.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kollision.</translation>
     </message>
     <message>
         <source>The program does not touch the part. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm berührt das Teil nicht. %1</translation>
     </message>
     <message>
         <source>Time with tool changes %1. It removes %2 mm³. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit mit Werkzeugwechseln %1. Es trägt %2 mm³ ab. %3</translation>
     </message>
     <message>
         <source>Run program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm ausführen</translation>
     </message>
     <message>
         <source>Run %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausführen</translation>
     </message>
     <message>
         <source>Cut: %1 mm³ removed. Undo brings them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeitet: %1 mm³ abgetragen. „Rückgängig“ holt sie zurück.</translation>
     </message>
     <message>
         <source>Cutting up to the line</source>
+        <translation>Schnitte bis zur Zeile werden berechnet</translation>
+    </message>
+    <message>
+        <source>collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9135,30 +9143,30 @@
     </message>
     <message>
         <source>largest distance found between the surface before and after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>größter gefundener Abstand zwischen der Oberfläche vorher und nachher %1</translation>
     </message>
     <message>
         <source>Repaired %1: nothing was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 repariert: nichts wurde geändert</translation>
     </message>
     <message>
         <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr ließ sich nicht ohne Schaden reparieren. Die Liste der Fehler nennt die bekannten Gründe.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ResultTable</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished">Kopieren</translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Sort by “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Sortieren nach „%1“</translation>
     </message>
 </context>
 <context>
@@ -9274,51 +9282,51 @@
     <name>handwheel::RunningAttempt</name>
     <message>
         <source>Lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektion</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil wird gemessen</translation>
     </message>
     <message>
         <source>It could not be handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>Es konnte nicht abgegeben werden</translation>
     </message>
     <message>
         <source>The exercise that %1 belongs to cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Übung, zu der %1 gehört, ist nicht lesbar</translation>
     </message>
     <message>
         <source>Hand in</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgeben</translation>
     </message>
     <message>
         <source>Handwheel documents (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Handwheel-Dokumente (%1)</translation>
     </message>
     <message>
         <source>%1 is open, and would be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist geöffnet und würde ersetzt.</translation>
     </message>
     <message>
         <source>Choose another name for the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen anderen Namen für die Datei.</translation>
     </message>
     <message>
         <source>Handing in</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit wird abgegeben</translation>
     </message>
     <message>
         <source>Handed in by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgegeben von %1</translation>
     </message>
     <message>
         <source>The work is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Arbeit liegt in %1.</translation>
     </message>
     <message>
         <source>Give that file to your teacher.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie diese Datei Ihrer Lehrkraft.</translation>
     </message>
 </context>
 <context>
@@ -9727,132 +9735,132 @@
     <name>handwheel::TargetPanel</name>
     <message>
         <source>Bore %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrung %1</translation>
     </message>
     <message>
         <source>Measured dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Maße</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished">Ziel</translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>Dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>Maße</translation>
     </message>
     <message>
         <source>No target: import one to compare the part with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Ziel: Importieren Sie eines, um das Teil damit zu vergleichen.</translation>
     </message>
     <message>
         <source>Too large by up to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu groß um bis zu %1</translation>
     </message>
     <message>
         <source>Too small by up to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu klein um bis zu %1</translation>
     </message>
     <message>
         <source>blue: %1 too small, red: %1 too large</source>
-        <translation type="unfinished"></translation>
+        <translation>blau: %1 zu klein, rot: %1 zu groß</translation>
     </message>
 </context>
 <context>
     <name>handwheel::TargetView</name>
     <message>
         <source>Import &amp;target…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ziel importieren…</translation>
     </message>
     <message>
         <source>&amp;Remove target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel &amp;entfernen</translation>
     </message>
     <message>
         <source>&amp;Deviation in colours</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abweichung in Farben</translation>
     </message>
     <message>
         <source>Read what the part is to become, from STEP, DXF, SVG or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>Einlesen, was aus dem Teil werden soll, aus STEP, DXF, SVG oder einem Werkstück</translation>
     </message>
     <message>
         <source>Compare the part with nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil mit nichts vergleichen</translation>
     </message>
     <message>
         <source>Show where the part is larger or smaller than the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, wo das Teil größer oder kleiner als das Ziel ist</translation>
     </message>
     <message>
         <source>Remove target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel entfernen</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil wird gemessen</translation>
     </message>
     <message>
         <source>Import a target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ziel importieren</translation>
     </message>
     <message>
         <source>Turned parts (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehteile (%1)</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished">%1 wird gelesen</translation>
+        <translation>%1 wird gelesen</translation>
     </message>
     <message>
         <source>%1 is no target</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist kein Ziel</translation>
     </message>
     <message>
         <source>Import target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel importieren</translation>
     </message>
     <message>
         <source>Target read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel aus %1 gelesen</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
     <message>
         <source>Thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewinde</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schneiden</translation>
     </message>
     <message>
         <source>ISO metric profile: the bottom of the groove is at a diameter of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Metrisches ISO-Profil: Der Rillengrund liegt auf einem Durchmesser von %1.</translation>
     </message>
     <message>
         <source>The bottom of the groove is at a diameter of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Rillengrund liegt auf einem Durchmesser von %1.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ThreadView</name>
     <message>
         <source>T&amp;hread…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gewinde…</translation>
     </message>
     <message>
         <source>Cut a thread outside or in a bore, between two heights</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gewinde außen oder in einer Bohrung schneiden, zwischen zwei Höhen</translation>
     </message>
     <message>
         <source>Cutting the thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewinde wird geschnitten</translation>
     </message>
     <message>
         <source>Thread</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewinde</translation>
     </message>
 </context>
 <context>
@@ -9874,74 +9882,74 @@
     <name>handwheel::TimeLinePanel</name>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>Previous event</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriges Ereignis</translation>
     </message>
     <message>
         <source>Next event</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Ereignis</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>%1×</source>
-        <translation type="unfinished">%1. {1×?}</translation>
+        <translation>%1×</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Über der Zeit</translation>
     </message>
     <message>
         <source>Over distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Über dem Weg</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished">Abstand</translation>
+        <translation>Weg</translation>
     </message>
     <message>
         <source>No recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Aufzeichnung</translation>
     </message>
     <message>
         <source>Two recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Aufzeichnungen</translation>
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 s</translation>
     </message>
     <message>
         <source>, %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 mm</translation>
     </message>
 </context>
 <context>
     <name>handwheel::TimeTrack</name>
     <message>
         <source>Time line</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitleiste</translation>
     </message>
 </context>
 <context>
@@ -10107,7 +10115,7 @@
     </message>
     <message>
         <source>L&amp;athe</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreh&amp;maschine</translation>
     </message>
 </context>
 <context>
@@ -10259,11 +10267,11 @@
     </message>
     <message>
         <source>&amp;Lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Dre&amp;hmaschine</translation>
     </message>
     <message>
         <source>Work the part on a manual lathe with handwheels and levers</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil an einer handbedienten Drehmaschine mit Handrädern und Hebeln bearbeiten</translation>
     </message>
 </context>
 </TS>

@@ -16,31 +16,31 @@
     <name>ClassTable</name>
     <message>
         <source>Student</source>
-        <translation type="unfinished"></translation>
+        <translation>学生</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>Handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>提交时间</translation>
     </message>
     <message>
         <source>Minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>分钟</translation>
     </message>
     <message>
         <source>Hints</source>
-        <translation type="unfinished"></translation>
+        <translation>提示</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>得分</translation>
     </message>
     <message>
         <source>Percent</source>
-        <translation type="unfinished"></translation>
+        <translation>百分比</translation>
     </message>
 </context>
 <context>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>练习</translation>
     </message>
 </context>
 <context>
@@ -739,279 +739,279 @@
     </message>
     <message>
         <source>the exercise is about “%1”, which this program cannot mark</source>
-        <translation type="unfinished"></translation>
+        <translation>练习内容为“%1”，本程序无法对其评分</translation>
     </message>
     <message>
         <source>the exercise does not say what it is about</source>
-        <translation type="unfinished"></translation>
+        <translation>练习未说明其内容</translation>
     </message>
     <message>
         <source>Open it with a newer version of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>请用较新版本的程序打开。</translation>
     </message>
     <message>
         <source>it was handed in for another exercise, “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>它是为另一练习“%1”提交的</translation>
     </message>
     <message>
         <source>Mark it with the exercise that the student&apos;s file was made from.</source>
-        <translation type="unfinished"></translation>
+        <translation>请用生成该学生文件的练习来评分。</translation>
     </message>
     <message>
         <source>the work does not belong to this exercise: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>作业不属于此练习：%1</translation>
     </message>
     <message>
         <source>Begin the exercise from its file, and hand in that work.</source>
-        <translation type="unfinished"></translation>
+        <translation>请从练习文件开始练习，并提交该作业。</translation>
     </message>
     <message>
         <source>it has no work that was handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>其中没有已提交的作业</translation>
     </message>
     <message>
         <source>Ask the student to hand in the exercise once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>请让学生重新提交练习。</translation>
     </message>
     <message>
         <source>it is a student&apos;s copy, which has no marking scheme</source>
-        <translation type="unfinished"></translation>
+        <translation>这是学生副本，不含评分标准</translation>
     </message>
     <message>
         <source>Give the teacher&apos;s file of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出练习的教师文件。</translation>
     </message>
     <message>
         <source>a student&apos;s copy of an exercise cannot be changed</source>
-        <translation type="unfinished"></translation>
+        <translation>练习的学生副本不能更改</translation>
     </message>
     <message>
         <source>Change the teacher&apos;s file and make students&apos; copies of it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>请更改教师文件，然后重新生成学生副本。</translation>
     </message>
     <message>
         <source>the part has %1 closed hollows, which the file cannot contain</source>
-        <translation type="unfinished"></translation>
+        <translation>零件有 %1 个封闭空腔，该文件无法包含</translation>
     </message>
     <message>
         <source>Bore the part open from an end, or export triangles, for example STL.</source>
-        <translation type="unfinished"></translation>
+        <translation>请从一端将零件镗通，或导出三角形，例如 STL。</translation>
     </message>
     <message>
         <source>the table has no column for the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>表格没有“%1”列</translation>
     </message>
     <message>
         <source>Its first line has to name the columns; this one may be called %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>第一行须给出各列的名称；此列可命名为 %2。</translation>
     </message>
     <message>
         <source>the table has two columns for the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>表格有两个“%1”列</translation>
     </message>
     <message>
         <source>Remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>请删除其中一个。</translation>
     </message>
     <message>
         <source>the table gives the spindle speed only, and no cutting speed</source>
-        <translation type="unfinished"></translation>
+        <translation>表格只给出主轴转速，没有切削速度</translation>
     </message>
     <message>
         <source>Say the diameter of the work (on the command line: --diameter), or add a column v in m/min.</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出工件直径（命令行：--diameter），或添加以 m/min 为单位的 v 列。</translation>
     </message>
     <message>
         <source>there are %1 different cuts, and a model needs at least %2</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 种不同的切削，而模型至少需要 %2 种</translation>
     </message>
     <message>
         <source>Add measurements at other depths, feeds and speeds, made with a sharp tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>请补充用锋利刀具在其他切深、进给和速度下的测量数据。</translation>
     </message>
     <message>
         <source>there is no work material &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有工件材料“%1”</translation>
     </message>
     <message>
         <source>See the list of materials (on the command line: handwheel force --list).</source>
-        <translation type="unfinished"></translation>
+        <translation>请参阅材料列表（命令行：handwheel force --list）。</translation>
     </message>
     <message>
         <source>column %1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 列，%2：%3</translation>
     </message>
     <message>
         <source>%4 Then run the program again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%4 然后请重新运行程序。</translation>
     </message>
     <message>
         <source>the program did not end after %1 blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>程序在 %1 个程序段后仍未结束</translation>
     </message>
     <message>
         <source>Look for a loop whose condition never becomes false.</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查是否有条件始终为真的循环。</translation>
     </message>
     <message>
         <source>the tool path has more than %1 moves</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具路径超过 %1 次移动</translation>
     </message>
     <message>
         <source>Take a larger depth of cut, or divide the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>请增大切深，或拆分程序。</translation>
     </message>
     <message>
         <source>the profile crosses the axis at Z %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓在 Z %1 mm 处穿过轴线</translation>
     </message>
     <message>
         <source>Draw only the half of the section on one side of the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>请只绘制轴线一侧的半剖面。</translation>
     </message>
     <message>
         <source>the profile touches the axis at Z %1 mm, so the part would be in pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓在 Z %1 mm 处与轴线接触，零件会因此分成几块</translation>
     </message>
     <message>
         <source>Import each piece from a file of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将每一块分别从单独的文件导入。</translation>
     </message>
     <message>
         <source>the profile crosses or touches itself at radius %1 mm, Z %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓在半径 %1 mm、Z %2 mm 处与自身相交或接触</translation>
     </message>
     <message>
         <source>Correct the outline there: it must enclose one area.</source>
-        <translation type="unfinished"></translation>
+        <translation>请修正该处的轮廓线：它必须围成一个区域。</translation>
     </message>
     <message>
         <source>the profile has a gap of %1 mm at radius %2 mm, Z %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓在半径 %2 mm、Z %3 mm 处有 %1 mm 的间隙</translation>
     </message>
     <message>
         <source>Join the ends of the lines there.</source>
-        <translation type="unfinished"></translation>
+        <translation>请连接该处的线端。</translation>
     </message>
     <message>
         <source>the profile encloses no material</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓未围成任何材料</translation>
     </message>
     <message>
         <source>Draw the outline of the half section, from one end of the part to the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>请绘制从零件一端到另一端的半剖面轮廓线。</translation>
     </message>
     <message>
         <source>the file contains no profile</source>
-        <translation type="unfinished"></translation>
+        <translation>文件不含轮廓</translation>
     </message>
     <message>
         <source>Draw the half section with visible lines, arcs or polylines, outside of blocks.</source>
-        <translation type="unfinished"></translation>
+        <translation>请在块以外用可见的直线、圆弧或多段线绘制半剖面。</translation>
     </message>
     <message>
         <source>the file contains %1 separate outlines, and a profile is one</source>
-        <translation type="unfinished"></translation>
+        <translation>文件含 %1 条独立的轮廓线，而轮廓只能有一条</translation>
     </message>
     <message>
         <source>Remove frames, dimensions and other views, or join the ends of the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>请移除图框、尺寸标注和其他视图，或连接线端。</translation>
     </message>
     <message>
         <source>it is a binary DXF file, and only those in text can be read</source>
-        <translation type="unfinished"></translation>
+        <translation>这是二进制 DXF 文件，只能读取文本格式的 DXF</translation>
     </message>
     <message>
         <source>Save it as ASCII DXF.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将其另存为 ASCII DXF。</translation>
     </message>
     <message>
         <source>the drawing does not show where the axis is</source>
-        <translation type="unfinished"></translation>
+        <translation>图中未标明轴线的位置</translation>
     </message>
     <message>
         <source>Draw the axis as a horizontal line with the id or layer &apos;axis&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将轴线绘制为水平线，其 id 或图层为“axis”。</translation>
     </message>
     <message>
         <source>the solid has no axis of revolution</source>
-        <translation type="unfinished"></translation>
+        <translation>实体没有回转轴</translation>
     </message>
     <message>
         <source>Choose a part that can be turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择可车削的零件。</translation>
     </message>
     <message>
         <source>it is not a turned part: face %1, a %2 at (%3, %4, %5), does not turn about its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是车削件：第 %1 个面（%2，位于 (%3, %4, %5)）不是绕其轴线的回转面</translation>
     </message>
     <message>
         <source>Remove that feature, or choose to ignore what is not turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>请移除该特征，或选择忽略非回转的部分。</translation>
     </message>
     <message>
         <source>the file contains %1 solids, and a target is one</source>
-        <translation type="unfinished"></translation>
+        <translation>文件含 %1 个实体，而目标只能有一个</translation>
     </message>
     <message>
         <source>Save the turned part alone in a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将车削件单独保存到一个文件中。</translation>
     </message>
     <message>
         <source>nothing was cut yet, so there are no passes to write</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未切削，因此没有可写入的走刀</translation>
     </message>
     <message>
         <source>Cut the part by hand first, or make cycles for a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先手动切削零件，或针对目标生成循环。</translation>
     </message>
     <message>
         <source>passes in a bore cannot be written as a program</source>
-        <translation type="unfinished"></translation>
+        <translation>孔内的走刀无法写成程序</translation>
     </message>
     <message>
         <source>Write a program of your own for the bore.</source>
-        <translation type="unfinished"></translation>
+        <translation>请自行为该孔编写程序。</translation>
     </message>
     <message>
         <source>pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk</source>
-        <translation type="unfinished"></translation>
+        <translation>走刀 %1 所用的工具不由程序移动：钻头、锉刀、砂纸或砂轮</translation>
     </message>
     <message>
         <source>Write passes that were made with turning tools.</source>
-        <translation type="unfinished"></translation>
+        <translation>请写入用车刀完成的走刀。</translation>
     </message>
     <message>
         <source>the cycles collide in line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>循环在第 %1 行发生碰撞</translation>
     </message>
     <message>
         <source>Take a smaller nose or depth of cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>请减小刀尖圆弧半径或切深。</translation>
     </message>
     <message>
         <source>the cycles cut %1 mm into the target at Z %2</source>
-        <translation type="unfinished"></translation>
+        <translation>循环在 Z %2 处切入目标 %1 mm</translation>
     </message>
     <message>
         <source>Take a smaller nose.</source>
-        <translation type="unfinished"></translation>
+        <translation>请减小刀尖圆弧半径。</translation>
     </message>
     <message>
         <source>the outline goes to and fro too often to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓线往返次数过多，无法检查</translation>
     </message>
     <message>
         <source>Draw it with fewer lines, for example without hatching.</source>
-        <translation type="unfinished"></translation>
+        <translation>请用较少的线条绘制，例如不画剖面线。</translation>
     </message>
     <message>
         <source>it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm are allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是车削件：其各点偏离绕同一轴线的圆最多 %1 mm，而允许值为 %2 mm</translation>
     </message>
     <message>
         <source>Export the turned part as STEP, or as a finer mesh without other features.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将车削件导出为 STEP，或导出为不含其他特征的更细网格。</translation>
     </message>
 </context>
 <context>
@@ -1694,207 +1694,207 @@
     </message>
     <message>
         <source>segments</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓段</translation>
     </message>
     <message>
         <source>the number of segments is missing or impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓段数缺失或不可能</translation>
     </message>
     <message>
         <source>its radius is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>半径不大于零</translation>
     </message>
     <message>
         <source>its code is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>其代码不是数字</translation>
     </message>
     <message>
         <source>it has no extent</source>
-        <translation type="unfinished"></translation>
+        <translation>没有大小</translation>
     </message>
     <message>
         <source>it has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>没有值</translation>
     </message>
     <message>
         <source>a command was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为命令</translation>
     </message>
     <message>
         <source>it is not one that SVG has</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 SVG 所具有的</translation>
     </message>
     <message>
         <source>a coordinate is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标过大</translation>
     </message>
     <message>
         <source>its answer is not understood</source>
-        <translation type="unfinished"></translation>
+        <translation>无法理解其响应</translation>
     </message>
     <message>
         <source>its outline differs</source>
-        <translation type="unfinished"></translation>
+        <translation>其轮廓线不一致</translation>
     </message>
     <message>
         <source>there are no fonts</source>
-        <translation type="unfinished"></translation>
+        <translation>没有字体</translation>
     </message>
     <message>
         <source>the page cannot be painted</source>
-        <translation type="unfinished"></translation>
+        <translation>无法绘制页面</translation>
     </message>
     <message>
         <source>a list was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为列表</translation>
     </message>
     <message>
         <source>a nose radius is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖圆弧半径不可能</translation>
     </message>
     <message>
         <source>a number was expected, or nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>应为数字或为空</translation>
     </message>
     <message>
         <source>a range ends before it begins</source>
-        <translation type="unfinished"></translation>
+        <translation>范围的终点在起点之前</translation>
     </message>
     <message>
         <source>a section has no corners, too many, or impossible ones</source>
-        <translation type="unfinished"></translation>
+        <translation>截面没有角点、角点过多或有不可能的角点</translation>
     </message>
     <message>
         <source>a switch was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为开关值</translation>
     </message>
     <message>
         <source>a text in UTF-8 was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 UTF-8 文本</translation>
     </message>
     <message>
         <source>a tool is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具不可能</translation>
     </message>
     <message>
         <source>an object was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为对象</translation>
     </message>
     <message>
         <source>criteria</source>
-        <translation type="unfinished"></translation>
+        <translation>评分项</translation>
     </message>
     <message>
         <source>feed and spindle speed must be above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>进给和主轴转速必须大于 0</translation>
     </message>
     <message>
         <source>it has too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>点数过少</translation>
     </message>
     <message>
         <source>it is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>不可能</translation>
     </message>
     <message>
         <source>it is no object</source>
-        <translation type="unfinished"></translation>
+        <translation>不是对象</translation>
     </message>
     <message>
         <source>it is not 1</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 1</translation>
     </message>
     <message>
         <source>it is not a list of the numbers that belong there</source>
-        <translation type="unfinished"></translation>
+        <translation>不是由应有数字组成的列表</translation>
     </message>
     <message>
         <source>it is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>未知</translation>
     </message>
     <message>
         <source>it is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>过长</translation>
     </message>
     <message>
         <source>it names a criterion that there is not</source>
-        <translation type="unfinished"></translation>
+        <translation>引用了不存在的评分项</translation>
     </message>
     <message>
         <source>its kind is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>其类型未知</translation>
     </message>
     <message>
         <source>its lists differ in length, or do not ascend</source>
-        <translation type="unfinished"></translation>
+        <translation>其各列表长度不同或不是升序</translation>
     </message>
     <message>
         <source>its time is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间不可能</translation>
     </message>
     <message>
         <source>lines</source>
-        <translation type="unfinished">线段</translation>
+        <translation>行</translation>
     </message>
     <message>
         <source>nothing is left of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>零件已无剩余</translation>
     </message>
     <message>
         <source>numbers with “;” between them were expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为以“;”分隔的数字</translation>
     </message>
     <message>
         <source>one of its numbers is impossible</source>
-        <translation type="unfinished"></translation>
+        <translation>其中一个数字不可能</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>points of two numbers each were expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为各含两个数字的点</translation>
     </message>
     <message>
         <source>points were expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应为点</translation>
     </message>
     <message>
         <source>property</source>
-        <translation type="unfinished"></translation>
+        <translation>属性</translation>
     </message>
     <message>
         <source>rows</source>
-        <translation type="unfinished"></translation>
+        <translation>行</translation>
     </message>
     <message>
         <source>steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>the bore is longer than the part</source>
-        <translation type="unfinished"></translation>
+        <translation>孔比零件长</translation>
     </message>
     <message>
         <source>the bore is wider than the part</source>
-        <translation type="unfinished"></translation>
+        <translation>孔比零件宽</translation>
     </message>
     <message>
         <source>there are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>数量过多</translation>
     </message>
     <message>
         <source>there are two with this id</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个使用此 id</translation>
     </message>
     <message>
         <source>there is no such choice</source>
-        <translation type="unfinished"></translation>
+        <translation>没有这样的选项</translation>
     </message>
     <message>
         <source>too many sections, or no list</source>
-        <translation type="unfinished"></translation>
+        <translation>截面过多，或不是列表</translation>
     </message>
 </context>
 <context>
@@ -2302,147 +2302,147 @@
     <name>Figure</name>
     <message>
         <source>Time of the work</source>
-        <translation type="unfinished"></translation>
+        <translation>作业时间</translation>
     </message>
     <message>
         <source>Hints looked at</source>
-        <translation type="unfinished"></translation>
+        <translation>查看提示次数</translation>
     </message>
     <message>
         <source>from Z (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>从 Z (mm)</translation>
     </message>
     <message>
         <source>to Z (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>到 Z (mm)</translation>
     </message>
     <message>
         <source>at radius (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>半径处 (mm)</translation>
     </message>
     <message>
         <source>near Z (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>靠近 Z (mm)</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished">直径</translation>
+        <translation>直径</translation>
     </message>
     <message>
         <source>Diameter of a bore</source>
-        <translation type="unfinished"></translation>
+        <translation>孔径</translation>
     </message>
     <message>
         <source>Length between two faces</source>
-        <translation type="unfinished"></translation>
+        <translation>两端面间的长度</translation>
     </message>
     <message>
         <source>Depth of a bore to a face</source>
-        <translation type="unfinished"></translation>
+        <translation>孔到端面的深度</translation>
     </message>
     <message>
         <source>Radius of an arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧半径</translation>
     </message>
     <message>
         <source>Radius of an arc inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内圆弧半径</translation>
     </message>
     <message>
         <source>Angle of a taper to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>锥面与轴线的夹角</translation>
     </message>
     <message>
         <source>Largest deviation from the target</source>
-        <translation type="unfinished"></translation>
+        <translation>与目标的最大偏差</translation>
     </message>
     <message>
         <source>Roughness Ra</source>
-        <translation type="unfinished"></translation>
+        <translation>粗糙度 Ra</translation>
     </message>
     <message>
         <source>Roughness Ra inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内表面粗糙度 Ra</translation>
     </message>
     <message>
         <source>Collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞次数</translation>
     </message>
     <message>
         <source>Largest cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>最大切削力</translation>
     </message>
     <message>
         <source>Largest power</source>
-        <translation type="unfinished"></translation>
+        <translation>最大功率</translation>
     </message>
     <message>
         <source>Time of all passes</source>
-        <translation type="unfinished"></translation>
+        <translation>全部走刀的时间</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished">曲线</translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished">半径</translation>
+        <translation>半径</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>零件</translation>
     </message>
     <message>
         <source>Bore</source>
-        <translation type="unfinished"></translation>
+        <translation>孔</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished">目标</translation>
+        <translation>目标</translation>
     </message>
     <message>
         <source>Target, bore</source>
-        <translation type="unfinished"></translation>
+        <translation>目标，孔</translation>
     </message>
     <message>
         <source>Path of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具路径</translation>
     </message>
     <message>
         <source>Centre of the nose</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖圆弧中心</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">时间</translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>Turning</source>
-        <translation type="unfinished"></translation>
+        <translation>车削</translation>
     </message>
     <message>
         <source>Cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>切削力</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>功率</translation>
     </message>
     <message>
         <source>Pitch of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹螺距</translation>
     </message>
     <message>
         <source>Major diameter of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹大径</translation>
     </message>
     <message>
         <source>Pitch diameter of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹中径</translation>
     </message>
     <message>
         <source>Minor diameter of a thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹小径</translation>
     </message>
 </context>
 <context>
@@ -2560,129 +2560,129 @@
     <name>LatheFigures</name>
     <message>
         <source>Kosilova</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosilova</translation>
     </message>
     <message>
         <source>Kienzle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kienzle</translation>
     </message>
     <message>
         <source>Network</source>
-        <translation type="unfinished"></translation>
+        <translation>神经网络</translation>
     </message>
 </context>
 <context>
     <name>LathePart</name>
     <message>
         <source>Cutting edge</source>
-        <translation type="unfinished"></translation>
+        <translation>切削刃</translation>
     </message>
     <message>
         <source>Tool holder</source>
-        <translation type="unfinished"></translation>
+        <translation>刀杆</translation>
     </message>
     <message>
         <source>Tool post</source>
-        <translation type="unfinished"></translation>
+        <translation>刀架</translation>
     </message>
     <message>
         <source>Compound slide</source>
-        <translation type="unfinished"></translation>
+        <translation>小拖板</translation>
     </message>
     <message>
         <source>Quill</source>
-        <translation type="unfinished"></translation>
+        <translation>套筒</translation>
     </message>
     <message>
         <source>Tailstock</source>
-        <translation type="unfinished"></translation>
+        <translation>尾座</translation>
     </message>
     <message>
         <source>Jaws</source>
-        <translation type="unfinished"></translation>
+        <translation>卡爪</translation>
     </message>
     <message>
         <source>Chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>卡盘</translation>
     </message>
     <message>
         <source>Workpiece</source>
-        <translation type="unfinished">工件</translation>
+        <translation>工件</translation>
     </message>
     <message>
         <source>These parts must not touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些部件不得接触。</translation>
     </message>
     <message>
         <source>The rapid traverse ran into the workpiece.</source>
-        <translation type="unfinished"></translation>
+        <translation>快速移动撞上了工件。</translation>
     </message>
     <message>
         <source>The spindle was at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴处于静止状态。</translation>
     </message>
     <message>
         <source>The spindle turned backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴反向旋转。</translation>
     </message>
     <message>
         <source>The cut was deeper than the cutting edge is long.</source>
-        <translation type="unfinished"></translation>
+        <translation>切深超过了切削刃的长度。</translation>
     </message>
     <message>
         <source>The cut needed more than the motor has.</source>
-        <translation type="unfinished"></translation>
+        <translation>切削所需超过了电机的能力。</translation>
     </message>
 </context>
 <context>
     <name>LatheTool</name>
     <message>
         <source>Turning tool, right</source>
-        <translation type="unfinished"></translation>
+        <translation>外圆车刀（右偏刀）</translation>
     </message>
     <message>
         <source>Turning tool, left</source>
-        <translation type="unfinished"></translation>
+        <translation>外圆车刀（左偏刀）</translation>
     </message>
     <message>
         <source>Facing tool</source>
-        <translation type="unfinished"></translation>
+        <translation>端面车刀</translation>
     </message>
     <message>
         <source>Parting tool</source>
-        <translation type="unfinished"></translation>
+        <translation>切断刀</translation>
     </message>
     <message>
         <source>Grooving tool</source>
-        <translation type="unfinished"></translation>
+        <translation>切槽刀</translation>
     </message>
     <message>
         <source>Form tool</source>
-        <translation type="unfinished"></translation>
+        <translation>成形车刀</translation>
     </message>
     <message>
         <source>Threading tool</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹车刀</translation>
     </message>
     <message>
         <source>Boring bar</source>
-        <translation type="unfinished"></translation>
+        <translation>镗刀</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation type="unfinished"></translation>
+        <translation>钻头</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>锉刀</translation>
     </message>
     <message>
         <source>Abrasive paper</source>
-        <translation type="unfinished"></translation>
+        <translation>砂纸</translation>
     </message>
     <message>
         <source>Grinding disk</source>
-        <translation type="unfinished"></translation>
+        <translation>砂轮</translation>
     </message>
 </context>
 <context>
@@ -2944,187 +2944,187 @@
     </message>
     <message>
         <source>The description has neither model solution nor work.</source>
-        <translation type="unfinished"></translation>
+        <translation>该描述既不含参考答案，也不含作业。</translation>
     </message>
     <message>
         <source>there is no such surface along all of the range</source>
-        <translation type="unfinished"></translation>
+        <translation>整个范围内没有这样的表面</translation>
     </message>
     <message>
         <source>at Z %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 mm 处</translation>
     </message>
     <message>
         <source>the first face is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少第一个端面</translation>
     </message>
     <message>
         <source>the second face is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少第二个端面</translation>
     </message>
     <message>
         <source>between Z %1 and %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 与 %2 mm 之间</translation>
     </message>
     <message>
         <source>there is no arc</source>
-        <translation type="unfinished"></translation>
+        <translation>没有圆弧</translation>
     </message>
     <message>
         <source>the surface is within %1 mm of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>表面与该圆的偏差不超过 %1 mm</translation>
     </message>
     <message>
         <source>after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 秒后</translation>
     </message>
     <message>
         <source>this figure is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>此指标未知</translation>
     </message>
     <message>
         <source>the scheme does not say where to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>评分标准未说明测量位置</translation>
     </message>
     <message>
         <source>the part is not what its recorded passes cut</source>
-        <translation type="unfinished"></translation>
+        <translation>零件与所记录走刀的切削结果不符</translation>
     </message>
     <message>
         <source>there are too many passes to measure it</source>
-        <translation type="unfinished"></translation>
+        <translation>走刀过多，无法测量</translation>
     </message>
     <message>
         <source>nothing was cut</source>
-        <translation type="unfinished"></translation>
+        <translation>没有切削任何材料</translation>
     </message>
     <message>
         <source>the surface was not cut along all of the range</source>
-        <translation type="unfinished"></translation>
+        <translation>并非整个范围内的表面都经过切削</translation>
     </message>
     <message>
         <source>up to %1 µm, at Z %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>最大 %1 µm，在 Z %2 mm 处</translation>
     </message>
     <message>
         <source>the exercise has no target</source>
-        <translation type="unfinished"></translation>
+        <translation>练习没有目标</translation>
     </message>
     <message>
         <source>%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %2 mm 处多 %1 mm，在 Z %4 mm 处少 %3 mm</translation>
     </message>
     <message>
         <source>The tool hit the chuck at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具在 Z %1 mm、⌀%2 mm 处撞上卡盘。</translation>
     </message>
     <message>
         <source>The tool was rammed into the material at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具在 Z %1 mm、⌀%2 mm 处撞入材料。</translation>
     </message>
     <message>
         <source>The file does not say its unit of length: taken as 1 mm in DXF, a pixel in SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未注明长度单位：DXF 按 1 mm 处理，SVG 按像素处理。</translation>
     </message>
     <message>
         <source>Not read from the drawing: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>未从图中读取：%1。</translation>
     </message>
     <message>
         <source>Faces that are not of revolution were ignored: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>已忽略非回转面：%1。</translation>
     </message>
     <message>
         <source>%1 is within %2 and %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在 %2 与 %3 之间</translation>
     </message>
     <message>
         <source>%1 is not above %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不大于 %2</translation>
     </message>
     <message>
         <source>%1 is not below %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不小于 %2</translation>
     </message>
     <message>
         <source>%1, without a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，未设限值</translation>
     </message>
     <message>
         <source>it could not be measured</source>
-        <translation type="unfinished"></translation>
+        <translation>无法测量</translation>
     </message>
     <message>
         <source>%1 is %2 below the lower limit, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 比下限 %3 小 %2</translation>
     </message>
     <message>
         <source>%1 is %2 above the upper limit, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 比上限 %3 大 %2</translation>
     </message>
     <message>
         <source>there is no thread along the range</source>
-        <translation type="unfinished"></translation>
+        <translation>该范围内没有螺纹</translation>
     </message>
     <message>
         <source>%1 grooves, each within %2 mm of the pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 条牙槽，各与螺距相差不超过 %2 mm</translation>
     </message>
     <message>
         <source>the tool that cut it has no nose radius</source>
-        <translation type="unfinished"></translation>
+        <translation>所用刀具没有刀尖圆弧半径</translation>
     </message>
     <message>
         <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>车床部件在 Z %1 mm、⌀%2 mm 处相碰。</translation>
     </message>
     <message>
         <source>The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>快速移动在 Z %1 mm、⌀%2 mm 处撞上工件。</translation>
     </message>
     <message>
         <source>The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>切削刃在 Z %1 mm、⌀%2 mm 处压入静止的工件。</translation>
     </message>
     <message>
         <source>The spindle turned the wrong way at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴在 Z %1 mm、⌀%2 mm 处旋转方向错误。</translation>
     </message>
     <message>
         <source>The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 mm、⌀%2 mm 处切深超过了切削刃的高度。</translation>
     </message>
     <message>
         <source>The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 mm、⌀%2 mm 处电机带不动主轴。</translation>
     </message>
     <message>
         <source>Bar ⌀%1 × %2 mm, held by the chuck over %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>棒料 ⌀%1 × %2 mm，卡盘夹持长度 %3 mm</translation>
     </message>
     <message>
         <source>Spindle %1 r/min, feed up to %2 mm per revolution</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴 %1 r/min，进给不超过每转 %2 mm</translation>
     </message>
     <message>
         <source>Force up to %1 N, power up to %2 kW</source>
-        <translation type="unfinished"></translation>
+        <translation>力不超过 %1 N，功率不超过 %2 kW</translation>
     </message>
     <message>
         <source>Tool: %1, nose radius %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具：%1，刀尖圆弧半径 %2 mm</translation>
     </message>
     <message>
         <source>The rings of the mesh leave their circles by up to %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>网格的各圈偏离其圆最多 %1 mm。</translation>
     </message>
     <message>
         <source>Threads are in the file as their envelope, without grooves: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中的螺纹只有包络外形，没有牙槽：%1。</translation>
     </message>
     <message>
         <source>the scheme has no limit for it</source>
-        <translation type="unfinished"></translation>
+        <translation>评分标准未给出其限值</translation>
     </message>
 </context>
 <context>
@@ -4007,362 +4007,362 @@
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>指标</translation>
     </message>
     <message>
         <source>this figure is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>此指标未知</translation>
     </message>
     <message>
         <source>Measured at</source>
-        <translation type="unfinished"></translation>
+        <translation>测量位置</translation>
     </message>
     <message>
         <source>Tolerance on the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>图纸公差</translation>
     </message>
     <message>
         <source>Lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>下限</translation>
     </message>
     <message>
         <source>Upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>上限</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>分数</translation>
     </message>
     <message>
         <source>No points this far beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>超出此量即不得分</translation>
     </message>
     <message>
         <source>Hidden from students</source>
-        <translation type="unfinished"></translation>
+        <translation>对学生隐藏</translation>
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>练习</translation>
     </message>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>标题</translation>
     </message>
     <message>
         <source>Author</source>
-        <translation type="unfinished"></translation>
+        <translation>作者</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>任务</translation>
     </message>
     <message>
         <source>Time (min)</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 (min)</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>正文</translation>
     </message>
     <message>
         <source>Hints, with | between</source>
-        <translation type="unfinished"></translation>
+        <translation>提示（以 | 分隔）</translation>
     </message>
     <message>
         <source>Done when met</source>
-        <translation type="unfinished"></translation>
+        <translation>完成条件</translation>
     </message>
     <message>
         <source>Lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>车床</translation>
     </message>
     <message>
         <source>Spindle speed (r/min)</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴转速 (r/min)</translation>
     </message>
     <message>
         <source>Held by the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>卡盘夹持长度</translation>
     </message>
     <message>
         <source>Diameter of the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>卡盘直径</translation>
     </message>
     <message>
         <source>Largest feed (mm per revolution)</source>
-        <translation type="unfinished"></translation>
+        <translation>最大进给 (mm/r)</translation>
     </message>
     <message>
         <source>Largest force (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>最大力 (N)</translation>
     </message>
     <message>
         <source>Motor power (kW)</source>
-        <translation type="unfinished"></translation>
+        <translation>电机功率 (kW)</translation>
     </message>
     <message>
         <source>Midpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>中点</translation>
     </message>
     <message>
         <source>Trainer</source>
-        <translation type="unfinished"></translation>
+        <translation>训练方法</translation>
     </message>
     <message>
         <source>Levenberg-Marquardt</source>
-        <translation type="unfinished"></translation>
+        <translation>Levenberg-Marquardt</translation>
     </message>
     <message>
         <source>BFGS</source>
-        <translation type="unfinished"></translation>
+        <translation>BFGS</translation>
     </message>
     <message>
         <source>Scaled conjugate gradient</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放共轭梯度</translation>
     </message>
     <message>
         <source>Gradient descent with momentum</source>
-        <translation type="unfinished"></translation>
+        <translation>带动量的梯度下降</translation>
     </message>
     <message>
         <source>Gradient descent</source>
-        <translation type="unfinished"></translation>
+        <translation>梯度下降</translation>
     </message>
     <message>
         <source>Feed and radial force</source>
-        <translation type="unfinished"></translation>
+        <translation>进给力和径向力</translation>
     </message>
     <message>
         <source>By depth and nose</source>
-        <translation type="unfinished"></translation>
+        <translation>按切深和刀尖</translation>
     </message>
     <message>
         <source>Constant share</source>
-        <translation type="unfinished"></translation>
+        <translation>固定比例</translation>
     </message>
     <message>
         <source>Laws of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>表中定律</translation>
     </message>
     <message>
         <source>Tool material</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具材料</translation>
     </message>
     <message>
         <source>Carbide</source>
-        <translation type="unfinished"></translation>
+        <translation>硬质合金</translation>
     </message>
     <message>
         <source>High-speed steel</source>
-        <translation type="unfinished"></translation>
+        <translation>高速钢</translation>
     </message>
     <message>
         <source>Read-out in diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>读数以直径显示</translation>
     </message>
     <message>
         <source>Depth limit (0: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>切深限制（0：无）</translation>
     </message>
     <message>
         <source>Compound slide angle (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>小拖板转角 (°)</translation>
     </message>
     <message>
         <source>Backlash</source>
-        <translation type="unfinished"></translation>
+        <translation>反向间隙</translation>
     </message>
     <message>
         <source>Length in the jaws</source>
-        <translation type="unfinished"></translation>
+        <translation>卡爪夹持长度</translation>
     </message>
     <message>
         <source>Jaws grip inside</source>
-        <translation type="unfinished"></translation>
+        <translation>卡爪内撑</translation>
     </message>
     <message>
         <source>In the tailstock</source>
-        <translation type="unfinished"></translation>
+        <translation>尾座安装</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Centre</source>
-        <translation type="unfinished"></translation>
+        <translation>顶尖</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation type="unfinished"></translation>
+        <translation>钻头</translation>
     </message>
     <message>
         <source>Tailstock at Z</source>
-        <translation type="unfinished"></translation>
+        <translation>尾座位于 Z</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>加工面</translation>
     </message>
     <message>
         <source>Outside</source>
-        <translation type="unfinished"></translation>
+        <translation>外圆</translation>
     </message>
     <message>
         <source>Bore</source>
-        <translation type="unfinished"></translation>
+        <translation>内孔</translation>
     </message>
     <message>
         <source>Exact trimming</source>
-        <translation type="unfinished"></translation>
+        <translation>精确修剪</translation>
     </message>
     <message>
         <source>Control points</source>
-        <translation type="unfinished"></translation>
+        <translation>控制点</translation>
     </message>
     <message>
         <source>Control point distance</source>
-        <translation type="unfinished"></translation>
+        <translation>控制点间距</translation>
     </message>
     <message>
         <source>Nominal size</source>
-        <translation type="unfinished"></translation>
+        <translation>公称尺寸</translation>
     </message>
     <message>
         <source>nobody gets them without a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>未设限值则无人能得分</translation>
     </message>
     <message>
         <source>Motor power, kW (0: no limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>电机功率，kW（0：无限制）</translation>
     </message>
     <message>
         <source>Spindle torque, N·m (0: no limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴扭矩，N·m（0：无限制）</translation>
     </message>
     <message>
         <source>Flank wear of the tools</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具后刀面磨损</translation>
     </message>
     <message>
         <source>Starts</source>
-        <translation type="unfinished"></translation>
+        <translation>线数</translation>
     </message>
     <message>
         <source>From Z</source>
-        <translation type="unfinished"></translation>
+        <translation>从 Z</translation>
     </message>
     <message>
         <source>To Z</source>
-        <translation type="unfinished"></translation>
+        <translation>到 Z</translation>
     </message>
     <message>
         <source>Pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>螺距</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>深度</translation>
     </message>
     <message>
         <source>Left-hand</source>
-        <translation type="unfinished"></translation>
+        <translation>左旋</translation>
     </message>
     <message>
         <source>Inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内螺纹</translation>
     </message>
 </context>
 <context>
     <name>RepairAccount</name>
     <message numerus="yes">
         <source>%Ln hole(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 个孔洞</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln sheet edge(s) and kept hole(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 处片体边缘和保留的孔</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln non-manifold edge(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 条非流形边</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln non-manifold vertex(ices)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 个非流形顶点</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln one-sided edge(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 条单侧面的边</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln body(ies) inside out</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 个内外翻转的物体</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln pair(s) of near vertices</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 对邻近顶点</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln degenerate triangle(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 个退化三角形</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln duplicate triangle(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 个重复三角形</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln self-intersection(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 处自相交</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln piece(s) of debris</source>
-        <translation type="unfinished">
-            <numerusform>%Ln 个孤立碎片</numerusform>
+        <translation>
+            <numerusform>%Ln 块碎片</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln reversed triangle(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 个反转的三角形</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 closed</source>
-        <translation type="unfinished">已封闭 %2 个中的 %1 个</translation>
+        <translation>已封闭 %1（共 %2）</translation>
     </message>
     <message>
         <source>%1 of %2 corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>已纠正 %1（共 %2）</translation>
     </message>
     <message>
         <source>%1 of %2 removed</source>
-        <translation type="unfinished">已移除 %2 个中的 %1 个</translation>
+        <translation>已移除 %1（共 %2）</translation>
     </message>
     <message>
         <source>new: %1</source>
-        <translation type="unfinished">新增：%1</translation>
+        <translation>新增：%1</translation>
     </message>
 </context>
 <context>
@@ -4709,16 +4709,16 @@
     </message>
     <message>
         <source>Outer boundary %1</source>
-        <translation type="unfinished">外边界 %1</translation>
+        <translation>外边界 %1</translation>
     </message>
     <message>
         <source>Hole %1</source>
-        <translation type="unfinished">孔洞 %1</translation>
+        <translation>孔 %1</translation>
     </message>
     <message numerus="yes">
         <source>%1, thinner than requested at %2 of %n vertex(ices)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1，%n 个顶点中有 %2 个比要求的薄</numerusform>
         </translation>
     </message>
 </context>
@@ -5417,107 +5417,107 @@
     </message>
     <message>
         <source>Train a force model</source>
-        <translation type="unfinished"></translation>
+        <translation>训练切削力模型</translation>
     </message>
     <message>
         <source>Cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>切削力</translation>
     </message>
     <message>
         <source>Set up the lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>设置车床</translation>
     </message>
     <message>
         <source>carriage to the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板移向卡盘</translation>
     </message>
     <message>
         <source>carriage away</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板移离卡盘</translation>
     </message>
     <message>
         <source>carriage by ten divisions to the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板移向卡盘十格</translation>
     </message>
     <message>
         <source>carriage by ten divisions away</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板移离卡盘十格</translation>
     </message>
     <message>
         <source>cross slide in</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板向内</translation>
     </message>
     <message>
         <source>cross slide out</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板向外</translation>
     </message>
     <message>
         <source>cross slide by ten divisions in</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板向内十格</translation>
     </message>
     <message>
         <source>cross slide by ten divisions out</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板向外十格</translation>
     </message>
     <message>
         <source>compound slide in</source>
-        <translation type="unfinished"></translation>
+        <translation>小拖板前进</translation>
     </message>
     <message>
         <source>compound slide out</source>
-        <translation type="unfinished"></translation>
+        <translation>小拖板后退</translation>
     </message>
     <message>
         <source>start or stop the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>启动或停止主轴</translation>
     </message>
     <message>
         <source>turn the tool post</source>
-        <translation type="unfinished"></translation>
+        <translation>转动刀架</translation>
     </message>
     <message>
         <source>stop the lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>停止车床</translation>
     </message>
     <message>
         <source>move the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>移动刀具</translation>
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>练习</translation>
     </message>
     <message>
         <source>merging them would make edges with more than two triangles, or change a boundary that is to stay open</source>
-        <translation type="unfinished"></translation>
+        <translation>合并它们会产生超过两个三角形的边，或改变要保持开放的边界</translation>
     </message>
     <message>
         <source>move the carriage</source>
-        <translation type="unfinished"></translation>
+        <translation>移动大拖板</translation>
     </message>
     <message>
         <source>move the cross slide</source>
-        <translation type="unfinished"></translation>
+        <translation>移动中拖板</translation>
     </message>
     <message>
         <source>move the compound slide</source>
-        <translation type="unfinished"></translation>
+        <translation>移动小拖板</translation>
     </message>
     <message>
         <source>by ten divisions</source>
-        <translation type="unfinished"></translation>
+        <translation>一次十格</translation>
     </message>
     <message>
         <source>Thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹</translation>
     </message>
     <message>
         <source>separating all of them would take too long for a mesh of this size</source>
-        <translation type="unfinished"></translation>
+        <translation>对于这种大小的网格，全部分离耗时过长</translation>
     </message>
     <message>
         <source>“Repair all” leaves them as they are; they can be fixed here</source>
-        <translation type="unfinished"></translation>
+        <translation>“全部修复”会保留它们原样；可在此处修复</translation>
     </message>
 </context>
 <context>
@@ -5965,23 +5965,23 @@
     <name>handwheel::ClassView</name>
     <message>
         <source>&amp;Mark…</source>
-        <translation type="unfinished"></translation>
+        <translation>评分(&amp;M)…</translation>
     </message>
     <message>
         <source>Mark files that students have handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>对学生提交的文件评分</translation>
     </message>
     <message>
         <source>&amp;Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>报告(&amp;R)…</translation>
     </message>
     <message>
         <source>&amp;Table…</source>
-        <translation type="unfinished"></translation>
+        <translation>表格(&amp;T)…</translation>
     </message>
     <message>
         <source>Submissions</source>
-        <translation type="unfinished"></translation>
+        <translation>提交的作业</translation>
     </message>
 </context>
 <context>
@@ -6140,7 +6140,7 @@
     </message>
     <message>
         <source>Remains: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>仍存在：%1。</translation>
     </message>
 </context>
 <context>
@@ -6477,299 +6477,299 @@
     <name>handwheel::ExerciseEditor</name>
     <message>
         <source>Add what is marked</source>
-        <translation type="unfinished"></translation>
+        <translation>添加要评分的内容</translation>
     </message>
     <message>
         <source>Add a step</source>
-        <translation type="unfinished"></translation>
+        <translation>添加步骤</translation>
     </message>
     <message>
         <source>Remove a criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>移除评分项</translation>
     </message>
     <message>
         <source>Remove a step</source>
-        <translation type="unfinished"></translation>
+        <translation>移除步骤</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>任务</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>评分</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>班级</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">添加</translation>
+        <translation>添加</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>%1 (%2 points)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（%2 分）</translation>
     </message>
     <message>
         <source>%1. %2</source>
-        <translation type="unfinished">%1，%2 {1.?}</translation>
+        <translation>%1. %2</translation>
     </message>
     <message>
         <source>Add a criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>添加评分项</translation>
     </message>
     <message>
         <source>Move a criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>移动评分项</translation>
     </message>
     <message>
         <source>Move a step</source>
-        <translation type="unfinished"></translation>
+        <translation>移动步骤</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>上移</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>下移</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>
     <message>
         <source>&amp;Begin</source>
-        <translation type="unfinished"></translation>
+        <translation>开始(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
-        <translation type="unfinished">测量(&amp;M)</translation>
+        <translation>测量(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Hand in…</source>
-        <translation type="unfinished"></translation>
+        <translation>提交(&amp;H)…</translation>
     </message>
     <message>
         <source>Measure the sizes of the drawing on the part as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>在零件当前状态下测量图纸尺寸</translation>
     </message>
     <message>
         <source>Your name</source>
-        <translation type="unfinished"></translation>
+        <translation>您的姓名</translation>
     </message>
     <message>
         <source>: %1 … %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>：%1 … %2%3</translation>
     </message>
     <message>
         <source>: at most %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>：最大 %1%2</translation>
     </message>
     <message>
         <source>: at least %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>：最小 %1%2</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ExerciseUi</name>
     <message>
         <source>&amp;Begin</source>
-        <translation type="unfinished"></translation>
+        <translation>开始(&amp;B)</translation>
     </message>
     <message>
         <source>Open the stock and work on the exercise, step by step</source>
-        <translation type="unfinished"></translation>
+        <translation>打开毛坯，逐步完成练习</translation>
     </message>
     <message>
         <source>&amp;Student&apos;s copy</source>
-        <translation type="unfinished"></translation>
+        <translation>学生副本(&amp;S)</translation>
     </message>
     <message>
         <source>Open the exercise as students see it; save it for them</source>
-        <translation type="unfinished"></translation>
+        <translation>按学生看到的样子打开练习；可保存后发给学生</translation>
     </message>
     <message>
         <source>Take as model s&amp;olution</source>
-        <translation type="unfinished"></translation>
+        <translation>设为参考答案(&amp;O)</translation>
     </message>
     <message>
         <source>Keep the work that was begun from this exercise as its model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>将从此练习开始的作业保留为其参考答案</translation>
     </message>
     <message>
         <source>Take as &amp;target</source>
-        <translation type="unfinished"></translation>
+        <translation>设为目标(&amp;T)</translation>
     </message>
     <message>
         <source>Make the shape of that work the target of the exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>将该作业的形状作为练习的目标</translation>
     </message>
     <message>
         <source>&amp;Mark…</source>
-        <translation type="unfinished"></translation>
+        <translation>评分(&amp;M)…</translation>
     </message>
     <message>
         <source>Mark files that students have handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>对学生提交的文件评分</translation>
     </message>
     <message>
         <source>New e&amp;xercise</source>
-        <translation type="unfinished"></translation>
+        <translation>新建练习(&amp;X)</translation>
     </message>
     <message>
         <source>Prepare an exercise for students</source>
-        <translation type="unfinished"></translation>
+        <translation>为学生准备练习</translation>
     </message>
     <message>
         <source>First &amp;lesson at the lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>车床第一课(&amp;L)</translation>
     </message>
     <message>
         <source>Turn a shoulder step by step, without having turned before</source>
-        <translation type="unfinished"></translation>
+        <translation>逐步车削一个台阶，无需车削经验</translation>
     </message>
     <message>
         <source>Turn your first shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>车削您的第一个台阶</translation>
     </message>
     <message>
         <source>A lesson of three minutes: the program says what to do, and measures the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>三分钟的一课：程序会提示该做什么，并测量零件。</translation>
     </message>
     <message>
         <source>Exercise: shaft with shoulders</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：台阶轴</translation>
     </message>
     <message>
         <source>Exercise: bored bush</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：镗孔衬套</translation>
     </message>
     <message>
         <source>Exercise: ball</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：球</translation>
     </message>
     <message>
         <source>Exercise: gourd</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：葫芦</translation>
     </message>
     <message>
         <source>Exercise: dumb-bell weight</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：哑铃</translation>
     </message>
     <message>
         <source>Exercise: wine glass</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：酒杯</translation>
     </message>
     <message>
         <source>Open a prepared exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>打开准备好的练习</translation>
     </message>
     <message>
         <source>Handed in by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>由 %1 提交</translation>
     </message>
     <message>
         <source>The teacher marks it with the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>教师用该练习对其评分。</translation>
     </message>
     <message numerus="yes">
         <source>%n step(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个步骤</numerusform>
         </translation>
     </message>
     <message>
         <source>New exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>新建练习</translation>
     </message>
     <message>
         <source>%1 points. Students get a copy without the answers.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 分。学生得到不含答案的副本。</translation>
     </message>
     <message>
         <source>Opened %1: exercise “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>已打开 %1：练习“%2”</translation>
     </message>
     <message>
         <source>Take the model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>采用参考答案</translation>
     </message>
     <message>
         <source>The target was not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>未采用目标</translation>
     </message>
     <message>
         <source>Take the target</source>
-        <translation type="unfinished"></translation>
+        <translation>采用目标</translation>
     </message>
     <message>
         <source>Mark what was handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>对提交的作业评分</translation>
     </message>
     <message>
         <source>Submissions (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>提交的作业 (%1)</translation>
     </message>
     <message>
         <source>Marking</source>
-        <translation type="unfinished"></translation>
+        <translation>正在评分</translation>
     </message>
     <message>
         <source>%1 could not be saved</source>
-        <translation type="unfinished">无法保存 %1</translation>
+        <translation>无法保存 %1</translation>
     </message>
     <message>
         <source>Save the table</source>
-        <translation type="unfinished"></translation>
+        <translation>保存表格</translation>
     </message>
     <message>
         <source>Table (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>表格 (%1)</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation type="unfinished"></translation>
+        <translation>保存报告</translation>
     </message>
     <message>
         <source>Report (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>报告 (%1)</translation>
     </message>
     <message>
         <source>Exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>练习</translation>
     </message>
     <message>
         <source>E&amp;xercise</source>
-        <translation type="unfinished"></translation>
+        <translation>练习(&amp;X)</translation>
     </message>
     <message>
         <source>Exercise: thread M20</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：螺纹 M20</translation>
     </message>
     <message>
         <source>Exercise: first shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>练习：第一个台阶</translation>
     </message>
     <message>
         <source>The model solution was not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>未采用参考答案</translation>
     </message>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished">正在写入 %1</translation>
+        <translation>正在写入 %1</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished">已保存 %1</translation>
+        <translation>已保存 %1</translation>
     </message>
 </context>
 <context>
@@ -7081,30 +7081,30 @@
     <name>handwheel::HandwheelDial</name>
     <message>
         <source>Handwheel</source>
-        <translation type="unfinished">Handwheel</translation>
+        <translation>手轮</translation>
     </message>
     <message>
         <source>Drag around the centre, or use the wheel or arrow keys: one division (Shift: ten, Ctrl: a tenth); Page Up and Down: one turn; Home or double click: set the dial to zero</source>
-        <translation type="unfinished"></translation>
+        <translation>绕中心拖动，或使用滚轮或方向键：一格（Shift：十格，Ctrl：十分之一格）；Page Up 和 Page Down：一圈；Home 或双击：刻度盘归零</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 div</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 格</translation>
     </message>
     <message numerus="yes">
         <source>%n turn(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 圈</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n turn(s) below zero</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>零位以下 %n 圈</numerusform>
         </translation>
     </message>
 </context>
@@ -7258,375 +7258,375 @@
     <name>handwheel::LatheEvents</name>
     <message>
         <source>%1 s: crash, %2 – %3 at R %4, Z %5. %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s：碰撞，%2 – %3，位于 R %4、Z %5。%6</translation>
     </message>
     <message>
         <source>%1 s: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s：%2</translation>
     </message>
     <message>
         <source>Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.</source>
-        <translation type="unfinished"></translation>
+        <translation>功率：切削需要电机提供 %1 kW，而电机只有 %2 kW；主轴减速。</translation>
     </message>
     <message>
         <source>Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩：切削需要主轴提供 %1 N·m，而主轴只有 %2 N·m；主轴堵转。</translation>
     </message>
     <message>
         <source>L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.</source>
-        <translation type="unfinished"></translation>
+        <translation>长径比 (L/D)：工件伸出长度为其直径的 %1 倍；一般以 %2 倍为限。请加支承。</translation>
     </message>
     <message>
         <source>Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>让刀：工件发生退让，此处会多留 %1 mm；限值为 %2 mm。</translation>
     </message>
     <message>
         <source>Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>颤振：切深 %1 mm；不超过 %2 mm 时在任何主轴转速下都稳定。</translation>
     </message>
     <message>
         <source>Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.</source>
-        <translation type="unfinished"></translation>
+        <translation>挤擦：%1 mm 的切屑未被切下而只是挤擦；至少应为 %2 mm。</translation>
     </message>
     <message>
         <source>Crashes and warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞与警告</translation>
     </message>
     <message>
         <source>What met what, which rule was broken, and when. A crash stops the spindle.</source>
-        <translation type="unfinished"></translation>
+        <translation>什么与什么相碰、违反了哪条规则以及发生的时间。碰撞会使主轴停止。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LatheFigures</name>
     <message>
         <source>Force</source>
-        <translation type="unfinished">力</translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>%1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N</translation>
     </message>
     <message>
         <source>Of the cut, of all three components</source>
-        <translation type="unfinished"></translation>
+        <translation>切削力，三个分力的合力</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>功率</translation>
     </message>
     <message>
         <source>%1 of %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 %3</translation>
     </message>
     <message>
         <source>kW</source>
-        <translation type="unfinished"></translation>
+        <translation>kW</translation>
     </message>
     <message>
         <source>Of the motor, and what it has</source>
-        <translation type="unfinished"></translation>
+        <translation>电机功率及其上限</translation>
     </message>
     <message>
         <source>Torque</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>N·m</translation>
     </message>
     <message>
         <source>At the spindle, and what it has</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴扭矩及其上限</translation>
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴</translation>
     </message>
     <message>
         <source>%1 r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 r/min</translation>
     </message>
     <message>
         <source>Its speed now. A cut beyond power or torque slows it down.</source>
-        <translation type="unfinished"></translation>
+        <translation>当前转速。切削超出功率或扭矩时主轴会减速。</translation>
     </message>
     <message>
         <source>Cutting speed</source>
-        <translation type="unfinished"></translation>
+        <translation>切削速度</translation>
     </message>
     <message>
         <source>%1 m/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m/min</translation>
     </message>
     <message>
         <source>At the middle of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切削中部处的速度</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>切深</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Of the cut, across its way</source>
-        <translation type="unfinished"></translation>
+        <translation>切削深度，垂直于走刀方向</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>进给</translation>
     </message>
     <message>
         <source>%1 mm/rev</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/r</translation>
     </message>
     <message>
         <source>In a turn of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴每转的进给</translation>
     </message>
     <message>
         <source>Law</source>
-        <translation type="unfinished"></translation>
+        <translation>定律</translation>
     </message>
     <message>
         <source>Kosilova</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosilova</translation>
     </message>
     <message>
         <source>The law of the cutting force was not made for such a cut of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>该切削力定律不是为对 %1 的这种切削建立的。</translation>
     </message>
     <message>
         <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的切削力定律。可在速度与精度设置中选择；材料是工件的属性。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
     <message>
         <source>Tool in the post</source>
-        <translation type="unfinished"></translation>
+        <translation>刀架上的刀具</translation>
     </message>
     <message>
         <source>Value for touching off, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>对刀值，mm</translation>
     </message>
     <message>
         <source>Touch off &amp;X</source>
-        <translation type="unfinished"></translation>
+        <translation>对刀 X(&amp;X)</translation>
     </message>
     <message>
         <source>The read-out shows this value for X here</source>
-        <translation type="unfinished"></translation>
+        <translation>将此处的 X 读数设为该值</translation>
     </message>
     <message>
         <source>Touch off &amp;Z</source>
-        <translation type="unfinished"></translation>
+        <translation>对刀 Z(&amp;Z)</translation>
     </message>
     <message>
         <source>The read-out shows this value for Z here</source>
-        <translation type="unfinished"></translation>
+        <translation>将此处的 Z 读数设为该值</translation>
     </message>
     <message>
         <source>Direction of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴旋转方向</translation>
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴</translation>
     </message>
     <message>
         <source>&amp;Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>正转(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>反转(&amp;R)</translation>
     </message>
     <message>
         <source>Speed, r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>转速，r/min</translation>
     </message>
     <message>
         <source>Surface speed, m/min</source>
-        <translation type="unfinished"></translation>
+        <translation>线速度，m/min</translation>
     </message>
     <message>
         <source>Largest speed, r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>最高转速，r/min</translation>
     </message>
     <message>
         <source>r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>r/min</translation>
     </message>
     <message>
         <source>m/min, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>m/min，最高</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>进给</translation>
     </message>
     <message>
         <source>Feed, mm in a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>进给，mm/r</translation>
     </message>
     <message>
         <source>mm/rev</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/r</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>关</translation>
     </message>
     <message>
         <source>To chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>向卡盘</translation>
     </message>
     <message>
         <source>Away</source>
-        <translation type="unfinished"></translation>
+        <translation>离卡盘</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>向内</translation>
     </message>
     <message>
         <source>Out</source>
-        <translation type="unfinished"></translation>
+        <translation>向外</translation>
     </message>
     <message>
         <source>Pitch of the thread, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹螺距，mm</translation>
     </message>
     <message>
         <source>&amp;Half-nut</source>
-        <translation type="unfinished"></translation>
+        <translation>开合螺母(&amp;H)</translation>
     </message>
     <message>
         <source>Closes the half-nut: the carriage follows the lead screw</source>
-        <translation type="unfinished"></translation>
+        <translation>合上开合螺母：大拖板随丝杠移动</translation>
     </message>
     <message>
         <source>Carriage</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板</translation>
     </message>
     <message>
         <source>Cross slide</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板</translation>
     </message>
     <message>
         <source>Compound slide</source>
-        <translation type="unfinished"></translation>
+        <translation>小拖板</translation>
     </message>
     <message>
         <source>Tailstock quill</source>
-        <translation type="unfinished"></translation>
+        <translation>尾座套筒</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished">无</translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Constant</source>
-        <translation type="unfinished"></translation>
+        <translation>恒定</translation>
     </message>
     <message>
         <source>Constant surface speed: the spindle turns faster the nearer the tool is to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>恒线速度：刀具离轴线越近，主轴转得越快</translation>
     </message>
     <message>
         <source>No automatic feed</source>
-        <translation type="unfinished"></translation>
+        <translation>无自动进给</translation>
     </message>
     <message>
         <source>Automatic feed of the carriage to the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板向卡盘自动进给</translation>
     </message>
     <message>
         <source>Automatic feed of the carriage away from the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>大拖板离开卡盘自动进给</translation>
     </message>
     <message>
         <source>Automatic feed of the cross slide to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板向轴线自动进给</translation>
     </message>
     <message>
         <source>Automatic feed of the cross slide outward</source>
-        <translation type="unfinished"></translation>
+        <translation>中拖板向外自动进给</translation>
     </message>
     <message>
         <source>Thread, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹，螺距</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
     <message>
         <source>Lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>车床</translation>
     </message>
 </context>
 <context>
     <name>handwheel::LessonPanel</name>
     <message>
         <source>Show a hint</source>
-        <translation type="unfinished"></translation>
+        <translation>显示提示</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>完成</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>%1, open</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，未完成</translation>
     </message>
     <message>
         <source>%1, done</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，已完成</translation>
     </message>
     <message>
         <source>%1, failed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，未通过</translation>
     </message>
     <message>
         <source>No steps</source>
-        <translation type="unfinished"></translation>
+        <translation>没有步骤</translation>
     </message>
     <message>
         <source>%1 of %2 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 步</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>The time is over</source>
-        <translation type="unfinished"></translation>
+        <translation>时间到</translation>
     </message>
     <message>
         <source>Time since the beginning</source>
-        <translation type="unfinished"></translation>
+        <translation>开始后的时间</translation>
     </message>
     <message>
         <source>Show another hint</source>
-        <translation type="unfinished"></translation>
+        <translation>显示另一条提示</translation>
     </message>
 </context>
 <context>
@@ -8226,448 +8226,456 @@
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>声音</translation>
     </message>
     <message>
         <source>Play the sound of machines</source>
-        <translation type="unfinished"></translation>
+        <translation>播放机床声音</translation>
     </message>
     <message>
         <source>Volume of machines</source>
-        <translation type="unfinished"></translation>
+        <translation>机床音量</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>音量</translation>
     </message>
     <message>
         <source>Spindle and cut, from speed, feed, force and wear. Louder means more force; a deep tone means chatter.</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴与切削的声音，取决于转速、进给、力和磨损。声音越大表示力越大；低沉的音调表示颤振。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramDock</name>
     <message>
         <source>&amp;Program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序(&amp;P)</translation>
     </message>
     <message>
         <source>Run lathe programs on the part, and write them</source>
-        <translation type="unfinished"></translation>
+        <translation>对零件运行车床程序，以及编写程序</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramEditor</name>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramPanel</name>
     <message>
         <source>Errors and collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>错误与碰撞</translation>
     </message>
     <message>
         <source>A click jumps to the line, and shows the place of a collision.</source>
-        <translation type="unfinished"></translation>
+        <translation>单击可跳到该行，并显示碰撞位置。</translation>
     </message>
     <message>
         <source>Open a program, drop one here, or write one.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开程序、将程序拖放到此处，或编写程序。</translation>
     </message>
     <message>
         <source>Run the program first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先运行程序。</translation>
     </message>
     <message>
         <source>Make</source>
-        <translation type="unfinished"></translation>
+        <translation>生成</translation>
     </message>
     <message>
         <source>Have a program written: of the recorded passes, or for the target</source>
-        <translation type="unfinished"></translation>
+        <translation>生成程序：根据记录的走刀，或针对目标</translation>
     </message>
     <message>
         <source>Dialect</source>
-        <translation type="unfinished"></translation>
+        <translation>代码格式</translation>
     </message>
     <message>
         <source>The control for which the program is written. It is recognised when a program is opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>程序所针对的数控系统。打开程序时会自动识别。</translation>
     </message>
     <message>
         <source>LinuxCNC</source>
-        <translation type="unfinished"></translation>
+        <translation>LinuxCNC</translation>
     </message>
     <message>
         <source>Fanuc, system A</source>
-        <translation type="unfinished"></translation>
+        <translation>Fanuc，A 系统</translation>
     </message>
     <message>
         <source>Nose radius of the tools</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具的刀尖圆弧半径</translation>
     </message>
     <message>
         <source>Nose radius of all tools; 0: the tools are points</source>
-        <translation type="unfinished"></translation>
+        <translation>所有刀具的刀尖圆弧半径；0：刀具视为点</translation>
     </message>
     <message>
         <source>Nose</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行(&amp;R)</translation>
     </message>
     <message>
         <source>Simulate the program on the part; the document stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>在零件上仿真程序；文档保持不变</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>Stop this run</source>
-        <translation type="unfinished"></translation>
+        <translation>停止此次运行</translation>
     </message>
     <message>
         <source>&amp;Cut the work</source>
-        <translation type="unfinished"></translation>
+        <translation>切削工件(&amp;C)</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行进度</translation>
     </message>
     <message>
         <source>Line %1: </source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行： </translation>
     </message>
     <message>
         <source>Line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行，第 %2 列： </translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramPlayer</name>
     <message>
         <source>One line back</source>
-        <translation type="unfinished"></translation>
+        <translation>后退一行</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放</translation>
     </message>
     <message>
         <source>One line on</source>
-        <translation type="unfinished"></translation>
+        <translation>前进一行</translation>
     </message>
     <message>
         <source>Time in the program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序中的时间</translation>
     </message>
     <message>
         <source>Speed of playing</source>
-        <translation type="unfinished"></translation>
+        <translation>播放速度</translation>
     </message>
     <message>
         <source>How many times as fast as the machine it plays</source>
-        <translation type="unfinished"></translation>
+        <translation>播放速度为机床速度的倍数</translation>
     </message>
     <message>
         <source>%1×</source>
-        <translation type="unfinished">%1。 {1×?}</translation>
+        <translation>%1×</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramSearchBar</name>
     <message>
         <source>Find in the program</source>
-        <translation type="unfinished"></translation>
+        <translation>在程序中查找</translation>
     </message>
     <message>
         <source>Previous (Shift+F3)</source>
-        <translation type="unfinished"></translation>
+        <translation>上一个 (Shift+F3)</translation>
     </message>
     <message>
         <source>Next (F3)</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个 (F3)</translation>
     </message>
     <message>
         <source>Close (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭 (Esc)</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ProgramSession</name>
     <message>
         <source>%1: %2. %3</source>
-        <translation type="unfinished">%1：%2：%3 {1:?} {2.?}</translation>
+        <translation>%1：%2。%3</translation>
     </message>
     <message>
         <source>&amp;Open program…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开程序(&amp;O)…</translation>
     </message>
     <message>
         <source>Open a program: .ngc, .nc, .tap or .txt</source>
-        <translation type="unfinished"></translation>
+        <translation>打开程序：.ngc、.nc、.tap 或 .txt</translation>
     </message>
     <message>
         <source>&amp;Save program</source>
-        <translation type="unfinished"></translation>
+        <translation>保存程序(&amp;S)</translation>
     </message>
     <message>
         <source>Save the program in its file (Ctrl+S in the text)</source>
-        <translation type="unfinished"></translation>
+        <translation>将程序保存到其文件（在文本中按 Ctrl+S）</translation>
     </message>
     <message>
         <source>Save program &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>程序另存为(&amp;A)…</translation>
     </message>
     <message>
         <source>Save the program under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>以其他名称保存程序</translation>
     </message>
     <message>
         <source>Program from &amp;passes…</source>
-        <translation type="unfinished"></translation>
+        <translation>由走刀生成程序(&amp;P)…</translation>
     </message>
     <message>
         <source>Write the passes that cut this part as a program</source>
-        <translation type="unfinished"></translation>
+        <translation>将切削此零件的走刀写成程序</translation>
     </message>
     <message>
         <source>&amp;Rough and finish…</source>
-        <translation type="unfinished"></translation>
+        <translation>粗车与精车(&amp;R)…</translation>
     </message>
     <message>
         <source>Write a program that makes the target from the part. It is simulated before it is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>编写由零件加工出目标的程序。显示前先经仿真。</translation>
     </message>
     <message>
         <source>Untitled program</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名程序</translation>
     </message>
     <message>
         <source>Checking the program</source>
-        <translation type="unfinished"></translation>
+        <translation>正在检查程序</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program does not run as it is.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个错误：程序目前无法运行。</numerusform>
         </translation>
     </message>
     <message>
         <source>Open a program</source>
-        <translation type="unfinished"></translation>
+        <translation>打开程序</translation>
     </message>
     <message>
         <source>Programs (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>程序 (%1);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished">正在读取 %1</translation>
+        <translation>正在读取 %1</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
-        <translation type="unfinished">无法打开 %1</translation>
+        <translation>无法打开 %1</translation>
     </message>
     <message>
         <source>Program read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已从 %1 读取程序</translation>
     </message>
     <message>
         <source>Save the program</source>
-        <translation type="unfinished"></translation>
+        <translation>保存程序</translation>
     </message>
     <message>
         <source>Saving %1</source>
-        <translation type="unfinished">正在保存 %1</translation>
+        <translation>正在保存 %1</translation>
     </message>
     <message>
         <source>%1 could not be saved</source>
-        <translation type="unfinished">无法保存 %1</translation>
+        <translation>无法保存 %1</translation>
     </message>
     <message>
         <source>Program saved as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>程序已保存为 %1</translation>
     </message>
     <message>
         <source>Program from passes</source>
-        <translation type="unfinished"></translation>
+        <translation>由走刀生成程序</translation>
     </message>
     <message>
         <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo brings the present text back.</source>
-        <translation type="unfinished"></translation>
+        <translation>将切削此零件的走刀写成所选代码格式的程序。程序显示在编辑器中；撤销可恢复当前文本。</translation>
     </message>
     <message>
         <source>&amp;Write</source>
-        <translation type="unfinished"></translation>
+        <translation>写入(&amp;W)</translation>
     </message>
     <message>
         <source>Spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴转速</translation>
     </message>
     <message>
         <source>r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>r/min</translation>
     </message>
     <message>
         <source>Writing the program</source>
-        <translation type="unfinished"></translation>
+        <translation>正在编写程序</translation>
     </message>
     <message>
         <source>The passes cannot be written as a program</source>
-        <translation type="unfinished"></translation>
+        <translation>无法将走刀写成程序</translation>
     </message>
     <message>
         <source>Rough and finish</source>
-        <translation type="unfinished"></translation>
+        <translation>粗车与精车</translation>
     </message>
     <message>
         <source>Writes a program that makes the outside of the target from this part. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>编写由此零件加工出目标外形的程序。先进行仿真，如发生碰撞或切入目标则不予采用。</translation>
     </message>
     <message>
         <source>Depth of cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切深</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Of a roughing cut, on the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>每次粗车的半径切深</translation>
     </message>
     <message>
         <source>Allowance</source>
-        <translation type="unfinished"></translation>
+        <translation>余量</translation>
     </message>
     <message>
         <source>Left for the finishing cut</source>
-        <translation type="unfinished"></translation>
+        <translation>留给精车</translation>
     </message>
     <message>
         <source>Nose radius</source>
-        <translation type="unfinished">刀尖半径</translation>
+        <translation>刀尖圆弧半径</translation>
     </message>
     <message>
         <source>Feed of roughing</source>
-        <translation type="unfinished"></translation>
+        <translation>粗车进给</translation>
     </message>
     <message>
         <source>mm/rev</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/r</translation>
     </message>
     <message>
         <source>Feed of finishing</source>
-        <translation type="unfinished"></translation>
+        <translation>精车进给</translation>
     </message>
     <message>
         <source>Surface speed</source>
-        <translation type="unfinished"></translation>
+        <translation>线速度</translation>
     </message>
     <message>
         <source>m/min</source>
-        <translation type="unfinished"></translation>
+        <translation>m/min</translation>
     </message>
     <message>
         <source>Greatest spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>最高主轴转速</translation>
     </message>
     <message>
         <source>Writing and simulating the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>正在编写并仿真循环</translation>
     </message>
     <message>
         <source>There are no cycles for this target</source>
-        <translation type="unfinished"></translation>
+        <translation>没有适用于此目标的循环</translation>
     </message>
     <message>
         <source>Run the program first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先运行程序。</translation>
     </message>
     <message>
         <source>Running the program</source>
-        <translation type="unfinished"></translation>
+        <translation>正在运行程序</translation>
     </message>
     <message>
         <source>The program could not be run</source>
-        <translation type="unfinished"></translation>
+        <translation>无法运行程序</translation>
     </message>
     <message>
         <source>The run was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>运行已取消。</translation>
     </message>
     <message>
         <source>Cut the part as the program does: one step of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>按程序切削零件：在历史记录中为一步</translation>
     </message>
     <message>
         <source>The program does not touch the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>程序未接触零件。</translation>
     </message>
     <message>
         <source>collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：刀尖越过卡盘端面，位于 ⌀ %1，Z %2。</translation>
     </message>
     <message>
         <source>collision: a rapid move through material, to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：快速移动穿过材料，至 ⌀ %1，Z %2。</translation>
     </message>
     <message numerus="yes">
         <source>%n collision(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 处碰撞。</numerusform>
         </translation>
     </message>
     <message>
         <source>No collision.</source>
-        <translation type="unfinished"></translation>
+        <translation>无碰撞。</translation>
     </message>
     <message>
         <source>The program does not touch the part. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>程序未接触零件。%1</translation>
     </message>
     <message>
         <source>Time with tool changes %1. It removes %2 mm³. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>含换刀的时间 %1。去除 %2 mm³。%3</translation>
     </message>
     <message>
         <source>Run program</source>
-        <translation type="unfinished"></translation>
+        <translation>运行程序</translation>
     </message>
     <message>
         <source>Run %1</source>
-        <translation type="unfinished"></translation>
+        <translation>运行 %1</translation>
     </message>
     <message>
         <source>Cut: %1 mm³ removed. Undo brings them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>切削：已去除 %1 mm³。撤销可恢复。</translation>
     </message>
     <message>
         <source>Cutting up to the line</source>
+        <translation>正在切削到该行</translation>
+    </message>
+    <message>
+        <source>collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9069,30 +9077,30 @@
     </message>
     <message>
         <source>largest distance found between the surface before and after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>表面修复前后的最大距离（测得）%1</translation>
     </message>
     <message>
         <source>Repaired %1: nothing was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>已修复 %1：没有任何更改</translation>
     </message>
     <message>
         <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>在不造成损坏的前提下已无法再修复。缺陷列表给出已知的原因。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ResultTable</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished">复制</translation>
+        <translation>复制</translation>
     </message>
     <message>
         <source>Sort by “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>按“%1”排序</translation>
     </message>
 </context>
 <context>
@@ -9203,51 +9211,51 @@
     <name>handwheel::RunningAttempt</name>
     <message>
         <source>Lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>课程</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>正在测量</translation>
     </message>
     <message>
         <source>It could not be handed in</source>
-        <translation type="unfinished"></translation>
+        <translation>无法提交</translation>
     </message>
     <message>
         <source>The exercise that %1 belongs to cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取 %1 所属的练习</translation>
     </message>
     <message>
         <source>Hand in</source>
-        <translation type="unfinished"></translation>
+        <translation>提交</translation>
     </message>
     <message>
         <source>Handwheel documents (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Handwheel 文档 (%1)</translation>
     </message>
     <message>
         <source>%1 is open, and would be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已打开，将会被替换。</translation>
     </message>
     <message>
         <source>Choose another name for the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>请为文件选择其他名称。</translation>
     </message>
     <message>
         <source>Handing in</source>
-        <translation type="unfinished"></translation>
+        <translation>正在提交</translation>
     </message>
     <message>
         <source>Handed in by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>由 %1 提交</translation>
     </message>
     <message>
         <source>The work is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>作业位于 %1。</translation>
     </message>
     <message>
         <source>Give that file to your teacher.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将该文件交给教师。</translation>
     </message>
 </context>
 <context>
@@ -9649,132 +9657,132 @@
     <name>handwheel::TargetPanel</name>
     <message>
         <source>Bore %1</source>
-        <translation type="unfinished"></translation>
+        <translation>孔 %1</translation>
     </message>
     <message>
         <source>Measured dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>测得的尺寸</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished">目标</translation>
+        <translation>目标</translation>
     </message>
     <message>
         <source>Dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>尺寸</translation>
     </message>
     <message>
         <source>No target: import one to compare the part with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有目标：请导入一个目标与零件比较。</translation>
     </message>
     <message>
         <source>Too large by up to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最多偏大 %1</translation>
     </message>
     <message>
         <source>Too small by up to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最多偏小 %1</translation>
     </message>
     <message>
         <source>blue: %1 too small, red: %1 too large</source>
-        <translation type="unfinished"></translation>
+        <translation>蓝色：偏小 %1，红色：偏大 %1</translation>
     </message>
 </context>
 <context>
     <name>handwheel::TargetView</name>
     <message>
         <source>Import &amp;target…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入目标(&amp;T)…</translation>
     </message>
     <message>
         <source>&amp;Remove target</source>
-        <translation type="unfinished"></translation>
+        <translation>移除目标(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Deviation in colours</source>
-        <translation type="unfinished"></translation>
+        <translation>以颜色显示偏差(&amp;D)</translation>
     </message>
     <message>
         <source>Read what the part is to become, from STEP, DXF, SVG or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>从 STEP、DXF、SVG 或工件读取零件要加工成的形状</translation>
     </message>
     <message>
         <source>Compare the part with nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>不将零件与任何目标比较</translation>
     </message>
     <message>
         <source>Show where the part is larger or smaller than the target</source>
-        <translation type="unfinished"></translation>
+        <translation>显示零件比目标大或小的位置</translation>
     </message>
     <message>
         <source>Remove target</source>
-        <translation type="unfinished"></translation>
+        <translation>移除目标</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>正在测量</translation>
     </message>
     <message>
         <source>Import a target</source>
-        <translation type="unfinished"></translation>
+        <translation>导入目标</translation>
     </message>
     <message>
         <source>Turned parts (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>车削件 (%1)</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished">正在读取 %1</translation>
+        <translation>正在读取 %1</translation>
     </message>
     <message>
         <source>%1 is no target</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是目标</translation>
     </message>
     <message>
         <source>Import target</source>
-        <translation type="unfinished"></translation>
+        <translation>导入目标</translation>
     </message>
     <message>
         <source>Target read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已从 %1 读取目标</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
     <message>
         <source>Thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切削(&amp;C)</translation>
     </message>
     <message>
         <source>ISO metric profile: the bottom of the groove is at a diameter of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 公制牙型：牙槽底部直径为 %1。</translation>
     </message>
     <message>
         <source>The bottom of the groove is at a diameter of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>牙槽底部直径为 %1。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::ThreadView</name>
     <message>
         <source>T&amp;hread…</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹(&amp;H)…</translation>
     </message>
     <message>
         <source>Cut a thread outside or in a bore, between two heights</source>
-        <translation type="unfinished"></translation>
+        <translation>在两个高度之间车削外螺纹或内螺纹</translation>
     </message>
     <message>
         <source>Cutting the thread</source>
-        <translation type="unfinished"></translation>
+        <translation>正在切削螺纹</translation>
     </message>
     <message>
         <source>Thread</source>
-        <translation type="unfinished"></translation>
+        <translation>螺纹</translation>
     </message>
 </context>
 <context>
@@ -9796,74 +9804,74 @@
     <name>handwheel::TimeLinePanel</name>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放</translation>
     </message>
     <message>
         <source>Previous event</source>
-        <translation type="unfinished"></translation>
+        <translation>上一个事件</translation>
     </message>
     <message>
         <source>Next event</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个事件</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>%1×</source>
-        <translation type="unfinished">%1。 {1×?}</translation>
+        <translation>%1×</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标轴</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>按时间</translation>
     </message>
     <message>
         <source>Over distance</source>
-        <translation type="unfinished"></translation>
+        <translation>按距离</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">时间</translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished">距离</translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>No recording</source>
-        <translation type="unfinished"></translation>
+        <translation>没有录制</translation>
     </message>
     <message>
         <source>Two recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>两个录制</translation>
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 s</translation>
     </message>
     <message>
         <source>, %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>，%1 mm</translation>
     </message>
 </context>
 <context>
     <name>handwheel::TimeTrack</name>
     <message>
         <source>Time line</source>
-        <translation type="unfinished"></translation>
+        <translation>时间轴</translation>
     </message>
 </context>
 <context>
@@ -10029,7 +10037,7 @@
     </message>
     <message>
         <source>L&amp;athe</source>
-        <translation type="unfinished"></translation>
+        <translation>车床(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -10181,11 +10189,11 @@
     </message>
     <message>
         <source>&amp;Lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>车床(&amp;L)</translation>
     </message>
     <message>
         <source>Work the part on a manual lathe with handwheels and levers</source>
-        <translation type="unfinished"></translation>
+        <translation>在带手轮和操纵杆的手动车床上加工工件</translation>
     </message>
 </context>
 </TS>

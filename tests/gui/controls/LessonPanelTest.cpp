@@ -165,7 +165,7 @@ void LessonPanelTest::time() {
 // An exercise from anywhere shows no picture from the net.
 void LessonPanelTest::textsAreNotMarkup() {
   LessonBench bench;
-  bench.panel.setLesson("<h1>x</h1>", {{"a", "<img src='http://example.org/'>", "<b>b</b>"}});
+  bench.panel.setLesson("<h1>x</h1>", {{"a", "<img src='http://example.org/'>", {"<b>b</b>"}}});
   for (const char* name : {"lessonTitle", "lessonText", "lessonHint"}) {
     QCOMPARE(bench.part<QLabel>(name)->textFormat(), Qt::PlainText);
   }

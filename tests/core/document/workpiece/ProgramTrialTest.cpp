@@ -112,7 +112,8 @@ class ProgramTrialTest : public QObject {
     workpiece.part = tried(kTurn, workpiece)->part();
     const auto program = passesProgram(workpiece, ProgramDialect::LinuxCnc, {});
     QVERIFY(bool(program));
-    QCOMPARE(program->nose, 0.0);
+    QCOMPARE(program->tools.size(), std::size_t{1});
+    QCOMPARE(program->tools.at(1).noseRadius, 0.0);
     const auto again = tried(program->text.c_str(), freshBar());
     QVERIFY(again && again->part());
     const TurnedProfile &a = workpiece.part->profile, &b = again->part()->profile;
