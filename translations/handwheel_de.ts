@@ -8732,11 +8732,11 @@
     </message>
     <message>
         <source>collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollision: ein Vorschub in das Material bei stehender Spindel, nach ⌀ %1, Z %2.</translation>
     </message>
     <message>
         <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollision: ein Vorschub in das Material bei rückwärts laufender Spindel (M4), nach ⌀ %1, Z %2.</translation>
     </message>
 </context>
 <context>

@@ -8672,11 +8672,11 @@
     </message>
     <message>
         <source>collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：主轴静止时切入材料，到 ⌀ %1，Z %2。</translation>
     </message>
     <message>
         <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：主轴反转（M4）时切入材料，到 ⌀ %1，Z %2。</translation>
     </message>
 </context>
 <context>
