@@ -23,7 +23,7 @@ AssignedExercise withAttempt(const AssignedExercise& assigned, const Attempt& at
 
 Result<std::shared_ptr<const ExerciseSnapshot>> exerciseOf(const ExerciseKind& kind, const AssignedExercise& assigned) {
   nlohmann::json description = *assigned.description;
-  description.erase("solution");  // a student has none
+  if (description.is_object()) description.erase("solution");  // a student has none
   Result<SnapshotPointer> made = kind.fromDescription(description, {});
   if (!made) return made.error();
   ExerciseSnapshot exercise = forStudents(static_cast<const ExerciseSnapshot&>(**made));
