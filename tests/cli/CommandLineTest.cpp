@@ -18,9 +18,9 @@ class CommandLineTest : public QObject {
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
     for (const char* command :
-         {"inspect",  "repair",    "convert",  "picture", "new",     "set",    "measure", "compare",
-          "decimate", "split",     "merge",    "section", "devices", "feel",   "edit",    "turn",
-          "body",     "recording", "exercise", "mark",    "program", "target", "train",   "force"}) {
+         {"inspect",  "repair", "convert", "picture", "new",   "set",   "measure", "compare", "decimate",
+          "split",    "merge",  "section", "devices", "feel",  "edit",  "turn",    "body",    "recording",
+          "exercise", "mark",   "program", "target",  "train", "force", "thread"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -33,8 +33,8 @@ class CommandLineTest : public QObject {
     const QRegularExpression command("^  [a-z]+ ", QRegularExpression::MultilineOption);
     const QRegularExpression entry("^  [a-z]+ +[A-Z][A-Za-z ,;:().'\n-]*?\\.$(?!\\n   )",
                                    QRegularExpression::MultilineOption);
-    QCOMPARE(table.count(command), 24);
-    QCOMPARE(table.count(entry), 24);
+    QCOMPARE(table.count(command), 25);
+    QCOMPARE(table.count(entry), 25);
     for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
       QVERIFY2(line.startsWith(QString(13, ' ')) || command.match(line).hasMatch(), qPrintable(line));
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",

@@ -6,7 +6,9 @@
 #include "document/exercise/ExerciseJson.h"
 
 #include <QDateTime>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace handwheel {
 
@@ -14,13 +16,13 @@ namespace {
 
 // Whether what the student was told is what is marked; texts and points may be others.
 bool isSameScheme(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission) {
-  const auto judged = [](const Exercise& exercise) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const nlohmann::json& c : toJson(withoutAnswers(exercise))["criteria"])
-      all.push_back({c["id"], c["figure"], c["arguments"], c["lower"], c["upper"]});
-    return all;
+  const std::vector<MarkingCriterion> mine = withoutAnswers(scheme.exercise).criteria;
+  const std::vector<MarkingCriterion>& theirs = submission.exercise.criteria;
+  const auto isSame = [](const MarkingCriterion& a, const MarkingCriterion& b) {
+    return std::tie(a.id, a.figure, a.arguments, a.lower, a.upper) ==
+           std::tie(b.id, b.figure, b.arguments, b.lower, b.upper);
   };
-  return judged(scheme.exercise) == judged(submission.exercise) &&
+  return std::equal(mine.begin(), mine.end(), theirs.begin(), theirs.end(), isSame) &&
          scheme.subject->toJson(*scheme.task) == submission.subject->toJson(*submission.task);
 }
 
