@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <utility>
 
 namespace handwheel {
@@ -30,6 +32,33 @@ bool isInChuck(const TurningPass& pass, const ProfilePoint& centre, const Review
 double speedAt(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
   return i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
 }
+
+// The feed: how far the tool went in the last revolution of the spindle while it cut. From point to point the hand and
+// the clock of the mouse give anything.
+class FeedMeter {
+ public:
+  void clear() { *this = {}; }
+  // Of one more move. way: mm. mm per revolution; infinite while the spindle stands.
+  double add(double way, double turns, bool isTurning) {
+    if (!isTurning) return way > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+    m_moves.push_back({way, turns});
+    m_way += way;
+    m_turns += turns;
+    while (m_moves.size() > 1 && m_turns - m_moves.front().turns >= 1.0) {
+      m_way -= m_moves.front().way;
+      m_turns -= m_moves.front().turns;
+      m_moves.pop_front();
+    }
+    return m_moves.size() == 1 && turns >= 1.0 ? way / turns : m_way / std::max(m_turns, 1.0);
+  }
+
+ private:
+  struct Move {
+    double way, turns;
+  };
+  std::deque<Move> m_moves;
+  double m_way = 0.0, m_turns = 0.0;
+};
 
 // How much a cut asks of the lathe; only to compare.
 double weightOf(const CutMoment& moment) {
@@ -75,6 +104,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   const double start = m_seconds;
   bool wasInChuck = false, wasRapid = false;
   Way cutting;
+  FeedMeter meter;
   const auto crash = [&](CrashMoment::What what, double time, const ProfilePoint& place) {
     if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, place});
   };
@@ -91,10 +121,10 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     wasInChuck = inChuck;
 
     const TurnedProfile::Range changed = cut(m_profile, pass, from, to);
-    const double turns = seconds * speedAt(pass, i, lathe) / 60.0;
-    // The tool comes to where it begins: that is no feed.
-    const double feed = way > 0.0 ? way / turns : 0.0;
-    const bool isRapid = !changed.isEmpty() && !isThreading && feed > lathe.largestFeed;
+    const double speed = speedAt(pass, i, lathe), turns = seconds * speed / 60.0;
+    if (changed.isEmpty()) meter.clear();
+    const double feed = changed.isEmpty() ? 0.0 : meter.add(way, turns, speed > 0.0);
+    const bool isRapid = !isThreading && feed > lathe.largestFeed;
     if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, to);
     wasRapid = isRapid;
     if (changed.isEmpty()) {

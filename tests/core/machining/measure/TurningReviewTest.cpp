@@ -88,6 +88,21 @@ class TurningReviewTest : public QObject {
     QVERIFY(reviewOf({along(22, 105, 50, 3.0)})->crashes().empty());  // in the air
   }
 
+  // A steady hand whose points come in pairs, two at once, feeds by what it goes in a revolution.
+  void feedOfAHand() {
+    TurningPass pass;
+    pass.noseRadius = 0.8;
+    for (int i = 0; i <= 4000; ++i) {  // 1 mm/s at 10 revolutions a second
+      pass.path.emplace_back(18.8, 105.0 - 0.01 * i);
+      pass.times.push_back(0.02 * (i / 2) + (i % 2 == 1 ? 1e-6 : 0.0));
+    }
+    const auto review = reviewOf({std::make_shared<const TurningPass>(pass)});
+    QVERIFY(review && review->crashes().empty());
+    const auto finish = review->finish(TurningSide::Outside, {70, 95});
+    QVERIFY(finish && std::abs(finish->largest / (1000.0 * 0.01 / 25.6) - 1.0) < 0.5);  // f within a tenth, two points
+    QVERIFY(std::abs(finish->roughness / (1000.0 * 0.01 / 25.6) - 1.0) < 0.25);
+  }
+
   // What the spindle did counts, and not what the task says: 0.12 mm per revolution at 2000 r/min is f²/32R = 0.5625
   // µm.
   void theSpindleSpeedOfThePass() {
