@@ -1006,12 +1006,12 @@
         <translation>Zeichnen Sie ihn mit weniger Linien, zum Beispiel ohne Schraffur.</translation>
     </message>
     <message>
-        <source>it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm are allowed</source>
-        <translation>es ist kein Drehteil: Seine Punkte liegen bis zu %1 mm neben Kreisen um eine Achse, und %2 mm sind erlaubt</translation>
+        <source>it is not a turned part: points are %1 mm off circles about an axis, %2 mm is allowed</source>
+        <translation>es ist kein Drehteil: Punkte liegen %1 mm neben Kreisen um eine Achse, %2 mm sind erlaubt</translation>
     </message>
     <message>
-        <source>Export the turned part as STEP, or as a finer mesh without other features.</source>
-        <translation>Exportieren Sie das Drehteil als STEP oder als feineres Netz ohne andere Merkmale.</translation>
+        <source>Export the part as STEP, or as a finer mesh without other features.</source>
+        <translation>Exportieren Sie das Teil als STEP oder als feineres Netz ohne andere Elemente.</translation>
     </message>
 </context>
 <context>
@@ -1895,6 +1895,66 @@
     <message>
         <source>too many sections, or no list</source>
         <translation>zu viele Abschnitte oder keine Liste</translation>
+    </message>
+    <message>
+        <source>it is of another kind</source>
+        <translation>es ist von anderer Art</translation>
+    </message>
+    <message>
+        <source>it gives points without a limit</source>
+        <translation>es gibt Punkte ohne Grenze</translation>
+    </message>
+    <message>
+        <source>its tolerance needs the nominal size</source>
+        <translation>seine Toleranz braucht das Nennmaß</translation>
+    </message>
+    <message>
+        <source>its tolerance is not a roughness grade, N1 to N12</source>
+        <translation>seine Toleranz ist keine Rauheitsklasse N1 bis N12</translation>
+    </message>
+    <message>
+        <source>its figure takes limits, not a tolerance class</source>
+        <translation>seine Messgröße hat Grenzen, keine Toleranzklasse</translation>
+    </message>
+    <message>
+        <source>its tolerance class is not known for this size; give limits instead</source>
+        <translation>seine Toleranzklasse ist für dieses Maß nicht bekannt; geben Sie Grenzen an</translation>
+    </message>
+    <message>
+        <source>a thread needs a pitch</source>
+        <translation>ein Gewinde braucht eine Steigung</translation>
+    </message>
+    <message>
+        <source>a thread is impossible</source>
+        <translation>ein Gewinde ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>its upper end is not above the lower one</source>
+        <translation>sein oberes Ende liegt nicht über dem unteren</translation>
+    </message>
+    <message>
+        <source>it is beside the part</source>
+        <translation>es liegt neben dem Teil</translation>
+    </message>
+    <message>
+        <source>it has more than 500 grooves</source>
+        <translation>es hat mehr als 500 Rillen</translation>
+    </message>
+    <message>
+        <source>there is no bore all along it</source>
+        <translation>es gibt nicht auf ganzer Länge eine Bohrung</translation>
+    </message>
+    <message>
+        <source>there is no surface</source>
+        <translation>es gibt keine Fläche</translation>
+    </message>
+    <message>
+        <source>it is deeper than the part is thick</source>
+        <translation>es ist tiefer, als das Teil dick ist</translation>
+    </message>
+    <message>
+        <source>it touches nothing</source>
+        <translation>es berührt nichts</translation>
     </message>
 </context>
 <context>

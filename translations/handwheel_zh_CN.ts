@@ -1006,12 +1006,12 @@
         <translation>请用较少的线条绘制，例如不画剖面线。</translation>
     </message>
     <message>
-        <source>it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm are allowed</source>
-        <translation>这不是车削件：其各点偏离绕同一轴线的圆最多 %1 mm，而允许值为 %2 mm</translation>
+        <source>it is not a turned part: points are %1 mm off circles about an axis, %2 mm is allowed</source>
+        <translation>它不是车削零件：点偏离绕轴的圆 %1 mm，允许 %2 mm</translation>
     </message>
     <message>
-        <source>Export the turned part as STEP, or as a finer mesh without other features.</source>
-        <translation>请将车削件导出为 STEP，或导出为不含其他特征的更细网格。</translation>
+        <source>Export the part as STEP, or as a finer mesh without other features.</source>
+        <translation>请将零件导出为 STEP，或导出为没有其他特征的更细网格。</translation>
     </message>
 </context>
 <context>
@@ -1895,6 +1895,66 @@
     <message>
         <source>too many sections, or no list</source>
         <translation>截面过多，或不是列表</translation>
+    </message>
+    <message>
+        <source>it is of another kind</source>
+        <translation>它属于另一种类型</translation>
+    </message>
+    <message>
+        <source>it gives points without a limit</source>
+        <translation>它给分却没有界限</translation>
+    </message>
+    <message>
+        <source>its tolerance needs the nominal size</source>
+        <translation>其公差需要公称尺寸</translation>
+    </message>
+    <message>
+        <source>its tolerance is not a roughness grade, N1 to N12</source>
+        <translation>其公差不是粗糙度等级 N1 至 N12</translation>
+    </message>
+    <message>
+        <source>its figure takes limits, not a tolerance class</source>
+        <translation>其指标用界限，不用公差带代号</translation>
+    </message>
+    <message>
+        <source>its tolerance class is not known for this size; give limits instead</source>
+        <translation>该尺寸没有此公差带；请改用界限</translation>
+    </message>
+    <message>
+        <source>a thread needs a pitch</source>
+        <translation>螺纹需要螺距</translation>
+    </message>
+    <message>
+        <source>a thread is impossible</source>
+        <translation>有一个螺纹无法实现</translation>
+    </message>
+    <message>
+        <source>its upper end is not above the lower one</source>
+        <translation>其上端不高于下端</translation>
+    </message>
+    <message>
+        <source>it is beside the part</source>
+        <translation>它在零件之外</translation>
+    </message>
+    <message>
+        <source>it has more than 500 grooves</source>
+        <translation>它的沟槽超过 500 条</translation>
+    </message>
+    <message>
+        <source>there is no bore all along it</source>
+        <translation>并非全长都有孔</translation>
+    </message>
+    <message>
+        <source>there is no surface</source>
+        <translation>没有表面</translation>
+    </message>
+    <message>
+        <source>it is deeper than the part is thick</source>
+        <translation>它比零件的壁还深</translation>
+    </message>
+    <message>
+        <source>it touches nothing</source>
+        <translation>它什么都没有接触</translation>
     </message>
 </context>
 <context>

@@ -70,11 +70,8 @@ const ErrorDescription TargetError::TooIntricate{
 const ErrorDescription TargetError::MeshNotTurned{
     .id = "MeshNotTurned",
     .sentences = {translatable(
-        "ErrorText",
-        "it is not a turned part: its points are up to %1 mm off circles about one axis, and %2 mm "
-        "are allowed")},
-    .advice = {
-        translatable("ErrorText", "Export the turned part as STEP, or as a finer mesh without other features.")}};
+        "ErrorText", "it is not a turned part: points are %1 mm off circles about an axis, %2 mm is allowed")},
+    .advice = {translatable("ErrorText", "Export the part as STEP, or as a finer mesh without other features.")}};
 
 const ErrorDescription TargetError::NotOneSolid{
     .id = "NotOneSolid",

