@@ -11,10 +11,10 @@
 #include "window/workpiece/program/ProgramSession.h"
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QToolButton>
 #include <cmath>
 
 using namespace handwheel;
