@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kRadii = "workpiece/radii";
 constexpr const char* kInner = "workpiece/inner";
+constexpr const char* kFinish = "workpiece/finish";
 constexpr const char* kPath = "workpiece/path";  // of all passes
 constexpr const char* kBore = "bore";            // value of "side"
 constexpr const char* kPoles = "poles";          // value of "method"
@@ -114,6 +115,36 @@ std::optional<TurnedProfile> cutOnceMore(const TurningPasses& passes, const Stoc
   return profile;
 }
 
+// Outside, then in the bore; -1: not known.
+std::vector<float> roughnessOf(const TurnedPart& part) {
+  std::vector<float> all;
+  for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
+    for (std::size_t i = 0; i < part.profile.size(); ++i) {
+      const double radius = side == TurningSide::Outside ? part.profile.radius(i) : part.profile.inner(i);
+      all.push_back(static_cast<float>(part.finish->at(side, i, radius).value_or(-1.0)));
+    }
+  }
+  return all;
+}
+
+// What is lost or impossible of it is not known: the finish is no part of the shape.
+std::shared_ptr<const SurfaceFinish> readFinish(const Container& container, const TurnedProfile& profile) {
+  const ReadArray<float> array = readArray<float>(container, kFinish, 2 * profile.size());
+  auto finish = std::make_shared<SurfaceFinish>(profile.size());
+  const auto isLost = [&](std::size_t i) {
+    return std::any_of(array.lost.begin(), array.lost.end(),
+                       [i](const IndexRange& lost) { return i >= lost.begin && i < lost.end; });
+  };
+  for (std::size_t i = 0; i < 2 * profile.size() && i < array.values.size(); ++i) {
+    const bool isOuter = i < profile.size();
+    const std::size_t sample = isOuter ? i : i - profile.size();
+    if (isLost(i) || !(array.values[i] >= 0.0f)) continue;
+    finish->set(isOuter ? TurningSide::Outside : TurningSide::Bore, sample,
+                isOuter ? profile.radius(sample) : profile.inner(sample), array.values[i]);
+  }
+  return finish;
+}
+
 }  // namespace
 
 void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
@@ -147,6 +178,9 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
   writeArray<double>(container, kPath, points, kPointNumbers);
   turned = {{"samples", profile.size()}, {"passes", std::move(passes)}};
   if (profile.isBored()) turned["bored"] = true;
+  if (!workpiece.part->finish) return;
+  writeArray<float>(container, kFinish, roughnessOf(*workpiece.part));
+  turned["finish"] = true;
 }
 
 Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& document,
@@ -196,7 +230,11 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     }
   }
   TurnedSurface surface(*profile, workpiece.chord);
-  return std::make_shared<const TurnedPart>(TurnedPart{std::move(*profile), std::move(surface), std::move(passes)});
+  std::shared_ptr<const SurfaceFinish> finish;
+  if (const auto kept = turned->find("finish"); kept != turned->end() && *kept == true)
+    finish = readFinish(container, *profile);
+  return std::make_shared<const TurnedPart>(
+      TurnedPart{std::move(*profile), std::move(surface), std::move(passes), std::move(finish)});
 }
 
 }  // namespace handwheel

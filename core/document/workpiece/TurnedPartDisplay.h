@@ -4,6 +4,7 @@
 
 #include "document/DisplayModel.h"
 #include "machining/TurnedSurface.h"
+#include "machining/lathe/SurfaceFinish.h"
 
 namespace handwheel {
 
@@ -13,5 +14,9 @@ inline constexpr const char* kStockGroup = "stock";
 // A turned part as displayed parts, one for each block of triangles: what did not change is not built anew. base: mm, z
 // of the lower end.
 DisplayModel displayOf(const TurnedSurface& surface, double base);
+
+// Shows the finish of the outside in such a model: a polished block is light, a rough one dull. Blocks of which nothing
+// is known keep their colour. O(samples).
+void showFinish(DisplayModel& model, const TurnedProfile& profile, const SurfaceFinish& finish);
 
 }  // namespace handwheel

@@ -193,7 +193,11 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
 
 DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
-  if (workpiece.part) return displayOf(workpiece.part->surface, workpiece.stock.position);
+  if (workpiece.part) {
+    DisplayModel turned = displayOf(workpiece.part->surface, workpiece.stock.position);
+    if (workpiece.part->finish) showFinish(turned, workpiece.part->profile, *workpiece.part->finish);
+    return turned;
+  }
   DisplayPart part;
   part.name = "stock";
   part.group = kStockGroup;

@@ -122,7 +122,7 @@ WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, c
   if (workpiece.part && field == WorkpieceField::Chord) {
     const TurnedPart& part = *workpiece.part;
     workpiece.part = std::make_shared<const TurnedPart>(
-        TurnedPart{part.profile, TurnedSurface(part.profile, workpiece.chord), part.passes});
+        TurnedPart{part.profile, TurnedSurface(part.profile, workpiece.chord), part.passes, part.finish});
   }
   if (!workpiece.mesh->isOf(workpiece.stock, workpiece.chord)) {
     workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);

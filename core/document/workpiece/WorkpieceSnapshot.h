@@ -7,6 +7,7 @@
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPasses.h"
 #include "machining/lathe/LatheSetup.h"
+#include "machining/lathe/SurfaceFinish.h"
 #include "machining/target/TargetProfile.h"
 
 #include <string>
@@ -18,6 +19,7 @@ struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
   TurningPasses passes;
+  std::shared_ptr<const SurfaceFinish> finish = {};  // of the profile; null: not known
 };
 
 // What a part is to become: a profile in the coordinates of the document, and the name of what it was read from.

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheRun.h"
 
-#include "machining/force/CuttingFeel.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace handwheel {
 
 namespace {
-
-constexpr double kAtRest = 1.0;  // r/min
 
 // The largest outer, or least inner, radius between the jaws.
 double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck) {
@@ -52,11 +48,17 @@ double LatheStep::feed() const {
 }
 
 LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
-                   std::shared_ptr<const LatheMaterial> material)
+                   std::shared_ptr<const LatheMaterial> material, std::shared_ptr<const SurfaceFinish> finish)
     : m_machine(std::move(setup), state),
       m_tools(std::move(tools)),
       m_profile(std::move(profile)),
-      m_material(std::move(material)) {
+      m_material(std::move(material)),
+      m_finish(finish && finish->size() == m_profile.size() ? *finish : SurfaceFinish(m_profile.size())) {
+  for (std::size_t i = 0; i < m_profile.size(); ++i) {
+    m_outer.push_back(m_profile.radius(i));
+    m_inner.push_back(m_profile.inner(i));
+  }
+
   m_gripped = grippedRadius(m_profile, m_machine.setup().chuck);
   m_within = largestRadius(m_profile);
   m_chuck = chuckSolids(m_machine.setup().chuck, m_gripped);
@@ -159,6 +161,7 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   if (tool.isAbrasive()) {
     const double lift = std::max(0.0, tried.cut.depth - tool.depthPerTurn * tried.motion.turns);
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
+    m_pressed = tried.cut.area / tool.width();
   } else if (tool.side == TurningSide::Outside) {
     step.to.x() += m_compliance * m_load.forces.radial;
   }
@@ -167,61 +170,11 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   m_lastPlace = step.to;
 }
 
-bool LatheRun::isStalled(double speedBefore) const {
-  const LatheState& now = m_machine.state();
-  return now.direction != 0 && std::abs(speedBefore) >= kAtRest && std::abs(now.speed) < kAtRest &&
-         m_load.torque > spindleTorque(m_machine.setup().spindle, now.speed);
-}
-
-// The law says the force of the cut as it was over the last samples.
-void LatheRun::measure(const LatheStep& step, double dt) {
-  m_meter.add({(step.to - step.from).norm(), step.cut.area, step.cut.volume, step.turns, dt}, m_profile.spacing());
-  const double speed = m_machine.state().speed;
-  LatheLoad load;
-  load.isCutting = m_meter.isCutting();
-  load.cut = m_meter.cut(speed);
-  load.radius = m_meter.radius();
-  const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
-  if (law) {
-    const LatheSpindle& spindle = m_machine.setup().spindle;
-    load.forces = worn(law->at(load.cut), m_machine.setup().wear);
-    load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
-    load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
-    load.isOutsideModel = !law->covers(load.cut);
-    load.isOverloaded = load.torque > spindleTorque(spindle, speed);
-  }
-  if (!law) m_compliance = m_chatter = 0.0;
-  load.chatter = m_chatter;
-  m_load = load;
-  m_sinceJudged += dt;
-  if (!law || m_sinceJudged < kJudged) return;
-  m_sinceJudged = 0.0;
-  judge();
-}
-
-// By the speed that the levers ask for: a spindle that has slowed down needs less power.
-void LatheRun::judge() {
-  const LatheSetup& setup = m_machine.setup();
-  SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_lastPlace.y());
-  beam.modulus = m_material->modulus;
-  beam.cut = 2.0 * m_load.radius;
-  constexpr double kOnCentre = 0.5;  // mm
-  beam.hasTailstock = setup.tailstock.fitting == LatheFitting::Centre &&
-                      m_machine.quillTip() <= setup.chuck.grip + beam.length + kOnCentre;
-  m_compliance = beam.place > 0.0 ? deflection(beam, 1.0) : 0.0;
-  CutConditions asked = m_load.cut;
-  asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
-  const auto broken = warningsFor(asked, m_load.forces, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
-  m_warnings.judge(broken, m_machine.state().time, m_lastTool->id);
-  m_chatter = 0.0;
-  for (const CutWarning& warning : broken) {
-    if (warning.rule == CutWarning::Rule::Chatter) m_chatter = std::min(1.0, warning.value / warning.limit - 1.0);
-  }
-}
-
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {
   const LatheStep step = move(dt, commands);
-  if (dt > 0.0 && std::isfinite(dt)) measure(step, dt);
+  if (!(dt > 0.0 && std::isfinite(dt))) return step;
+  measure(step, dt);
+  roughen(step);
   return step;
 }
 

@@ -6,6 +6,7 @@
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheMaterial.h"
 #include "machining/lathe/LatheWarnings.h"
+#include "machining/lathe/SurfaceFinish.h"
 
 #include <span>
 
@@ -35,13 +36,15 @@ struct LatheStep {
 class LatheRun {
  public:
   static constexpr double kTouch = 1e-3;                // mm: a cut that is less deep touches only
+  static constexpr double kAtRest = 1.0;                // r/min: a slower spindle cuts nothing
   static constexpr std::size_t kMostCollisions = 1000;  // that are recorded
   static constexpr double kJudged = 0.1;                // s, between two judgements by the rules
 
   // The setup must be sound. tools: those that it names; a slot whose tool is missing has none. material: its laws are
-  // of these tools; null: nothing has a force.
+  // of these tools; null: nothing has a force. finish: of the part; null: not known.
   LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
-           std::shared_ptr<const LatheMaterial> material = nullptr);
+           std::shared_ptr<const LatheMaterial> material = nullptr,
+           std::shared_ptr<const SurfaceFinish> finish = nullptr);
 
   LatheStep step(double dt, std::span<const LatheCommand> commands);
 
@@ -52,6 +55,7 @@ class LatheRun {
   const LatheLoad& load() const { return m_load; }                                     // of the last step
   double sinceCut() const { return m_meter.sinceCut(); }                               // s since material left
   const LatheWarnings& warnings() const { return m_warnings; }
+  const SurfaceFinish& finish() const { return m_finish; }
   std::shared_ptr<const LatheTool> tool() const;  // of the slot in use; null: none
   // The place in the list of tools of the one that cut last; the number of tools: none did.
   std::size_t cuttingTool() const { return indexOf(m_lastTool.get()); }
@@ -69,6 +73,8 @@ class LatheRun {
   LatheStep move(double dt, std::span<const LatheCommand> commands);
   void measure(const LatheStep& step, double dt);
   void judge();
+  CutForces pressure() const;
+  void roughen(const LatheStep& step);
   bool isStalled(double speedBefore) const;
 
   LatheMachine m_machine;
@@ -86,9 +92,12 @@ class LatheRun {
   CutMeter m_meter;
   LatheLoad m_load;
   LatheWarnings m_warnings;
-  double m_sinceJudged = kJudged;  // s
-  double m_compliance = 0.0;       // mm/N, of the work at the cut
-  double m_chatter = 0.0;          // as in LatheLoad
+  SurfaceFinish m_finish;
+  std::vector<double> m_outer, m_inner;  // mm, radii of the samples before this step
+  double m_pressed = 0.0;                // mm, that an abrasive tool is pressed in, on average of its width
+  double m_sinceJudged = kJudged;        // s
+  double m_compliance = 0.0;             // mm/N, of the work at the cut
+  double m_chatter = 0.0;                // as in LatheLoad
 };
 
 }  // namespace handwheel

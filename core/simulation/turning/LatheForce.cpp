@@ -26,6 +26,7 @@ ForceBounds LatheForce::advance(const TipState& tip, ForceOut& out) noexcept {
   m_isHeld = gesture != 0 && m_tool.allFinite();
   if (!m_isHeld) return {m_touch.plane, 0.0};
   const CuttingForceModel* const law = m_material->lawOf(m_patch.tool);
+  m_cut = m_patch.pressed;
   if (law && m_patch.cut.depth > 0.0) m_cut = worn(law->at(m_patch.cut), m_patch.wear);
   out.isContact = m_patch.cut.depth > 0.0;
   out.proxy = m_tool;

@@ -90,6 +90,7 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   patch.velocity = (patch.tip - m_now.tip) / dt;
   patch.time = inputs.empty() ? 0.0 : inputs.back().tip.time;
   patch.cut = m_now.load.cut;
+  if (m_run.tool() && m_run.tool()->isAbrasive()) patch.pressed = m_now.load.forces;
   patch.wear = machine.setup().wear;
   patch.tool = static_cast<std::uint32_t>(m_run.cuttingTool());
   patch.spindleSpeed = machine.state().speed;
@@ -104,6 +105,7 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
 void LatheSimulation::publish() {
   m_sincePublished = 0.0;
   if (!m_changed.isEmpty()) m_surface.update(m_run.profile(), m_changed);
+  if (!m_changed.isEmpty() || !m_now.finish) m_now.finish = std::make_shared<const SurfaceFinish>(m_run.finish());
   m_changed = {};
   m_now.profile = m_run.profile();
   m_now.surface = m_surface;

@@ -15,6 +15,7 @@ struct LathePatch {
   ProfilePoint velocity{0.0, 0.0};  // mm/s
   double time = 0.0;                // s, of the input that it follows
   CutConditions cut;                // of no depth: nothing is cut
+  CutForces pressed;                // N, of a tool that has no law
   double wear = 0.0;                // mm, of the flank
   std::uint32_t tool = 0;           // that cuts, as its place in the list of tools
   double spindleSpeed = 0.0;        // r/min, signed
@@ -33,15 +34,16 @@ struct LatheMoment : SimulationState {
   TurnedProfile profile;
   TurnedSurface surface;
   LatheState machine;
-  std::shared_ptr<const LatheTool> tool;  // in use; null: none
-  ProfilePoint tip{0.0, 0.0};             // mm, true place
-  double quillTip = 0.0;                  // mm
-  LatheLoad load;                         // of the cut
-  bool isCut = false;                     // material left since the simulation began
-  double sinceCut = 0.0;                  // s since material left last
-  bool isFull = false;                    // nothing more is recorded: the pass has to end
-  bool isHeld = false;                    // the last move was held back: a crash, a limit, the part
-  double removed = 0.0;                   // mm³, since the simulation began
+  std::shared_ptr<const LatheTool> tool;        // in use; null: none
+  ProfilePoint tip{0.0, 0.0};                   // mm, true place
+  double quillTip = 0.0;                        // mm
+  LatheLoad load;                               // of the cut
+  std::shared_ptr<const SurfaceFinish> finish;  // never null
+  bool isCut = false;                           // material left since the simulation began
+  double sinceCut = 0.0;                        // s since material left last
+  bool isFull = false;                          // nothing more is recorded: the pass has to end
+  bool isHeld = false;                          // the last move was held back: a crash, a limit, the part
+  double removed = 0.0;                         // mm³, since the simulation began
   std::shared_ptr<const std::vector<LatheCollision>> collisions;  // never null
   std::shared_ptr<const std::vector<LatheWarning>> warnings;      // never null
 };

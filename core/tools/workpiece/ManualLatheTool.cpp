@@ -79,8 +79,8 @@ std::unique_ptr<Simulation> ManualLatheTool::simulation() const {
   TurnedPart part = partOf(m_document.workpiece(), m_spacing);
   const LatheSetup lathe = setup();
   const LatheState state = m_machine.value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
-  return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material), part.surface,
-                                           base(), m_channel);
+  return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material, part.finish),
+                                           part.surface, base(), m_channel);
 }
 
 void ManualLatheTool::renewMaterial() {
@@ -115,6 +115,15 @@ ProfilePoint ManualLatheTool::readout() const {
       lathe, lathe.stations[std::min<std::size_t>(now->machine.tool, lathe.stations.size() - 1)], now->machine.slides);
   if (lathe.showsDiameter) shown.x() *= 2.0;
   return shown;
+}
+
+std::optional<double> ManualLatheTool::roughnessHere() const {
+  constexpr double kBeside = 1.0;  // mm, on either side
+  const auto now = moment();
+  const double z = now->tip.y();
+  const TurnedProfile::Range near = samplesWithin(now->profile, z - kBeside, z + kBeside);
+  const TurningSide side = now->tool ? now->tool->side : TurningSide::Outside;
+  return now->finish->mean(now->profile, side, near);
 }
 
 void ManualLatheTool::command(const LatheCommand& command) {
@@ -163,6 +172,7 @@ bool ManualLatheTool::endPass(bool isAtOnce) {
   TurnedPart part = partOf(m_document.workpiece(), m_spacing);
   part.profile = last->profile;
   part.surface = last->surface;
+  part.finish = last->finish;
   for (const TurningPass& pass : lathe.passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
   const QString text = passesText(part.passes.size(), last->removed);
   m_isCommitting = true;
@@ -310,6 +320,7 @@ ToolPreview ManualLatheTool::preview() const {
   ToolPreview preview;
   const auto now = moment();
   auto shown = std::make_shared<DisplayModel>(displayOf(now->surface, base()));
+  showFinish(*shown, now->profile, *now->finish);
   const std::vector<DisplayPart> lathe = m_display->parts(now->machine.turns, now->tip, now->tool.get(), now->quillTip);
   shown->parts.insert(shown->parts.end(), lathe.begin(), lathe.end());
   preview.replaced = std::move(shown);

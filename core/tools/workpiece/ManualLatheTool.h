@@ -40,6 +40,9 @@ class ManualLatheTool : public Tool {
   // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
   ProfilePoint readout() const;
 
+  // The roughness Ra of the part beside the tip, µm; none: not known, or the tip is beside the part.
+  std::optional<double> roughnessHere() const;
+
   // Works a lever or a wheel.
   void command(const LatheCommand& command);
   // Touches off: the read-out shows this value for the tool in use, X as diameter or radius; one undo step.
