@@ -188,7 +188,11 @@ const char* collisionSentence(ProgramCollision::Kind kind) {
 Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
                                         std::vector<std::string>& remarks, Progress progress) {
   const Result<std::string> text = readFileBytes(request.program);
-  if (!text) return text.error();
+  if (!text) {
+    Error error = text.error();
+    error.subject = request.program.string();
+    return error;
+  }
   const Result<ProgramSetup> setup = setupOf(request, workpiece.stock);
   if (!setup) return setup.error();
   CuttingEdge edge;

@@ -4,9 +4,9 @@
 
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
+#include "machining/refit/SampledProfile.h"
 #include "machining/target/Drawing.h"
 #include "machining/target/DxfReader.h"
-#include "machining/target/SampledProfile.h"
 #include "machining/target/SvgReader.h"
 #include "machining/target/TargetDeviation.h"
 

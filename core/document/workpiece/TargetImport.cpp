@@ -9,8 +9,8 @@
 #include "document/formats/MeshFormat.h"
 #include "document/formats/step/StepReader.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "machining/refit/SampledProfile.h"
 #include "machining/target/DxfReader.h"
-#include "machining/target/SampledProfile.h"
 #include "machining/target/SvgReader.h"
 #include "machining/target/TurnedMesh.h"
 

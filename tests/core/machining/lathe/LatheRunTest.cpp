@@ -16,7 +16,7 @@ using namespace handwheel;
 
 namespace {
 
-using Kind = LatheCommand::Kind;
+using CommandKind = LatheCommand::Kind;
 
 constexpr StockCylinder kBlank{40.0, 100.0, 0.0};
 constexpr double kStep = 0.001;  // s
@@ -45,12 +45,12 @@ class Lathe {
   }
   // Without the part in the way, and with nothing that would hold it.
   void go(double r, double z) {
-    once({{Kind::Place, LatheAxis::Carriage, r, z}});
+    once({{CommandKind::Place, LatheAxis::Carriage, r, z}});
     for (int i = 0; i < 20000 && (run.machine().tip() - ProfilePoint(r, z)).norm() > 1e-9; ++i)
       removed += once().cut.volume;
   }
   void spindle(double speed) {
-    once({{Kind::Spindle, LatheAxis::Carriage, 1.0}, {Kind::Speed, LatheAxis::Carriage, speed}});
+    once({{CommandKind::Spindle, LatheAxis::Carriage, 1.0}, {CommandKind::Speed, LatheAxis::Carriage, speed}});
     pass(speed / run.machine().setup().spindle.acceleration + 0.01);
   }
   double radiusAt(double z) const {
@@ -77,7 +77,7 @@ class LatheRunTest : public QObject {
     lathe.go(18.0, 101.0);
     const double before = lathe.run.profile().volume();
     lathe.removed = 0.0;
-    lathe.once({{Kind::Feed, LatheAxis::Carriage, -0.2}});
+    lathe.once({{CommandKind::Feed, LatheAxis::Carriage, -0.2}});
     lathe.pass(10.0);  // 100 turns: 20 mm
     QVERIFY(lathe.run.collisions().empty());
     QVERIFY(std::abs(lathe.run.machine().tip().y() - (101.0 - 20.0)) < 0.01);
@@ -98,7 +98,7 @@ class LatheRunTest : public QObject {
 
   void everySpindleSpeed() {
     Lathe lathe;
-    lathe.once({{Kind::Feed, LatheAxis::Carriage, -0.2}});
+    lathe.once({{CommandKind::Feed, LatheAxis::Carriage, -0.2}});
     lathe.pass(0.5);  // at rest nothing is fed
     QCOMPARE(lathe.run.machine().tip().y(), 120.0);
     LatheSetup fast = Lathe::exactSetup();
@@ -109,13 +109,13 @@ class LatheRunTest : public QObject {
     QVERIFY(std::abs(quick.run.machine().state().speed - 10'000.0) < 1e-9);
     // Constant surface speed: v = π d n, and the clamp towards the axis.
     quick.go(20.5, 120.0);
-    quick.once({{Kind::SurfaceSpeed, LatheAxis::Carriage, 120.0, 3000.0}});
+    quick.once({{CommandKind::SurfaceSpeed, LatheAxis::Carriage, 120.0, 3000.0}});
     quick.pass(1.5);
     QVERIFY(std::abs(quick.run.machine().state().speed - 120'000.0 / (M_PI * 41.0)) < 1.0);
     quick.go(0.0, 120.0);
     quick.pass(1.0);
     QVERIFY(std::abs(quick.run.machine().state().speed - 3000.0) < 1e-6);
-    quick.once({{Kind::SurfaceSpeed, LatheAxis::Carriage, 120.0, 0.0}});
+    quick.once({{CommandKind::SurfaceSpeed, LatheAxis::Carriage, 120.0, 0.0}});
     quick.pass(2.0);
     QVERIFY(std::abs(quick.run.machine().state().speed - 10'000.0) < 1e-6);
   }
@@ -126,13 +126,13 @@ class LatheRunTest : public QObject {
     setup.dials[1].backlash = 0.3;
     Lathe lathe(setup);
     const double r = lathe.run.machine().tip().x();
-    lathe.once({{Kind::Turn, LatheAxis::Cross, 1.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Cross, 1.0}});
     lathe.pass(0.1);
     QVERIFY(std::abs(lathe.run.machine().tip().x() - (r + 1.0 - 0.15)) < 1e-9);
-    lathe.once({{Kind::Turn, LatheAxis::Cross, -0.2}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Cross, -0.2}});
     lathe.pass(0.1);
     QVERIFY(std::abs(lathe.run.machine().tip().x() - (r + 0.85)) < 1e-9);
-    lathe.once({{Kind::Turn, LatheAxis::Cross, -0.2}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Cross, -0.2}});
     lathe.pass(0.1);
     QVERIFY(std::abs(lathe.run.machine().tip().x() - (r + 0.75)) < 1e-9);
   }
@@ -144,7 +144,7 @@ class LatheRunTest : public QObject {
     Lathe lathe(setup);
     lathe.spindle(800.0);
     lathe.go(17.0, 100.5);
-    lathe.once({{Kind::Turn, LatheAxis::Compound, -4.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Compound, -4.0}});
     lathe.pass(30.0);
     QVERIFY(lathe.run.collisions().empty());
     const double slope = (lathe.radiusAt(98.0) - lathe.radiusAt(99.0)) / 1.0;
@@ -175,10 +175,10 @@ class LatheRunTest : public QObject {
     setup.tailstock.place = 105.0;
     Lathe lathe(setup);
     lathe.go(60.0, 140.0);
-    lathe.once({{Kind::Turn, LatheAxis::Quill, 3.0}});  // in front of the part
+    lathe.once({{CommandKind::Turn, LatheAxis::Quill, 3.0}});  // in front of the part
     lathe.pass(0.5);
     lathe.spindle(900.0);
-    lathe.once({{Kind::Turn, LatheAxis::Quill, 30.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Quill, 30.0}});
     lathe.pass(10.0);
     QVERIFY2(lathe.run.collisions().empty(), lathe.run.collisions().empty() ? "" : "crash");
     QVERIFY(std::abs(lathe.run.machine().quillTip() - 72.0) < 1e-9);
@@ -192,7 +192,7 @@ class LatheRunTest : public QObject {
     setup.tailstock.place = 110.0;
     Lathe lathe(setup);
     lathe.go(90.0, 100.0);
-    lathe.once({{Kind::Turn, LatheAxis::Quill, 50.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Quill, 50.0}});
     lathe.pass(2.0);
     QVERIFY(lathe.run.collisions().empty());
     QVERIFY(lathe.run.machine().quillTip() > 99.8 && lathe.run.machine().quillTip() < 100.2);
@@ -228,7 +228,7 @@ class LatheRunTest : public QObject {
     if (name == "chuck") setup.chuck.diameter = 240.0;
     Lathe lathe(setup);
     const auto turnTo = [&](LatheAxis axis, double mm) {
-      lathe.once({{Kind::Turn, axis, mm}});
+      lathe.once({{CommandKind::Turn, axis, mm}});
       lathe.pass(4.0);
     };
     if (name != "at rest") lathe.spindle(600.0);
@@ -237,10 +237,10 @@ class LatheRunTest : public QObject {
       turnTo(LatheAxis::Carriage, -5.0);
     } else if (name == "rapid") {
       lathe.go(19.0, 102.0);
-      lathe.once({{Kind::Rapid, LatheAxis::Carriage, -1.0}});
+      lathe.once({{CommandKind::Rapid, LatheAxis::Carriage, -1.0}});
       lathe.pass(1.0);
     } else if (name == "backwards") {
-      lathe.once({{Kind::Spindle, LatheAxis::Carriage, -1.0}});
+      lathe.once({{CommandKind::Spindle, LatheAxis::Carriage, -1.0}});
       lathe.pass(2.0);
       lathe.go(19.0, 102.0);
       turnTo(LatheAxis::Carriage, -5.0);
@@ -252,9 +252,9 @@ class LatheRunTest : public QObject {
       lathe.go(41.0, 60.0);
       turnTo(LatheAxis::Carriage, -40.0);
     } else if (name == "holder") {
-      lathe.once({{Kind::Tool, LatheAxis::Carriage, 7.0}});  // grooving, 8 mm deep
+      lathe.once({{CommandKind::Tool, LatheAxis::Carriage, 7.0}});  // grooving, 8 mm deep
       lathe.go(22.0, 60.0);
-      lathe.once({{Kind::Feed, LatheAxis::Cross, -0.1}});
+      lathe.once({{CommandKind::Feed, LatheAxis::Cross, -0.1}});
       lathe.pass(12.0);
     } else if (name == "too deep") {
       lathe.go(5.0, 101.0);
@@ -269,7 +269,7 @@ class LatheRunTest : public QObject {
       other.spindle(600.0);
       other.go(20.5, 60.0);
       const TurnedProfile before = other.run.profile();
-      other.once({{Kind::Tool, LatheAxis::Carriage, 1.0}});
+      other.once({{CommandKind::Tool, LatheAxis::Carriage, 1.0}});
       QCOMPARE(other.run.collisions().size(), std::size_t{1});
       QVERIFY(other.run.collisions().front().cause == CrashCause::Contact);
       QCOMPARE(other.run.machine().state().tool, 0u);
@@ -289,7 +289,7 @@ class LatheRunTest : public QObject {
       QVERIFY(lathe.run.profile() == TurnedProfile(kBlank, 0.02));
     // The way back is free.
     const std::size_t count = lathe.run.collisions().size();
-    lathe.once({{Kind::Turn, LatheAxis::Cross, 30.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Cross, 30.0}});
     const double r = lathe.run.machine().tip().x();
     lathe.pass(1.0);
     QCOMPARE(lathe.run.collisions().size(), count);
@@ -302,14 +302,14 @@ class LatheRunTest : public QObject {
     Lathe lathe(setup);
     lathe.spindle(600.0);
     lathe.go(18.0, 101.0);
-    lathe.once({{Kind::Feed, LatheAxis::Carriage, -0.2}});
+    lathe.once({{CommandKind::Feed, LatheAxis::Carriage, -0.2}});
     lathe.pass(10.0);
     QVERIFY(lathe.run.collisions().empty());
     QVERIFY(lathe.run.machine().tip().y() > 99.0);
     QCOMPARE(lathe.run.machine().state().feed, 0.0);
     QVERIFY(lathe.run.machine().state().speed > 0.0);
     lathe.go(19.2, 101.0);
-    lathe.once({{Kind::Feed, LatheAxis::Carriage, -0.2}});
+    lathe.once({{CommandKind::Feed, LatheAxis::Carriage, -0.2}});
     lathe.pass(10.0);
     QVERIFY(std::abs(lathe.radiusAt(90.0) - 19.2) < 1e-3);
   }
@@ -319,7 +319,7 @@ class LatheRunTest : public QObject {
     Lathe lathe;
     lathe.spindle(600.0);
     lathe.go(18.0, 101.0);
-    lathe.once({{Kind::Turn, LatheAxis::Carriage, -50.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Carriage, -50.0}});
     lathe.pass(1.0);  // 10 turns
     QVERIFY(lathe.run.collisions().empty());
     QVERIFY(std::abs(lathe.run.machine().tip().y() - (100.0 - 10.0 * 0.5)) < 0.8);
@@ -332,7 +332,7 @@ class LatheRunTest : public QObject {
     Lathe lathe(setup);
     lathe.spindle(600.0);
     lathe.go(20.5, 60.0);
-    lathe.once({{Kind::Turn, LatheAxis::Cross, -2.0}});
+    lathe.once({{CommandKind::Turn, LatheAxis::Cross, -2.0}});
     lathe.pass(0.2);
     const double before = lathe.radiusAt(60.0);
     lathe.pass(2.0);  // 20 turns
@@ -352,14 +352,14 @@ class LatheRunTest : public QObject {
     std::vector<double> phases;
     for (int i = 0; i < 3; ++i) {
       lathe.go(25.0, 105.0 + 0.37 * i);
-      lathe.once({{Kind::HalfNut, LatheAxis::Carriage, -1.5}});
+      lathe.once({{CommandKind::HalfNut, LatheAxis::Carriage, -1.5}});
       lathe.pass(1.5);
       QVERIFY(lathe.run.machine().state().isNutClosed);
       const double z = lathe.run.machine().tip().y(), turns = lathe.run.machine().state().turns;
       lathe.pass(1.0);
       QVERIFY(std::abs((z - lathe.run.machine().tip().y()) - 1.5 * (lathe.run.machine().state().turns - turns)) < 1e-9);
       phases.push_back(phase());
-      lathe.once({{Kind::HalfNut, LatheAxis::Carriage, 0.0}});
+      lathe.once({{CommandKind::HalfNut, LatheAxis::Carriage, 0.0}});
     }
     for (const double p : phases) QVERIFY(std::abs(std::remainder(p - phases.front(), 1.0)) < 1e-6);
   }
@@ -372,7 +372,7 @@ class LatheRunTest : public QObject {
         std::vector<LatheCommand> commands;
         if (*rc::gen::inRange(0, 3) == 0) {
           LatheCommand command;
-          command.kind = static_cast<Kind>(*rc::gen::inRange(0, 10));
+          command.kind = static_cast<CommandKind>(*rc::gen::inRange(0, 10));
           command.axis = static_cast<LatheAxis>(*rc::gen::inRange(0, 4));
           command.value = 0.5 * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-100, 100));
           command.other = 0.5 * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-10, 250));
@@ -396,8 +396,8 @@ class LatheRunTest : public QObject {
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     for (int kind = 0; kind < 10; ++kind) {
       for (const double bad : {nan, inf, -inf})
-        lathe.once({{static_cast<Kind>(kind), LatheAxis::Cross, bad, 1.0},
-                    {static_cast<Kind>(kind), LatheAxis::Cross, 1.0, bad}});
+        lathe.once({{static_cast<CommandKind>(kind), LatheAxis::Cross, bad, 1.0},
+                    {static_cast<CommandKind>(kind), LatheAxis::Cross, 1.0, bad}});
     }
     LatheState after = lathe.run.machine().state();
     after.time = before.time;
@@ -405,7 +405,7 @@ class LatheRunTest : public QObject {
     lathe.run.step(nan, {});
     lathe.run.step(0.0, {});
     QVERIFY(lathe.run.machine().tip().allFinite());
-    lathe.once({{Kind::Tool, LatheAxis::Carriage, 1e9}, {Kind::Turn, LatheAxis::Quill, 1e300}});
+    lathe.once({{CommandKind::Tool, LatheAxis::Carriage, 1e9}, {CommandKind::Turn, LatheAxis::Quill, 1e300}});
     lathe.pass(0.1);
     QCOMPARE(lathe.run.machine().state().tool, 0u);
     QVERIFY(lathe.run.machine().tip().allFinite());

@@ -3,12 +3,12 @@
 #include "machining/target/ProfileFeatures.h"
 
 #include "TestClass.h"
-#include "machining/target/SampledProfile.h"
+#include "machining/refit/SampledProfile.h"
 
 #include <QtTest>
 
 using namespace handwheel;
-using Kind = ProfileFeature::Kind;
+using FeatureKind = ProfileFeature::Kind;
 
 namespace {
 
@@ -31,8 +31,9 @@ TargetProfile shaft() {
 }
 
 void verifyShaft(const std::vector<ProfileFeature>& found, double slack) {
-  const std::vector<Kind> kinds{Kind::FlatFace, Kind::Cylinder, Kind::FlatFace, Kind::Cylinder, Kind::Taper,
-                                Kind::Arc,      Kind::Cylinder, Kind::FlatFace, Kind::Cylinder, Kind::Taper};
+  const std::vector<FeatureKind> kinds{
+      FeatureKind::FlatFace, FeatureKind::Cylinder, FeatureKind::FlatFace, FeatureKind::Cylinder, FeatureKind::Taper,
+      FeatureKind::Arc,      FeatureKind::Cylinder, FeatureKind::FlatFace, FeatureKind::Cylinder, FeatureKind::Taper};
   QCOMPARE(found.size(), kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) QCOMPARE(found[i].kind, kinds[i]);
   QVERIFY(std::abs(found[1].value - 30.0) < slack && std::abs(found[1].length() - 20.0) < slack);
@@ -64,7 +65,7 @@ class ProfileFeaturesTest : public QObject {
         {{{10, 0}, {10.0005, 10}, 0.0}, {{10.0005, 10}, {9.9998, 25}, 0.0}, {{9.9998, 25}, {10, 40}, 0.0}});
     const auto found = featuresOf(*bent, 1e-3);
     QCOMPARE(found.size(), std::size_t{3});  // with the two ends
-    QCOMPARE(found[1].kind, Kind::Cylinder);
+    QCOMPARE(found[1].kind, FeatureKind::Cylinder);
     QVERIFY(std::abs(found[1].value - 20.0) < 1e-3);
     QCOMPARE(featuresOf(*bent, 1e-5).size(), std::size_t{5});
   }
@@ -75,7 +76,7 @@ class ProfileFeaturesTest : public QObject {
         {arcAround({0, 0}, 5, -M_PI / 2, -0.5), arcAround({0, 0}, 5, -0.5, 1.0), arcAround({0, 0}, 5, 1.0, M_PI / 2)});
     const auto found = featuresOf(*ball, 1e-6);
     QCOMPARE(found.size(), std::size_t{1});
-    QCOMPARE(found[0].kind, Kind::Arc);
+    QCOMPARE(found[0].kind, FeatureKind::Arc);
     QVERIFY(found[0].isConvex && std::abs(found[0].value - 5.0) < 1e-9 && found[0].centre.norm() < 1e-9);
     QVERIFY(std::abs(found[0].length() - 10.0) < 1e-9);
   }
@@ -91,7 +92,7 @@ class ProfileFeaturesTest : public QObject {
     QCOMPARE(found.size(), std::size_t{4});
     int outside = 0, bores = 0;
     for (const ProfileFeature& f : found) {
-      if (f.kind != Kind::Cylinder) continue;
+      if (f.kind != FeatureKind::Cylinder) continue;
       QCOMPARE(f.length(), 40.0);
       (f.isInner ? bores : outside) += 1;
       QCOMPARE(f.value, f.isInner ? 16.0 : 40.0);

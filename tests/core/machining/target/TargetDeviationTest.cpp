@@ -4,7 +4,7 @@
 
 #include "AnyProfile.h"
 #include "TestClass.h"
-#include "machining/target/SampledProfile.h"
+#include "machining/refit/SampledProfile.h"
 
 #include <QtTest>
 

@@ -3,7 +3,7 @@
 #include "machining/target/TurnedStep.h"
 
 #include "TestClass.h"
-#include "machining/target/SampledProfile.h"
+#include "machining/refit/SampledProfile.h"
 #include "machining/target/TargetErrors.h"
 #include "nurbs/StepFile.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/target/SampledProfile.h"
+#include "machining/refit/SampledProfile.h"
 
-#include "machining/target/CornerFit.h"
+#include "machining/refit/Refit.h"
 #include "machining/target/CurveFit.h"
 
 #include <algorithm>
@@ -12,27 +12,18 @@ namespace handwheel {
 
 namespace {
 
-// Exact lines and arcs are looked for first: with a wider tolerance a line would go on into the arc that it touches.
-constexpr double kExact = 1e-6;            // mm
-constexpr std::size_t kFewSegments = 400;  // of a part that people draw
-
-std::vector<ProfileSegment> fitted(const std::vector<ProfilePoint>& points, double tolerance, double spacing) {
-  std::vector<ProfileSegment> segments;
-  if (tolerance > kExact) segments = fitSegments(points, kExact);
-  if (segments.empty() || segments.size() > kFewSegments) segments = fitSegments(points, tolerance);
-  return sharpened(std::move(segments), spacing, tolerance);
-}
+constexpr double kExact = 1e-6;  // mm, of the lines and arcs of a curve
 
 }  // namespace
 
 Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
   std::vector<ProfilePoint> outside, inside;
   for (std::size_t i = 0; i < part.size(); ++i) outside.emplace_back(part.radius(i), part.z(i));
-  std::vector<ProfileSegment> outline = fitted(outside, tolerance, part.spacing());
+  std::vector<ProfileSegment> outline = refitted(outside, tolerance, part.spacing());
   for (std::size_t i = part.size(); i-- > 0;) inside.emplace_back(part.inner(i), part.z(i));
   const bool isBored = std::any_of(inside.begin(), inside.end(), [](const ProfilePoint& p) { return p.x() > 0.0; });
   if (isBored) {
-    const auto bore = fitted(inside, tolerance, part.spacing());
+    const auto bore = refitted(inside, tolerance, part.spacing());
     outline.push_back({outline.back().to, bore.front().from, 0.0});
     outline.insert(outline.end(), bore.begin(), bore.end());
     outline.push_back({outline.back().to, outline.front().from, 0.0});

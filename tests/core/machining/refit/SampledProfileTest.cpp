@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/target/SampledProfile.h"
+#include "machining/refit/SampledProfile.h"
 
-#include "AnyProfile.h"
+#include "../target/AnyProfile.h"
 #include "TestClass.h"
 
 #include <QtTest>
@@ -68,6 +68,20 @@ class SampledProfileTest : public QObject {
     QVERIFY((arc.centre() - ProfilePoint(17.0, 30.0)).norm() < 1e-6);
     const ProfileSegment wall = back->segments()[2];
     QVERIFY(std::abs(wall.from.y() - 28.0) < 1e-6 && std::abs(wall.to.y() - 28.0) < 1e-6);
+  }
+
+  // Noses of two passes beside each other leave pieces of a few samples, which a drawing does not list one by one.
+  void passesBesideEachOther() {
+    TurnedProfile part({40.0, 100.0, 0.0}, 0.013);
+    for (int i = 0; i < 8; ++i) part.cut({20.0 - 0.4 * i, 105.0}, {20.0 - 0.4 * i, 60.003 + 0.05 * (i % 3)}, 0.8);
+    const auto back = sectionOf(part, 5e-3);
+    QVERIFY(back.hasValue());
+    QVERIFY2(back->segments().size() < 16, qPrintable(QString::number(back->segments().size())));
+    for (std::size_t i = 0; i < part.size(); i += 7) {
+      const ProfilePoint p(part.radius(i), part.z(i));
+      QVERIFY(std::any_of(back->segments().begin(), back->segments().end(),
+                          [&](const ProfileSegment& s) { return (s.nearest(p) - p).norm() < 5e-3 + 1e-6; }));
+    }
   }
 
   void boresAreFound() {
