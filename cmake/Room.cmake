@@ -37,7 +37,7 @@ function(handwheel_library TARGET SOURCES ROOMS PUBLIC PRIVATE)
   list(TRANSFORM ROOMS PREPEND hw_)
   target_link_libraries(${TARGET} PUBLIC ${ROOMS} ${PUBLIC} PRIVATE ${PRIVATE})
   handwheel_warnings(${TARGET})
-  set_target_properties(${TARGET} PROPERTIES INSTALL_RPATH $ORIGIN)
+  set_target_properties(${TARGET} PROPERTIES INSTALL_RPATH $ORIGIN AUTOMOC_EXECUTABLE ${HANDWHEEL_MOC})
   install(TARGETS ${TARGET} LIBRARY DESTINATION ${HANDWHEEL_LIBRARY_FOLDER})
 endfunction()
 

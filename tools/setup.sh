@@ -23,7 +23,7 @@ packages_missing() {
   done
 }
 
-# Installs what is missing, after asking unless root or told not to.
+# Installs what is missing, after asking, unless root or --yes.
 install_packages() {
   if ! command -v dpkg-query apt-get > /dev/null; then
     echo "This is not Debian or a relative of it; what is needed stands in tools/packages.txt." >&2

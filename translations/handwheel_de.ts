@@ -66,7 +66,7 @@
     </message>
     <message>
         <source>Sheet edges, kept holes</source>
-        <translation>Ränder von Flächen, offene Löcher</translation>
+        <translation>Flächenränder und offene Löcher</translation>
     </message>
     <message>
         <source>Non-manifold edges</source>
@@ -1013,6 +1013,14 @@
         <source>Export the part as STEP, or as a finer mesh without other features.</source>
         <translation>Exportieren Sie das Teil als STEP oder als feineres Netz ohne andere Elemente.</translation>
     </message>
+    <message>
+        <source>the exercise has no target, so there is nothing to draw</source>
+        <translation>Die Übung hat kein Ziel, also gibt es nichts zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Turn a model solution and take it as the target.</source>
+        <translation>Drehen Sie eine Musterlösung und übernehmen Sie sie als Ziel.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -1956,6 +1964,26 @@
         <source>it touches nothing</source>
         <translation>es berührt nichts</translation>
     </message>
+    <message>
+        <source>the points go back in z</source>
+        <translation>die Punkte laufen in Z zurück</translation>
+    </message>
+    <message>
+        <source>the bore is not open at an end of the part</source>
+        <translation>die Bohrung ist an keinem Ende des Teils offen</translation>
+    </message>
+    <message>
+        <source>segments of five numbers each were expected</source>
+        <translation>Segmente aus je fünf Zahlen wurden erwartet</translation>
+    </message>
+    <message>
+        <source>the part is in several pieces</source>
+        <translation>das Teil besteht aus mehreren Stücken</translation>
+    </message>
+    <message>
+        <source>a tool is impossible or not known</source>
+        <translation>ein Werkzeug ist unmöglich oder nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -2461,10 +2489,6 @@
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>Target, bore</source>
-        <translation>Ziel, Bohrung</translation>
-    </message>
-    <message>
         <source>Path of the tool</source>
         <translation>Weg des Werkzeugs</translation>
     </message>
@@ -2503,6 +2527,10 @@
     <message>
         <source>Minor diameter of a thread</source>
         <translation>Kerndurchmesser eines Gewindes</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
     </message>
 </context>
 <context>
@@ -2692,6 +2720,22 @@
     <message>
         <source>The cut needed more than the motor has.</source>
         <translation>Der Schnitt brauchte mehr, als der Motor leistet.</translation>
+    </message>
+    <message>
+        <source>There is no such tool.</source>
+        <translation>Dieses Werkzeug gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The exercise does not provide this tool.</source>
+        <translation>Die Übung stellt dieses Werkzeug nicht bereit.</translation>
+    </message>
+    <message>
+        <source>The spindle turns. Stop it before you change tools.</source>
+        <translation>Die Spindel dreht sich. Halten Sie sie an, bevor Sie das Werkzeug wechseln.</translation>
+    </message>
+    <message>
+        <source>There is no room for it here. Move the slides away from the work first.</source>
+        <translation>Hier ist kein Platz dafür. Fahren Sie die Schlitten zuerst vom Werkstück weg.</translation>
     </message>
 </context>
 <context>
@@ -2922,6 +2966,10 @@
             <numerusform>%Ln offene Flächen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The self-intersections stay: %1.</source>
+        <translation>Die Selbstdurchdringungen bleiben: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -3138,10 +3186,6 @@
         <translation>%1 Gewinderillen, jede innerhalb von %2 mm der Steigung</translation>
     </message>
     <message>
-        <source>the tool that cut it has no nose radius</source>
-        <translation>das Werkzeug, das sie erzeugt hat, hat keinen Eckenradius</translation>
-    </message>
-    <message>
         <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
         <translation>Teile der Drehmaschine trafen sich bei Z %1 mm, ⌀%2 mm.</translation>
     </message>
@@ -3192,6 +3236,18 @@
     <message>
         <source>the scheme has no limit for it</source>
         <translation>das Schema hat keine Grenze dafür</translation>
+    </message>
+    <message>
+        <source>there is no arc: the surface is up to %1 mm from any circle</source>
+        <translation>es gibt keinen Bogen: Die Oberfläche weicht bis zu %1 mm von jedem Kreis ab</translation>
+    </message>
+    <message>
+        <source>the arc bulges the other way</source>
+        <translation>der Bogen wölbt sich in die andere Richtung</translation>
+    </message>
+    <message>
+        <source>the tool that cut it has no nose radius, or was fed further than that</source>
+        <translation>das Werkzeug, das sie erzeugt hat, hat keinen Eckenradius, oder sein Vorschub war größer als dieser</translation>
     </message>
 </context>
 <context>
@@ -4340,6 +4396,10 @@
         <source>Inside</source>
         <translation>Innen</translation>
     </message>
+    <message>
+        <source>Chips are shown</source>
+        <translation>Späne werden gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -4416,8 +4476,8 @@
     <message numerus="yes">
         <source>%Ln piece(s) of debris</source>
         <translation>
-            <numerusform>%Ln loses Stück</numerusform>
-            <numerusform>%Ln lose Stücke</numerusform>
+            <numerusform>%Ln Bruchstück</numerusform>
+            <numerusform>%Ln Bruchstücke</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4426,10 +4486,6 @@
             <numerusform>%Ln umgekehrtes Dreieck</numerusform>
             <numerusform>%Ln umgekehrte Dreiecke</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 of %2 closed</source>
-        <translation>%1 von %2 geschlossen</translation>
     </message>
     <message>
         <source>%1 of %2 corrected</source>
@@ -4469,10 +4525,6 @@
     <message>
         <source>it has more edges than allowed</source>
         <translation>es hat mehr Kanten als erlaubt</translation>
-    </message>
-    <message>
-        <source>it would take too long for a mesh of this size</source>
-        <translation>das würde für ein Netz dieser Größe zu lange dauern</translation>
     </message>
     <message>
         <source>colours</source>
@@ -4816,6 +4868,66 @@
             <numerusform>%1, an %2 von %n Eckpunkt dünner als verlangt</numerusform>
             <numerusform>%1, an %2 von %n Eckpunkten dünner als verlangt</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n hole(s) filled</source>
+        <translation>
+            <numerusform>%1 von %n Loch gefüllt</numerusform>
+            <numerusform>%1 von %n Löchern gefüllt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gone with removed triangles</source>
+        <translation>
+            <numerusform>%n mit entfernten Dreiecken verschwunden</numerusform>
+            <numerusform>%n mit entfernten Dreiecken verschwunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n kept open</source>
+        <translation>
+            <numerusform>%n offen gelassen</numerusform>
+            <numerusform>%n offen gelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n could not be filled</source>
+        <translation>
+            <numerusform>%n konnte nicht gefüllt werden</numerusform>
+            <numerusform>%n konnten nicht gefüllt werden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>split or joined, %n hole(s) are left</source>
+        <translation>
+            <numerusform>geteilt oder verbunden, %n Loch bleibt</numerusform>
+            <numerusform>geteilt oder verbunden, %n Löcher bleiben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sheet edge(s) closed</source>
+        <translation>
+            <numerusform>%1 von %n Flächenrand geschlossen</numerusform>
+            <numerusform>%1 von %n Flächenrändern geschlossen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet edge(s) gone with removed triangles</source>
+        <translation>
+            <numerusform>%n Flächenrand mit entfernten Dreiecken verschwunden</numerusform>
+            <numerusform>%n Flächenränder mit entfernten Dreiecken verschwunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new opening(s)</source>
+        <translation>
+            <numerusform>%n neue Öffnung</numerusform>
+            <numerusform>%n neue Öffnungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the effort that a mesh of this size allows was used up</source>
+        <translation>der Aufwand, den ein Netz dieser Größe zulässt, war verbraucht</translation>
     </message>
 </context>
 <context>
@@ -5584,10 +5696,6 @@
         <translation>Übung</translation>
     </message>
     <message>
-        <source>merging them would make edges with more than two triangles, or change a boundary that is to stay open</source>
-        <translation>ihr Verschmelzen ergäbe Kanten mit mehr als zwei Dreiecken oder würde einen Rand verändern, der offen bleiben soll</translation>
-    </message>
-    <message>
         <source>move the carriage</source>
         <translation>den Bettschlitten bewegen</translation>
     </message>
@@ -5614,6 +5722,70 @@
     <message>
         <source>“Repair all” leaves them as they are; they can be fixed here</source>
         <translation>„Alles reparieren“ lässt sie, wie sie sind; hier lassen sie sich berichtigen</translation>
+    </message>
+    <message>
+        <source>merging them would make edges with more than two triangles</source>
+        <translation>zusammengeführt ergäben sie Kanten mit mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>a boundary that is to stay open goes through it</source>
+        <translation>ein Rand, der offen bleiben soll, verläuft hindurch</translation>
+    </message>
+    <message>
+        <source>it takes a cut longer than a hundredth of the model, which “Repair all” does not make; it can be made here</source>
+        <translation>es braucht einen Schnitt, der länger als ein Hundertstel des Modells ist; „Alles reparieren“ macht ihn nicht, hier ist er möglich</translation>
+    </message>
+    <message>
+        <source>the cut would begin and end at an open edge, which “Repair all” does not make; it can be made here</source>
+        <translation>der Schnitt würde an einer offenen Kante beginnen und enden; „Alles reparieren“ macht ihn nicht, hier ist er möglich</translation>
+    </message>
+    <message>
+        <source>by a tenth of a division</source>
+        <translation>um ein Zehntel eines Teilstrichs</translation>
+    </message>
+    <message>
+        <source>rapid traverse while held</source>
+        <translation>Eilgang, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>carriage by a tenth of a division to the chuck</source>
+        <translation>Bettschlitten um ein Zehntel eines Teilstrichs zum Futter</translation>
+    </message>
+    <message>
+        <source>carriage by a tenth of a division away</source>
+        <translation>Bettschlitten um ein Zehntel eines Teilstrichs vom Futter weg</translation>
+    </message>
+    <message>
+        <source>carriage rapidly to the chuck, while held</source>
+        <translation>Bettschlitten im Eilgang zum Futter, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>carriage rapidly away, while held</source>
+        <translation>Bettschlitten im Eilgang vom Futter weg, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>cross slide by a tenth of a division in</source>
+        <translation>Planschlitten um ein Zehntel eines Teilstrichs nach innen</translation>
+    </message>
+    <message>
+        <source>cross slide by a tenth of a division out</source>
+        <translation>Planschlitten um ein Zehntel eines Teilstrichs nach außen</translation>
+    </message>
+    <message>
+        <source>cross slide rapidly in, while held</source>
+        <translation>Planschlitten im Eilgang nach innen, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>cross slide rapidly out, while held</source>
+        <translation>Planschlitten im Eilgang nach außen, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Mount %1</source>
+        <translation>%1 einspannen</translation>
+    </message>
+    <message>
+        <source>Take the tool off</source>
+        <translation>Werkzeug ausspannen</translation>
     </message>
 </context>
 <context>
@@ -6177,6 +6349,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DefectCard</name>
+    <message>
+        <source>Remains: %1.</source>
+        <translation>Es bleibt: %1.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DefectModel</name>
     <message>
         <source>searching…</source>
@@ -6243,6 +6422,14 @@
     <message>
         <source>Remains: %1.</source>
         <translation>Bleibt: %1.</translation>
+    </message>
+    <message>
+        <source>Last repair: %1.</source>
+        <translation>Letzte Reparatur: %1.</translation>
+    </message>
+    <message>
+        <source>%1; remains: %2</source>
+        <translation>%1; bleibt: %2</translation>
     </message>
 </context>
 <context>
@@ -7516,13 +7703,21 @@
         <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
         <translation>Gesetz der Schnittkraft für %1. Es wird in den Einstellungen von Geschwindigkeit und Genauigkeit gewählt; der Werkstoff ist eine Eigenschaft des Werkstücks.</translation>
     </message>
+    <message>
+        <source>Ra here</source>
+        <translation>Ra hier</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or disk have taken off since</source>
+        <translation>Rauheit des Teils an der Stelle des Werkzeugs: aus Vorschub und Eckenradius und aus dem, was Feile, Schleifpapier oder Schleifscheibe seither abgetragen haben</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
-    <message>
-        <source>Tool in the post</source>
-        <translation>Werkzeug im Stahlhalter</translation>
-    </message>
     <message>
         <source>Value for touching off, mm</source>
         <translation>Wert beim Ankratzen, mm</translation>
@@ -7628,26 +7823,6 @@
         <translation>Schließt die Schlossmutter: Der Bettschlitten folgt der Leitspindel</translation>
     </message>
     <message>
-        <source>Carriage</source>
-        <translation>Bettschlitten</translation>
-    </message>
-    <message>
-        <source>Cross slide</source>
-        <translation>Planschlitten</translation>
-    </message>
-    <message>
-        <source>Compound slide</source>
-        <translation>Oberschlitten</translation>
-    </message>
-    <message>
-        <source>Tailstock quill</source>
-        <translation>Reitstockpinole</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keines</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -7683,12 +7858,71 @@
         <source>Thread, pitch</source>
         <translation>Gewinde, Steigung</translation>
     </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Rapid traverse to the chuck, while held (Alt+←)</source>
+        <translation>Eilgang zum Futter, solange gedrückt (Alt+←)</translation>
+    </message>
+    <message>
+        <source>Rapid traverse away from the chuck, while held (Alt+→)</source>
+        <translation>Eilgang vom Futter weg, solange gedrückt (Alt+→)</translation>
+    </message>
+    <message>
+        <source>Rapid traverse in, while held (Alt+↑)</source>
+        <translation>Eilgang nach innen, solange gedrückt (Alt+↑)</translation>
+    </message>
+    <message>
+        <source>Rapid traverse out, while held (Alt+↓)</source>
+        <translation>Eilgang nach außen, solange gedrückt (Alt+↓)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
     <message>
         <source>Lathe</source>
         <translation>Drehmaschine</translation>
+    </message>
+    <message>
+        <source>The tool was not mounted</source>
+        <translation>Das Werkzeug wurde nicht eingespannt</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LatheWheels</name>
+    <message>
+        <source>Carriage</source>
+        <translation>Bettschlitten</translation>
+    </message>
+    <message>
+        <source>Clockwise: away from the chuck. In the view: ← and →</source>
+        <translation>Im Uhrzeigersinn: vom Futter weg. In der Ansicht: ← und →</translation>
+    </message>
+    <message>
+        <source>Cross slide</source>
+        <translation>Planschlitten</translation>
+    </message>
+    <message>
+        <source>Clockwise: in, to the axis; counts on the radius. In the view: ↑ and ↓</source>
+        <translation>Im Uhrzeigersinn: nach innen, zur Achse; zählt im Radius. In der Ansicht: ↑ und ↓</translation>
+    </message>
+    <message>
+        <source>Compound slide</source>
+        <translation>Oberschlitten</translation>
+    </message>
+    <message>
+        <source>Clockwise: forward. In the view: Page Up and Page Down</source>
+        <translation>Im Uhrzeigersinn: vorwärts. In der Ansicht: Bild auf und Bild ab</translation>
+    </message>
+    <message>
+        <source>Tailstock quill</source>
+        <translation>Reitstockpinole</translation>
+    </message>
+    <message>
+        <source>Clockwise: out, to the work</source>
+        <translation>Im Uhrzeigersinn: hinaus, zum Werkstück</translation>
     </message>
 </context>
 <context>
@@ -9172,10 +9406,6 @@
         <translation>%1 wurde inzwischen geändert; der Vorgang läuft noch einmal</translation>
     </message>
     <message>
-        <source>Look at the patch of %1: %2</source>
-        <translation>Bitte die Füllfläche von %1 ansehen: %2</translation>
-    </message>
-    <message>
         <source>%1: %2 by %3</source>
         <translation>%1: %2 um %3</translation>
     </message>
@@ -9212,6 +9442,57 @@
     <message>
         <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
         <translation>Mehr ließ sich nicht ohne Schaden reparieren. Die Liste der Fehler nennt die bekannten Gründe.</translation>
+    </message>
+    <message>
+        <source>Look at the patch of %1: %2.</source>
+        <translation>Bitte die Füllfläche von %1 ansehen: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ReplayDock</name>
+    <message>
+        <source>round tool, R %1 mm</source>
+        <translation>rundes Werkzeug, R %1 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Plays the passes that cut the part, on a time line</source>
+        <translation>Spielt die Schnitte, die das Teil erzeugt haben, auf einer Zeitleiste ab</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Nothing was cut yet. What you cut can be played here.</source>
+        <translation>Es wurde noch nichts zerspant. Was Sie zerspanen, kann hier abgespielt werden.</translation>
+    </message>
+    <message>
+        <source>Preparing the replay</source>
+        <translation>Wiedergabe wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Distance from the axis</source>
+        <translation>Abstand von der Achse</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Pass %1: %2</source>
+        <translation>Schnitt %1: %2</translation>
+    </message>
+    <message>
+        <source>Pass %1 of %2: %3, at R %4 mm, Z %5 mm</source>
+        <translation>Schnitt %1 von %2: %3, bei R %4 mm, Z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -10101,6 +10382,33 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolPostRow</name>
+    <message>
+        <source>Tool in the post</source>
+        <translation>Werkzeug im Stahlhalter</translation>
+    </message>
+    <message>
+        <source>&amp;Mount</source>
+        <translation>&amp;Einspannen</translation>
+    </message>
+    <message>
+        <source>Mounts another tool on this side of the post, or a drill in the tailstock</source>
+        <translation>Spannt ein anderes Werkzeug auf dieser Seite des Stahlhalters ein, oder einen Bohrer im Reitstock</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>%1, in the tailstock</source>
+        <translation>%1, im Reitstock</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Kein Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::TouchPage</name>
     <message>
         <source>&amp;Snap the device</source>
@@ -10234,6 +10542,14 @@
     <message>
         <source>Clip the model by a plane to look inside; the panel “View” positions the plane</source>
         <translation>Das Modell an einer Ebene abschneiden, um hineinzusehen; das Feld „Ansicht“ legt die Ebene fest</translation>
+    </message>
+    <message>
+        <source>&amp;Half section</source>
+        <translation>&amp;Halbschnitt</translation>
+    </message>
+    <message>
+        <source>Cut the part through its axis, seen from here, to look into its bores</source>
+        <translation>Schneidet das Teil, von hier gesehen, durch seine Achse, um in Bohrungen zu sehen</translation>
     </message>
 </context>
 <context>

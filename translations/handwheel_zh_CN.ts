@@ -1013,6 +1013,14 @@
         <source>Export the part as STEP, or as a finer mesh without other features.</source>
         <translation>请将零件导出为 STEP，或导出为没有其他特征的更细网格。</translation>
     </message>
+    <message>
+        <source>the exercise has no target, so there is nothing to draw</source>
+        <translation>练习没有目标，因此没有可绘制的内容</translation>
+    </message>
+    <message>
+        <source>Turn a model solution and take it as the target.</source>
+        <translation>请车出一个示范解答，并将其设为目标。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -1956,6 +1964,26 @@
         <source>it touches nothing</source>
         <translation>它什么都没有接触</translation>
     </message>
+    <message>
+        <source>the points go back in z</source>
+        <translation>点在 Z 方向上倒退</translation>
+    </message>
+    <message>
+        <source>the bore is not open at an end of the part</source>
+        <translation>内孔在零件两端均未开口</translation>
+    </message>
+    <message>
+        <source>segments of five numbers each were expected</source>
+        <translation>应为每段五个数字的线段</translation>
+    </message>
+    <message>
+        <source>the part is in several pieces</source>
+        <translation>零件分成了几块</translation>
+    </message>
+    <message>
+        <source>a tool is impossible or not known</source>
+        <translation>某个刀具不可能存在或未知</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -2461,10 +2489,6 @@
         <translation>目标</translation>
     </message>
     <message>
-        <source>Target, bore</source>
-        <translation>目标，孔</translation>
-    </message>
-    <message>
         <source>Path of the tool</source>
         <translation>刀具路径</translation>
     </message>
@@ -2503,6 +2527,10 @@
     <message>
         <source>Minor diameter of a thread</source>
         <translation>螺纹小径</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>粗糙度</translation>
     </message>
 </context>
 <context>
@@ -2692,6 +2720,22 @@
     <message>
         <source>The cut needed more than the motor has.</source>
         <translation>切削所需超过了电机的能力。</translation>
+    </message>
+    <message>
+        <source>There is no such tool.</source>
+        <translation>没有这种刀具。</translation>
+    </message>
+    <message>
+        <source>The exercise does not provide this tool.</source>
+        <translation>练习未提供此刀具。</translation>
+    </message>
+    <message>
+        <source>The spindle turns. Stop it before you change tools.</source>
+        <translation>主轴正在旋转。请先停止主轴再换刀。</translation>
+    </message>
+    <message>
+        <source>There is no room for it here. Move the slides away from the work first.</source>
+        <translation>此处空间不够。请先将拖板移离工件。</translation>
     </message>
 </context>
 <context>
@@ -2915,6 +2959,10 @@
             <numerusform>%Ln 个开放片体。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The self-intersections stay: %1.</source>
+        <translation>自相交仍然存在：%1。</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -3131,10 +3179,6 @@
         <translation>%1 条牙槽，各与螺距相差不超过 %2 mm</translation>
     </message>
     <message>
-        <source>the tool that cut it has no nose radius</source>
-        <translation>所用刀具没有刀尖圆弧半径</translation>
-    </message>
-    <message>
         <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
         <translation>车床部件在 Z %1 mm、⌀%2 mm 处相碰。</translation>
     </message>
@@ -3185,6 +3229,18 @@
     <message>
         <source>the scheme has no limit for it</source>
         <translation>评分标准未给出其限值</translation>
+    </message>
+    <message>
+        <source>there is no arc: the surface is up to %1 mm from any circle</source>
+        <translation>没有圆弧：表面与任何圆的偏差达 %1 mm</translation>
+    </message>
+    <message>
+        <source>the arc bulges the other way</source>
+        <translation>圆弧向相反方向凸起</translation>
+    </message>
+    <message>
+        <source>the tool that cut it has no nose radius, or was fed further than that</source>
+        <translation>所用刀具没有刀尖圆弧半径，或进给量超过了刀尖圆弧</translation>
     </message>
 </context>
 <context>
@@ -4333,6 +4389,10 @@
         <source>Inside</source>
         <translation>内螺纹</translation>
     </message>
+    <message>
+        <source>Chips are shown</source>
+        <translation>显示切屑</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -4409,10 +4469,6 @@
         </translation>
     </message>
     <message>
-        <source>%1 of %2 closed</source>
-        <translation>已封闭 %1（共 %2）</translation>
-    </message>
-    <message>
         <source>%1 of %2 corrected</source>
         <translation>已纠正 %1（共 %2）</translation>
     </message>
@@ -4450,10 +4506,6 @@
     <message>
         <source>it has more edges than allowed</source>
         <translation>边数超过允许值</translation>
-    </message>
-    <message>
-        <source>it would take too long for a mesh of this size</source>
-        <translation>对于这样大小的网格，这会花费太长时间</translation>
     </message>
     <message>
         <source>colours</source>
@@ -4780,6 +4832,58 @@
         <translation>
             <numerusform>%1，%n 个顶点中有 %2 个比要求的薄</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n hole(s) filled</source>
+        <translation>
+            <numerusform>已填补 %1 个孔洞（共 %n 个）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gone with removed triangles</source>
+        <translation>
+            <numerusform>%n 个随被移除的三角形一起消失</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n kept open</source>
+        <translation>
+            <numerusform>%n 个保持开放</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n could not be filled</source>
+        <translation>
+            <numerusform>%n 个无法填补</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>split or joined, %n hole(s) are left</source>
+        <translation>
+            <numerusform>经拆分或合并，剩余 %n 个孔洞</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n sheet edge(s) closed</source>
+        <translation>
+            <numerusform>已闭合 %1 条片体边缘（共 %n 条）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet edge(s) gone with removed triangles</source>
+        <translation>
+            <numerusform>%n 条片体边缘随被移除的三角形一起消失</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new opening(s)</source>
+        <translation>
+            <numerusform>%n 个新开口</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the effort that a mesh of this size allows was used up</source>
+        <translation>此大小的网格所允许的计算量已用完</translation>
     </message>
 </context>
 <context>
@@ -5548,10 +5652,6 @@
         <translation>练习</translation>
     </message>
     <message>
-        <source>merging them would make edges with more than two triangles, or change a boundary that is to stay open</source>
-        <translation>合并它们会产生超过两个三角形的边，或改变要保持开放的边界</translation>
-    </message>
-    <message>
         <source>move the carriage</source>
         <translation>移动大拖板</translation>
     </message>
@@ -5578,6 +5678,70 @@
     <message>
         <source>“Repair all” leaves them as they are; they can be fixed here</source>
         <translation>“全部修复”会保留它们原样；可在此处修复</translation>
+    </message>
+    <message>
+        <source>merging them would make edges with more than two triangles</source>
+        <translation>合并会产生连接两个以上三角形的边</translation>
+    </message>
+    <message>
+        <source>a boundary that is to stay open goes through it</source>
+        <translation>有一条需保持开放的边界从此处经过</translation>
+    </message>
+    <message>
+        <source>it takes a cut longer than a hundredth of the model, which “Repair all” does not make; it can be made here</source>
+        <translation>需要长度超过模型百分之一的切口，“全部修复”不会执行；可在此处执行</translation>
+    </message>
+    <message>
+        <source>the cut would begin and end at an open edge, which “Repair all” does not make; it can be made here</source>
+        <translation>切口的起点和终点都在开放边上，“全部修复”不会执行；可在此处执行</translation>
+    </message>
+    <message>
+        <source>by a tenth of a division</source>
+        <translation>移动十分之一格</translation>
+    </message>
+    <message>
+        <source>rapid traverse while held</source>
+        <translation>按住时快速移动</translation>
+    </message>
+    <message>
+        <source>carriage by a tenth of a division to the chuck</source>
+        <translation>大拖板向卡盘移动十分之一格</translation>
+    </message>
+    <message>
+        <source>carriage by a tenth of a division away</source>
+        <translation>大拖板离开卡盘移动十分之一格</translation>
+    </message>
+    <message>
+        <source>carriage rapidly to the chuck, while held</source>
+        <translation>按住时大拖板快速移向卡盘</translation>
+    </message>
+    <message>
+        <source>carriage rapidly away, while held</source>
+        <translation>按住时大拖板快速移离卡盘</translation>
+    </message>
+    <message>
+        <source>cross slide by a tenth of a division in</source>
+        <translation>中拖板向内移动十分之一格</translation>
+    </message>
+    <message>
+        <source>cross slide by a tenth of a division out</source>
+        <translation>中拖板向外移动十分之一格</translation>
+    </message>
+    <message>
+        <source>cross slide rapidly in, while held</source>
+        <translation>按住时中拖板快速向内移动</translation>
+    </message>
+    <message>
+        <source>cross slide rapidly out, while held</source>
+        <translation>按住时中拖板快速向外移动</translation>
+    </message>
+    <message>
+        <source>Mount %1</source>
+        <translation>安装%1</translation>
+    </message>
+    <message>
+        <source>Take the tool off</source>
+        <translation>卸下刀具</translation>
     </message>
 </context>
 <context>
@@ -6137,6 +6301,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DefectCard</name>
+    <message>
+        <source>Remains: %1.</source>
+        <translation>剩余：%1。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DefectModel</name>
     <message>
         <source>searching…</source>
@@ -6201,6 +6372,14 @@
     <message>
         <source>Remains: %1.</source>
         <translation>仍存在：%1。</translation>
+    </message>
+    <message>
+        <source>Last repair: %1.</source>
+        <translation>上次修复：%1。</translation>
+    </message>
+    <message>
+        <source>%1; remains: %2</source>
+        <translation>%1；剩余：%2</translation>
     </message>
 </context>
 <context>
@@ -7463,13 +7642,21 @@
         <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
         <translation>%1 的切削力定律。可在速度与精度设置中选择；材料是工件的属性。</translation>
     </message>
+    <message>
+        <source>Ra here</source>
+        <translation>此处 Ra</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or disk have taken off since</source>
+        <translation>刀具所在处零件的粗糙度：由进给量和刀尖圆弧半径，以及此后锉刀、砂纸或砂轮的去除量得出</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
-    <message>
-        <source>Tool in the post</source>
-        <translation>刀架上的刀具</translation>
-    </message>
     <message>
         <source>Value for touching off, mm</source>
         <translation>对刀值，mm</translation>
@@ -7575,26 +7762,6 @@
         <translation>合上开合螺母：大拖板随丝杠移动</translation>
     </message>
     <message>
-        <source>Carriage</source>
-        <translation>大拖板</translation>
-    </message>
-    <message>
-        <source>Cross slide</source>
-        <translation>中拖板</translation>
-    </message>
-    <message>
-        <source>Compound slide</source>
-        <translation>小拖板</translation>
-    </message>
-    <message>
-        <source>Tailstock quill</source>
-        <translation>尾座套筒</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -7630,12 +7797,71 @@
         <source>Thread, pitch</source>
         <translation>螺纹，螺距</translation>
     </message>
+    <message>
+        <source>Rapid</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Rapid traverse to the chuck, while held (Alt+←)</source>
+        <translation>按住时快速移向卡盘 (Alt+←)</translation>
+    </message>
+    <message>
+        <source>Rapid traverse away from the chuck, while held (Alt+→)</source>
+        <translation>按住时快速移离卡盘 (Alt+→)</translation>
+    </message>
+    <message>
+        <source>Rapid traverse in, while held (Alt+↑)</source>
+        <translation>按住时快速向内移动 (Alt+↑)</translation>
+    </message>
+    <message>
+        <source>Rapid traverse out, while held (Alt+↓)</source>
+        <translation>按住时快速向外移动 (Alt+↓)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
     <message>
         <source>Lathe</source>
         <translation>车床</translation>
+    </message>
+    <message>
+        <source>The tool was not mounted</source>
+        <translation>刀具未安装</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LatheWheels</name>
+    <message>
+        <source>Carriage</source>
+        <translation>大拖板</translation>
+    </message>
+    <message>
+        <source>Clockwise: away from the chuck. In the view: ← and →</source>
+        <translation>顺时针：远离卡盘。视图中：← 和 →</translation>
+    </message>
+    <message>
+        <source>Cross slide</source>
+        <translation>中拖板</translation>
+    </message>
+    <message>
+        <source>Clockwise: in, to the axis; counts on the radius. In the view: ↑ and ↓</source>
+        <translation>顺时针：向内，朝轴线；按半径计数。视图中：↑ 和 ↓</translation>
+    </message>
+    <message>
+        <source>Compound slide</source>
+        <translation>小拖板</translation>
+    </message>
+    <message>
+        <source>Clockwise: forward. In the view: Page Up and Page Down</source>
+        <translation>顺时针：向前。视图中：Page Up 和 Page Down</translation>
+    </message>
+    <message>
+        <source>Tailstock quill</source>
+        <translation>尾座套筒</translation>
+    </message>
+    <message>
+        <source>Clockwise: out, to the work</source>
+        <translation>顺时针：伸出，朝工件</translation>
     </message>
 </context>
 <context>
@@ -9108,10 +9334,6 @@
         <translation>%1 在此期间已更改；任务将重新运行</translation>
     </message>
     <message>
-        <source>Look at the patch of %1: %2</source>
-        <translation>请检查 %1 的补片：%2</translation>
-    </message>
-    <message>
         <source>%1: %2 by %3</source>
         <translation>%1：%2，%3</translation>
     </message>
@@ -9146,6 +9368,57 @@
     <message>
         <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
         <translation>在不造成损坏的前提下已无法再修复。缺陷列表给出已知的原因。</translation>
+    </message>
+    <message>
+        <source>Look at the patch of %1: %2.</source>
+        <translation>请检查 %1 的补片：%2。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ReplayDock</name>
+    <message>
+        <source>round tool, R %1 mm</source>
+        <translation>圆弧刀具，R %1 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>回放(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Plays the passes that cut the part, on a time line</source>
+        <translation>在时间轴上播放切削该零件的各次走刀</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Nothing was cut yet. What you cut can be played here.</source>
+        <translation>尚未切削。您的切削过程可在此处回放。</translation>
+    </message>
+    <message>
+        <source>Preparing the replay</source>
+        <translation>正在准备回放</translation>
+    </message>
+    <message>
+        <source>Distance from the axis</source>
+        <translation>到轴线的距离</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Pass %1: %2</source>
+        <translation>走刀 %1：%2</translation>
+    </message>
+    <message>
+        <source>Pass %1 of %2: %3, at R %4 mm, Z %5 mm</source>
+        <translation>走刀 %1/%2：%3，位于 R %4 mm，Z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -10023,6 +10296,33 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolPostRow</name>
+    <message>
+        <source>Tool in the post</source>
+        <translation>刀架上的刀具</translation>
+    </message>
+    <message>
+        <source>&amp;Mount</source>
+        <translation>安装(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Mounts another tool on this side of the post, or a drill in the tailstock</source>
+        <translation>在刀架的这一侧安装另一把刀具，或在尾座中安装钻头</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1, in the tailstock</source>
+        <translation>%1，在尾座中</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>无刀具</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::TouchPage</name>
     <message>
         <source>&amp;Snap the device</source>
@@ -10156,6 +10456,14 @@
     <message>
         <source>Clip the model by a plane to look inside; the panel “View” positions the plane</source>
         <translation>用平面剖切模型以查看内部；可在“视图”面板中设置平面位置</translation>
+    </message>
+    <message>
+        <source>&amp;Half section</source>
+        <translation>半剖视图(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Cut the part through its axis, seen from here, to look into its bores</source>
+        <translation>沿轴线（从当前视角）剖开零件，以查看其内孔</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,7 @@ std::string memorySentence;
   } catch (...) {
     std::abort();
   }
-  [[maybe_unused]] const auto told = ::write(STDERR_FILENO, memorySentence.data(), memorySentence.size());
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, memorySentence.data(), memorySentence.size());
   std::_Exit(kExitError);
 }
 

@@ -53,7 +53,7 @@ class Reserve {
 // Calls only what a signal handler may.
 void endAtOnce(int) {
   static constexpr std::string_view kMessage = "handwheel: Cancelled.\n";
-  [[maybe_unused]] const auto told = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
   std::_Exit(kExitInterrupted);
 }
 

@@ -38,7 +38,7 @@ bool fits(std::size_t bytes) {
 // Calls only what a signal handler may.
 void endCrash(int signal) {
   if (!fits(kGraphics)) {
-    [[maybe_unused]] const auto told = ::write(STDERR_FILENO, crashSentence.data(), crashSentence.size());
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, crashSentence.data(), crashSentence.size());
     _exit(kExitError);
   }
   ::signal(signal, SIG_DFL);

@@ -72,14 +72,14 @@ pid_t spawn(const std::vector<char*>& argv, int lifeline) {
 int waitFor(pid_t child, int& lifeline) {
   constexpr auto kLook = 10ms;
   int status = 0;
-  std::optional<std::chrono::steady_clock::time_point> told;
+  std::optional<std::chrono::steady_clock::time_point> askedToEnd;
   while (waitpid(child, &status, WNOHANG) == 0) {
-    if (wasInterrupted() && !told) {
+    if (wasInterrupted() && !askedToEnd) {
       closeEnd(lifeline);
-      told = std::chrono::steady_clock::now();
+      askedToEnd = std::chrono::steady_clock::now();
     }
-    if (told) {
-      const auto waited = std::chrono::steady_clock::now() - *told;
+    if (askedToEnd) {
+      const auto waited = std::chrono::steady_clock::now() - *askedToEnd;
       if (waited > kTidying) kill(-child, waited > kTidying + kEnding ? SIGKILL : SIGTERM);
     }
     std::this_thread::sleep_for(kLook);

@@ -40,6 +40,13 @@ std::string cutShort(bool isCutShort, const std::string& what) {
   return " " + what + " is incomplete: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
 }
 
+// --cut-crossings is no advice to those who gave it.
+std::string adviceOnCrossings(const RepairReport& repair, const RepairOptions& options) {
+  if (!options.cutCrossings) return " --cut-crossings resolves them where possible.";
+  if (repair.isIntersectionRemovalIncomplete) return cutShort(true, "Cutting");
+  return " --cut-crossings found no cut that would separate these cleanly.";
+}
+
 }  // namespace
 
 std::string wordFor(LoopOutcome outcome) {
@@ -54,8 +61,10 @@ std::string wordFor(LoopOutcome outcome) {
   return {};
 }
 
-std::string filledText(std::size_t filled, std::size_t holes) {
-  return holes == 0 ? "No holes" : std::to_string(filled) + " of " + counted(holes, "hole", "holes") + " filled";
+std::string outcomesText(const LoopCounts& loops) {
+  QStringList parts = outcomeTexts(loops);
+  if (loops.holes.all == 0) parts.prepend(QStringLiteral("No holes"));
+  return parts.join(QStringLiteral(", ")).toStdString();
 }
 
 std::string reasonSentence(FillFailure failure) {
@@ -90,7 +99,7 @@ std::string changesLine(const RepairReport& repair) {
   return changes.isEmpty() ? std::string() : "Also: " + changes.toStdString() + ".\n";
 }
 
-std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after) {
+std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& after) {
   std::vector<std::string> lines;
   std::size_t sheets = 0;
   const std::vector<std::string> names = namesOf(repair.loops);
@@ -129,8 +138,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
   }
   if (const std::size_t pairs = after.selfIntersectingPairs.value_or(0); pairs > 0) {
     lines.push_back("The surface intersects itself: " + counted(pairs, "pair", "pairs") +
-                    " of triangles intersect or overlap. --cut-crossings resolves them where possible." +
-                    cutShort(repair.isIntersectionRemovalIncomplete, "Cutting"));
+                    " of triangles intersect or overlap." + adviceOnCrossings(repair, options));
   }
   return lines;
 }

@@ -4,7 +4,7 @@
 
 #include "document/DocumentFile.h"
 #include "mesh/defects/MeshReport.h"
-#include "mesh/repair/Repair.h"
+#include "mesh/repair/OutcomeCounts.h"
 
 #include <optional>
 #include <string>
@@ -15,8 +15,8 @@ namespace handwheel {
 
 // The name of the outcome in reports.
 std::string wordFor(LoopOutcome outcome);
-// "3 of 4 holes filled", or that there are none.
-std::string filledText(std::size_t filled, std::size_t holes);
+// "3 of 4 holes filled, 1 kept open", or that there are none.
+std::string outcomesText(const LoopCounts& loops);
 
 // A line for each patch that is unlike its surroundings.
 std::vector<std::string> patchWarnings(const RepairReport& repair);
@@ -30,6 +30,6 @@ std::vector<std::string> damageSentences(const DocumentFile& file);
 std::string changesLine(const RepairReport& repair);
 
 // One sentence for each remaining defect. These keep the written file from being sound (MeshState).
-std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after);
+std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& after);
 
 }  // namespace handwheel

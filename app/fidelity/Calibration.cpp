@@ -113,7 +113,7 @@ std::filesystem::path defaultCalibrationFile() {
 
 Status storeCalibration(const FidelityRegistry& registry, const Calibration& calibration,
                         const std::filesystem::path& path) {
-  std::error_code failed;  // then there is no folder to write to, which is what is told
+  std::error_code failed;  // then there is no folder to write to, which is what is reported
   std::filesystem::create_directories(path.parent_path(), failed);
   return writeFileAtomically(path, jsonOf(registry, calibration));
 }

@@ -34,7 +34,7 @@ FidelityCase caseOf(const std::string& name, const std::string& truth, const std
                     const std::vector<TabledForce>& forces) {
   return {name, truth, [material, forces](double value, std::uint64_t, Progress) {
             constexpr int kForces = 20'000;
-            const WorkMaterials materials = WorkMaterials::standard();
+            const WorkMaterials& materials = WorkMaterials::standard();
             const auto model =
                 forceModelFor(static_cast<ForceLaw>(static_cast<int>(value)), *materials.find(material), {});
             FidelitySample sample;
@@ -55,7 +55,7 @@ FidelityCase caseOf(const std::string& name, const std::string& truth, const std
 }  // namespace
 
 std::vector<FidelityCase> forceModelCases() {
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   std::vector<FidelityCase> cases{
       caseOf("medium carbon steel, six sources", "mean of six published figures", kTaughtSteel, meanOfSources())};
   for (const char* id : {"medium-steel-620", "nickel-chrome-molybdenum-steel-900", "grey-iron-200hb"})

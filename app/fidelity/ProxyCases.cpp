@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kTicks = 2000;
 constexpr std::size_t kLook = 64;  // so many ticks pass between two looks at the cancel flag
-// A millionth of the smallest that is measured: the proxy goes on until it cannot be told where it would move.
+// A millionth of the smallest that is measured: the proxy goes on until its next move cannot be resolved.
 constexpr double kFinest = 1e-18;
 constexpr int kManySteps = 4096;
 

@@ -78,7 +78,7 @@ bool JobRunner::cancelRunning(Job::Lane lane) {
   return true;
 }
 
-// What runs has been told to stop, and may take its time: nobody waits for it but the latest of its kind.
+// What runs was asked to stop, and may take its time: nobody waits for it but the latest of its kind.
 void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)>& isMeant) {
   std::vector<std::function<void(const Error&)>> failed;
   std::erase_if(m_waiting, [&](const Waiting& waiting) {

@@ -123,7 +123,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
     connect(made.get(), &KindUi::message, m_messages, &MessageBar::showMessage);
     m_uis.emplace(id, std::move(made));
   }
-  // The most general kind, which is asked last whose a file is, comes first.
+  // The most general kind, which is asked last whether it reads a file, comes first.
   const auto all = kinds.documents.all();
   for (auto kind = all.rbegin(); kind != all.rend(); ++kind) m_fileActions.add((*kind)->id(), *m_uis.at((*kind)->id()));
 }

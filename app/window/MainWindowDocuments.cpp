@@ -168,6 +168,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_kindPlace->show(present);
   m_tools->setVisible(!document || document->visible);
   m_toolChoice->takeUp(document);
+  m_viewSettings->setSectionAxis(document ? document->ui.sectionAxis() : std::nullopt);
   m_viewSettings->followModel();
   m_deviceView->followModel();
   if (!document) m_viewSettings->setSectionFigures({});

@@ -61,11 +61,10 @@ void MainWindow::buildMenus() {
   QAction* redo = m_undo.createRedoAction(this, tr("&Redo"));
   undo->setObjectName(QStringLiteral("undo"));
   redo->setObjectName(QStringLiteral("redo"));
-  // In a live gesture it is the gesture that is undone, not the step before it.
+  // In a live gesture it is the gesture that is undone, not the step before it: the tool knows.
   undo->disconnect(&m_undo);
   connect(undo, &QAction::triggered, this, [this] {
-    const Tool* const tool = m_tools->runner().tool();
-    if (!tool || !tool->isLive() || m_tools->runner().perform("revert") == ToolReply::Ignored) m_undo.undo();
+    if (m_tools->runner().undo() == ToolReply::Ignored) m_undo.undo();
   });
   const auto enableUndo = [this, undo] {
     const Tool* const tool = m_tools->runner().tool();
@@ -97,6 +96,7 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addActions(m_viewSettings->viewActions());
   view->addAction(m_viewSettings->clipAction());
+  view->addAction(m_viewSettings->halfSectionAction());
   view->addAction(m_documents->visibilityAction());
   view->addSeparator();
   for (QDockWidget* dock : docks()) view->addAction(dock->findChild<PanelToggle*>());

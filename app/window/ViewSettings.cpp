@@ -45,9 +45,11 @@ ViewSettings::ViewSettings(PropertyList& list, Viewport& viewport, QObject* pare
       m_list(list),
       m_viewport(viewport),
       m_clip(tr("&Clip the model"), this),
+      m_half(tr("&Half section"), this),
       m_perspective(tr("Perspective inste&ad of parallel"), this),
       m_cube(tr("&View cube"), this) {
   makeClipAction();
+  makeHalfSectionAction();
   makeViewActions();
   connect(&m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
     set(id, value);
@@ -62,10 +64,41 @@ void ViewSettings::makeClipAction() {
   m_clip.setCheckable(true);
   m_clip.setShortcut(QKeySequence(Qt::Key_C));
   setActionToolTip(m_clip, tr("Clip the model by a plane to look inside; the panel “View” positions the plane"));
-  connect(&m_clip, &QAction::toggled, this, [this] {
+  connect(&m_clip, &QAction::toggled, this, [this](bool on) {
+    if (!on) m_half.setChecked(false);
     clip();
     refresh();
   });
+}
+
+void ViewSettings::makeHalfSectionAction() {
+  m_half.setObjectName(QStringLiteral("halfSection"));
+  m_half.setCheckable(true);
+  m_half.setEnabled(false);
+  m_half.setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_C));
+  setActionToolTip(m_half, tr("Cut the part through its axis, seen from here, to look into its bores"));
+  connect(&m_half, &QAction::triggered, this, [this](bool on) {
+    if (on) cutThroughAxis();
+    m_clip.setChecked(on);
+  });
+}
+
+// The plane faces the viewer as far as it can while the axis is in it.
+void ViewSettings::cutThroughAxis() {
+  const Vec3 along = m_sectionAxis->direction, towards = m_viewport.camera().towardsViewer();
+  const Vec3 across = towards - along.dot(towards) * along;
+  m_viewDirection = across.norm() > 1e-3 ? Vec3(across.normalized()) : Vec3(along.unitOrthogonal());
+  m_axis = kAlongView;
+  m_isFlipped = false;
+  m_offset = m_viewDirection.dot(m_sectionAxis->origin);
+  clip();
+  refresh();
+}
+
+void ViewSettings::setSectionAxis(std::optional<Ray> axis) {
+  m_sectionAxis = std::move(axis);
+  m_half.setEnabled(m_sectionAxis.has_value());
+  if (!m_sectionAxis && m_half.isChecked()) m_clip.setChecked(false);
 }
 
 void ViewSettings::makeViewActions() {
@@ -141,7 +174,7 @@ void ViewSettings::setSectionFigures(std::vector<Property> statistics) {
 void ViewSettings::followModel() {
   project();
   const auto [least, largest] = range();
-  m_offset = least + m_place * (largest - least);
+  m_offset = m_half.isChecked() ? m_viewDirection.dot(m_sectionAxis->origin) : least + m_place * (largest - least);
   clip();
   refresh();
 }
@@ -162,6 +195,7 @@ void ViewSettings::set(const std::string& id, const PropertyValue& value) {
   } else if (id == "clip") {
     m_clip.setChecked(std::get<bool>(value));
   } else if (id == "clip_axis") {
+    m_half.setChecked(false);  // the plane is the user's from now on
     m_axis = static_cast<int>(std::get<double>(value));
     m_viewDirection = m_viewport.camera().towardsViewer();
     followModel();
@@ -169,6 +203,7 @@ void ViewSettings::set(const std::string& id, const PropertyValue& value) {
     m_isFlipped = std::get<bool>(value);
     clip();
   } else if (id == "clip_offset") {
+    m_half.setChecked(false);
     m_offset = std::get<double>(value);
     const auto [least, largest] = range();
     m_place = largest > least ? (m_offset - least) / (largest - least) : 0.5;

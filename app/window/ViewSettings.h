@@ -3,9 +3,11 @@
 #pragma once
 
 #include "controls/PropertyList.h"
+#include "mesh/search/PickRay.h"
 #include "viewport/Viewport.h"
 
 #include <QAction>
+#include <optional>
 
 namespace handwheel {
 
@@ -24,6 +26,10 @@ class ViewSettings : public QObject {
   // Sets the measurements of the section; refreshes.
   void setSectionFigures(std::vector<Property> statistics);
   QAction* clipAction() { return &m_clip; }  // switches the clipping plane
+  // Cuts through the axis of the model, with the half before the viewer taken away.
+  QAction* halfSectionAction() { return &m_half; }
+  // The axis of the present model; none: it has no half section.
+  void setSectionAxis(std::optional<Ray> axis);
   // Projection and view cube. Both are remembered over restarts.
   QList<QAction*> viewActions() { return {&m_perspective, &m_cube}; }
 
@@ -31,6 +37,8 @@ class ViewSettings : public QObject {
   Vec3 axis() const;
   std::pair<double, double> range() const;  // of the plane's offset within the model, mm
   void makeClipAction();
+  void makeHalfSectionAction();
+  void cutThroughAxis();
   void makeViewActions();
   void project();
   void set(const std::string& id, const PropertyValue& value);
@@ -39,12 +47,14 @@ class ViewSettings : public QObject {
   PropertyList& m_list;
   Viewport& m_viewport;
   QAction m_clip;
+  QAction m_half;
   QAction m_perspective;
   QAction m_cube;
   int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
   bool m_isFlipped = false;
-  double m_offset = 0.0;  // along the axis, mm
-  double m_place = 0.5;   // relative position of the plane within the model, 0…1
+  std::optional<Ray> m_sectionAxis;  // which the plane stays at while the half section is on
+  double m_offset = 0.0;             // along the axis, mm
+  double m_place = 0.5;              // relative position of the plane within the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
   std::vector<Property> m_figures;
 };

@@ -19,6 +19,8 @@ struct DisplayPart {
   Pose pose = Pose::Identity();
   std::array<float, 3> colour{0.72f, 0.74f, 0.78f};  // sRGB, 0…1
   bool smooth = true;                                // shade across edges that are not sharp
+  bool isSectioned = true;                           // cut by the clipping plane of the view; tools stay whole
+  float gloss = 0.12f;                               // of the light that it throws back as highlights, 0…1
   std::string group = {};                            // parts of one group change their shapes together; empty: alone
 };
 

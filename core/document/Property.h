@@ -30,6 +30,7 @@ struct Property {
   std::string prefix = {};      // shown before the number: "⌀", "R"
   std::string problem = {};     // English, context "Property": a remark on the value ("effort is not known")
   bool continuous = false;      // best changed by a slider between its limits
+  bool isNumbers = false;       // a text of numbers with points, which users see and type in their own way
 };
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // One figure of the student's work and how it is judged: a row of the marking scheme. What can be measured, and in
-// which unit, is told by the kind of work (document/exercise/ExerciseSubject.h).
+// which unit, is defined by the kind of work (document/exercise/ExerciseSubject.h).
 struct MarkingCriterion {
   std::string id;                                // unique in the exercise, of letters, digits, _ and -: "d1"
   std::string name;                              // in the teacher's words: "⌀20 h10, front"

@@ -106,7 +106,7 @@ bool placeStreams(const ChildStart& start) {
 [[noreturn]] void become(const ChildStart& start) {
   prctl(PR_SET_PDEATHSIG, start.limits ? SIGKILL : SIGTERM);
   for (int signal : kEndingSignals) forgetHandler(signal);
-  if (getppid() != start.parent) _exit(kNotStarted);  // it ended before we could ask to be told
+  if (getppid() != start.parent) _exit(kNotStarted);  // it ended before we could ask for the signal
   if (!placeStreams(start) || (start.limits && !confine(*start.limits))) _exit(kNotStarted);
   sigset_t none;
   sigemptyset(&none);

@@ -73,7 +73,7 @@ class UnnamedFile {
   int m_descriptor;
 };
 
-// The share of the work that it last told of, a number on a line of its own.
+// The share of the work that it last reported, a number on a line of its own.
 void showProgress(std::string_view lines, Progress progress) {
   lines = lines.substr(0, lines.rfind('\n'));
   const std::string_view last = lines.substr(lines.rfind('\n') + 1);

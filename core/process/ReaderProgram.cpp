@@ -64,11 +64,11 @@ std::string_view mapped(int file) {
 // Allocates nothing, so that it goes on at the end of memory.
 [[noreturn]] void tellProgress(const JobState& state, int descriptor) {
   constexpr auto kPeriod = 50ms;
-  double told = 0.0;
+  double reported = 0.0;
   for (;; std::this_thread::sleep_for(kPeriod)) {
     const double fraction = state.fraction;
-    if (fraction == told) continue;
-    told = fraction;
+    if (fraction == reported) continue;
+    reported = fraction;
     std::array<char, 32> line{};
     const int length = std::snprintf(line.data(), line.size(), "%.4f\n", fraction);
     writeAll(descriptor, {line.data(), static_cast<std::size_t>(length)});

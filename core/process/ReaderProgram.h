@@ -13,7 +13,7 @@
 namespace handwheel {
 
 // Reads the bytes of a file in a reader program. The last argument of an error is the reason for people, an English
-// clause; OutOfMemory is told apart.
+// clause; OutOfMemory is an error of its own.
 using ReadInReader =
     std::function<Result<std::string>(std::string_view bytes, std::span<char* const> options, Progress progress)>;
 

@@ -117,8 +117,8 @@ class Slices {
 
 class Builder {
  public:
-  Builder(std::span<BoxedItem> items, Progress progress, std::optional<Progress> told)
-      : m_items(items), m_progress(progress), m_told(told) {}
+  Builder(std::span<BoxedItem> items, Progress progress, std::optional<Progress> whole)
+      : m_items(items), m_progress(progress), m_whole(whole) {}
 
   // Appends the subtree of the range. Every range is cut without a look at the others: the tree does not depend on
   // which thread takes which.
@@ -153,9 +153,9 @@ class Builder {
  private:
   void appendAndTell(std::vector<BoxNode>& out, const Range& range, int depth) {
     append(out, range, depth);
-    if (range.count() >= kParallelItems) return;  // its parts have told
+    if (range.count() >= kParallelItems) return;  // its parts have reported
     m_done += range.count();
-    if (m_told) m_told->set(static_cast<double>(m_done) / static_cast<double>(m_items.size()));
+    if (m_whole) m_whole->set(static_cast<double>(m_done) / static_cast<double>(m_items.size()));
   }
 
   // After the box, whose making spoils the numbers beside it.
@@ -189,19 +189,19 @@ class Builder {
 
   std::span<BoxedItem> m_items;
   Progress m_progress;
-  std::optional<Progress> m_told;
+  std::optional<Progress> m_whole;
   std::atomic<std::size_t> m_done{0};  // items in the leaves
 };
 
 }  // namespace
 
-bool BoxTree::build(std::span<BoxedItem> items, Progress progress, std::optional<Progress> told) {
+bool BoxTree::build(std::span<BoxedItem> items, Progress progress, std::optional<Progress> whole) {
   m_nodes.clear();
   if (items.empty()) return true;
   Range all{0, items.size(), kNothing};
   for (const BoxedItem& item : items) extendByCentre(all.centres, item.box);
   m_nodes.reserve(items.size());
-  Builder builder(items, progress, told);
+  Builder builder(items, progress, whole);
   builder.append(m_nodes, all, 1);
   if (progress.cancelled()) {
     m_nodes.clear();

@@ -57,9 +57,9 @@ class BoxTree {
   static constexpr int kMaxDepth = 80;
 
   // Sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the same tree for any number
-  // of threads. False when cancelled: then the tree is empty. told: a range in which the progress of the whole build is
-  // reported.
-  bool build(std::span<BoxedItem> items, Progress progress = {}, std::optional<Progress> told = std::nullopt);
+  // of threads. False when cancelled: then the tree is empty. whole: a range in which the progress of the whole build
+  // is reported.
+  bool build(std::span<BoxedItem> items, Progress progress = {}, std::optional<Progress> whole = std::nullopt);
 
   bool empty() const { return m_nodes.empty(); }
   std::uint32_t nodeCount() const { return m_nodes.empty() ? 0 : static_cast<std::uint32_t>(m_nodes.size() - 1); }

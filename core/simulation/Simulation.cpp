@@ -5,9 +5,9 @@
 namespace handwheel {
 
 std::uint32_t SimulationInputs::gestureAt(const TipState& tip) noexcept {
-  const std::uint32_t told = m_told.load(std::memory_order_acquire);
-  if (told != m_gesture) m_phase = Phase::Waiting;
-  m_gesture = told;
+  const std::uint32_t announced = m_announced.load(std::memory_order_acquire);
+  if (announced != m_gesture) m_phase = Phase::Waiting;
+  m_gesture = announced;
   const bool isHeld = (tip.buttons & 1u) != 0;
   if (m_phase == Phase::Waiting && isHeld)
     m_phase = Phase::Acting;

@@ -39,7 +39,7 @@ class SimulationInputs {
   // Window thread.
   bool pushFromWindow(const SimulationInput& input) noexcept { return m_ofWindow.push(input); }
   // The gesture in which the device takes part from now on, another one each time; 0: none.
-  void setDeviceGesture(std::uint32_t gesture) noexcept { m_told.store(gesture, std::memory_order_release); }
+  void setDeviceGesture(std::uint32_t gesture) noexcept { m_announced.store(gesture, std::memory_order_release); }
 
   // The thread of the simulation, or that which owns it while it does not run.
   bool pop(SimulationInput& input) noexcept { return m_ofDevice.pop(input) || m_ofWindow.pop(input); }
@@ -52,7 +52,7 @@ class SimulationInputs {
 
   SpscRing<SimulationInput> m_ofDevice;
   SpscRing<SimulationInput> m_ofWindow;
-  std::atomic<std::uint32_t> m_told{0};
+  std::atomic<std::uint32_t> m_announced{0};
   std::uint32_t m_gesture = 0;  // servo thread: the one that m_phase is of
   Phase m_phase = Phase::Over;  // servo thread
 };

@@ -91,10 +91,10 @@ void SimulationLoop::attemptStep() {
 
 void SimulationLoop::step() {
   const ServiceTick tick(m_service);
-  const std::uint32_t gesture = m_gesture.load(std::memory_order_relaxed);
   m_arrived.clear();
   for (SimulationInput input; m_arrived.size() < m_inputs->capacity() && m_inputs->pop(input);) {
-    if (input.gesture != gesture) input.gesture = 0;
+    // Read after the input: a gesture that the window begins during the step is known when its inputs arrive.
+    if (input.gesture != m_gesture.load(std::memory_order_relaxed)) input.gesture = 0;
     m_arrived.push_back(input);
   }
   const std::uint64_t dropped = m_inputs->dropped();

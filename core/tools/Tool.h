@@ -125,6 +125,9 @@ class Tool {
   // Executes one of the declared actions, by key, button or menu. "commit" and "revert" are common to all tools.
   virtual ToolReply perform(std::string_view action) = 0;
   virtual std::vector<ToolAction> actions() const = 0;
+  // What undo does first while the tool runs. Used: it has reverted what was under way, and that is all. Ignored: the
+  // last step of the document is to be undone, which the tool may just have made.
+  virtual ToolReply undo() { return isLive() ? perform("revert") : ToolReply::Ignored; }
 
   virtual ToolPreview preview() const { return {}; }
   // Whether the preview changes by itself, as that of a running simulation does: it is then shown with each frame, not

@@ -80,6 +80,10 @@ ToolReply ToolRunner::perform(std::string_view action) {
   });
 }
 
+ToolReply ToolRunner::undo() {
+  return guarded([&] { return m_tool->undo(); });
+}
+
 void ToolRunner::setSetting(std::string_view id, const PropertyValue& value) {
   guarded([&] {
     m_tool->setSetting(id, value);

@@ -35,6 +35,8 @@ class ToolRunner : public QObject {
   ToolReply pointer(const PointerEvent& event);
   // An action that the tool declares and has enabled; others are ignored.
   ToolReply perform(std::string_view action);
+  // Tool::undo().
+  ToolReply undo();
   void setSetting(std::string_view id, const PropertyValue& value);
   // Passes the result of a job to the tool, with the same handling of exceptions as an event.
   void deliver(const std::function<void()>& result);

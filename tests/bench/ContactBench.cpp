@@ -82,7 +82,7 @@ std::vector<Vec3> pathOf(double speed, double scale, double depth) {
   return path;
 }
 
-// The change of force from tick to tick is told for a stiffness of 1 N/mm.
+// The change of force from tick to tick is given for a stiffness of 1 N/mm.
 Slide slideAlong(const ContactSurface& surface, const std::vector<Vec3>& path, double depth) {
   GodObject god;
   god.place(1.5 * path.front());

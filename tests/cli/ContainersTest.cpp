@@ -87,7 +87,7 @@ class ContainersTest : public QObject {
     putDocument(bench, "a.handwheel");
     const Ran ran = bench.run({"repair", "a.handwheel", "-o", "b.handwheel", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
-    QVERIFY(ran.out.startsWith("2 of 3 holes filled. "));
+    QVERIFY(ran.out.startsWith("2 of 3 holes filled, 1 kept open. "));
     QVERIFY(ran.err.contains(", 6 edges) stays open: it is marked to be kept open."));
     compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
     const Json after = inspected(bench, "b.handwheel");
@@ -99,7 +99,7 @@ class ContainersTest : public QObject {
     QCOMPARE(bench.run({"repair", "b.handwheel", "-o", "b.handwheel"}).code, 2);
     compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
     // The marks hold for exports too.
-    QVERIFY(bench.run({"repair", "a.handwheel", "-o", "b.stl"}).out.startsWith("2 of 3 holes filled. "));
+    QVERIFY(bench.run({"repair", "a.handwheel", "-o", "b.stl"}).out.startsWith("2 of 3 holes filled, 1 kept open. "));
   }
 
   void convertAndSetKeepTheDocument() {

@@ -61,10 +61,10 @@ class EditTest : public QObject {
   void roundingIsTold() {
     const Bench bench;
     bench.put("a.off", cube(2.0).off());
-    const char* told = "single precision of the format moved vertices by up to";
-    QVERIFY(bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.stl"}).err.contains(told));
-    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.ply"}).err.contains(told));
-    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.5", "-o", "b.stl"}).err.contains(told));
+    const char* warning = "single precision of the format moved vertices by up to";
+    QVERIFY(bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.stl"}).err.contains(warning));
+    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.ply"}).err.contains(warning));
+    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.5", "-o", "b.stl"}).err.contains(warning));
   }
 
   void anotherMesh() {

@@ -97,7 +97,7 @@ class ExerciseTest : public QObject {
     QVERIFY2(fixed.code == 1 && fixed.err.contains("cannot be changed"), fixed.err);
   }
 
-  // A broken file says so, before a student is told that nothing was handed in; and so does work on another version.
+  // A broken file says so, before a student reads that nothing was handed in; and so does work on another version.
   void theTeacherLearnsWhatIsWrongWithAFile() {
     const Bench bench;
     nlohmann::json exercise = nlohmann::json::parse([] {

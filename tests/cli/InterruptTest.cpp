@@ -100,8 +100,8 @@ class InterruptTest : public QObject {
     const bool isDone = process.exitCode() == 0;  // it was quicker than that
     QCOMPARE(bench.names(), isDone ? (QStringList{"a.off", "p.png"}) : QStringList{"a.off"});
     if (!isDone) QCOMPARE(process.exitCode(), 130);
-    const QByteArray told = process.readAllStandardError();
-    QVERIFY2(told.isEmpty() || told == "handwheel: Cancelled.\n", told);
+    const QByteArray printed = process.readAllStandardError();
+    QVERIFY2(printed.isEmpty() || printed == "handwheel: Cancelled.\n", printed);
   }
 
   // Neither processes nor files, also when the program has no time to end them.

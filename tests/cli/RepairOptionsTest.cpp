@@ -67,10 +67,8 @@ class RepairOptionsTest : public QObject {
     QVERIFY(kept.at("method").is_null());
     QCOMPARE(kept.at("reason").get<std::string>(), std::string("It is marked to be kept open."));
     QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 1);
-    QCOMPARE(
-        box.ran.out,
-        QByteArray(
-            "2 of 3 holes filled. b.stl: not closed, manifold, oriented, free of self-intersections, one piece.\n"));
+    QCOMPARE(box.ran.out, QByteArray("2 of 3 holes filled, 1 kept open. b.stl: not closed, manifold, oriented, free of "
+                                     "self-intersections, one piece.\n"));
     QCOMPARE(box.ran.err,
              QByteArray("handwheel: Hole " + QByteArray::number(idOf(6) + 1) + " (id " + QByteArray::number(idOf(6)) +
                         ", 6 edges) stays open: it is marked to be kept open.\n"));
@@ -211,9 +209,9 @@ class RepairOptionsTest : public QObject {
   void crossingsAreToldAndCut() {
     const Bench bench;
     bench.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
-    const Ran told = bench.run({"repair", "a.off", "-o", "b.off"});
-    QCOMPARE(told.code, 2);
-    QVERIFY(told.err.contains("The surface intersects itself: "));
+    const Ran repaired = bench.run({"repair", "a.off", "-o", "b.off"});
+    QCOMPARE(repaired.code, 2);
+    QVERIFY(repaired.err.contains("The surface intersects itself: "));
     const Ran cut = bench.run({"repair", "a.off", "-o", "b.off", "--cut-crossings", "--report", "r.json"});
     QCOMPARE(cut.code, 0);
     QCOMPARE(cut.err, QByteArray());

@@ -67,6 +67,7 @@ class RepairTest : public QObject {
                                             "before",
                                             "after",
                                             "loops",
+                                            "loop_counts",
                                             "removed_degenerate",
                                             "removed_duplicates",
                                             "removed_flaps",

@@ -34,7 +34,7 @@ class TurnProgramTest : public QObject {
     const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.step", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = figuresOf(ran);
-    QCOMPARE(json.size(), std::size_t{6});
+    QCOMPARE(json.size(), std::size_t{7});
     const double expected = M_PI * (400.0 - 225.0) * 40.0;
     QVERIFY2(std::abs(json["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
     QCOMPARE(json["collisions"].get<int>(), 0);
@@ -96,6 +96,33 @@ class TurnProgramTest : public QObject {
     QVERIFY2(ran.err.contains("line 4: rapid move through material") && ran.err.contains("chuck"), ran.err);
   }
 
+  // A word for a bar is no file: what is wrong with it is said.
+  void impossibleBars() {
+    const Bench bench;
+    bench.put("p.ngc", kShoulder);
+    const std::pair<const char*, const char*> cases[] = {
+        {"cylinder:0x100", "diameter of the bar has to be above 0"},
+        {"cylinder:-40x100", "diameter of the bar has to be above 0"},
+        {"cylinder:40x0", "length of the bar has to be above 0"},
+        {"cylinder:nanx100", "diameter of the bar has to be above 0"},
+        {"cylinder:40xinf", "length of the bar has to be at most"},
+        {"cylinder:1e9x100", "diameter of the bar has to be at most"},
+        {"cylinder:40x1e999", "length of the bar has to be at most"},
+        {"cylinder:1e-9x100", "diameter of the bar has to be at least"},
+        {"cylinder:40", "with an x between them"},
+        {"cylinder:40x", "length of the bar is missing"},
+        {"cylinder:x100", "diameter of the bar is missing"},
+        {"cylinder:40,5x100", "not a number: 40,5. Write it with a point"},
+        {"cylinder:40xbar", "not a number: bar"}};
+    for (const auto& [word, sentence] : cases) {
+      const Ran turned = bench.run({"turn", word, "--program", "p.ngc", "-o", "a.step"});
+      QVERIFY2(turned.code == 1 && turned.err.contains(sentence), word + turned.err);
+      const Ran program = bench.run({"program", "p.ngc", "--stock", word, "-o", "a.ngc"});
+      QVERIFY2(program.code == 1 && program.err.contains(sentence), word + program.err);
+    }
+    QVERIFY(bench.run({"program", "p.ngc", "--stock", "40x100", "-o", "a.ngc"}).err.contains("cylinder:40x100"));
+  }
+
   // A drawing becomes cycles, and these the part; recorded passes become a program, and this the same part.
   void programsAreWritten() {
     const Bench bench;
@@ -146,7 +173,7 @@ class TurnProgramTest : public QObject {
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("p.ngc") && ran.err.contains("line 3") && ran.err.contains("column 7, Y2"), ran.err);
     QVERIFY(!bench.names().contains("a.step"));
-    // A target that cannot be read is told before anything is cut or written.
+    // A target that cannot be read is reported before anything is cut or written.
     bench.put("good.ngc", kShoulder);
     bench.put("bad.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
     for (const char* const target : {"none.dxf", "bad.dxf"})

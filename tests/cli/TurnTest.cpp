@@ -47,7 +47,7 @@ class TurnTest : public QObject {
     const Ran ran = bench.run({"turn", "bar.handwheel", "--path", "p.csv", "-o", "part.handwheel", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = reported(ran);
-    QCOMPARE(json.size(), std::size_t{6});
+    QCOMPARE(json.size(), std::size_t{7});
     QCOMPARE(json["time_s"].get<double>(), 3.0);
     QVERIFY(json["max_force_N"].get<double>() > 0.0 && json["profile_error_mm"].is_null());
     // At the ends the nose leaves min(25, 21 - sqrt(1 - x²)), which is 21 at x = 1, then the bar.
@@ -122,6 +122,22 @@ class TurnTest : public QObject {
     QCOMPARE(less.code, 1);
     QVERIFY2(less.err.contains("less.csv") && less.err.contains("buttons, proxy_x."), less.err);
     QVERIFY(!bench.names().contains("x.handwheel"));
+  }
+
+  // 1 mm/s at 600 r/min, a nose of 1 mm: f²/(32 R) of 0.1 mm.
+  void theFinishIsTold() {
+    const Bench bench;
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,24,0,105\n80,24,0,25\n");
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Ran ran =
+        bench.run({"turn", "bar.handwheel", "--path", "p.csv", "--spindle", "600", "-o", "part.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json outside = reported(ran)["finish"]["outside"];
+    QCOMPARE(outside.size(), std::size_t{1});
+    QVERIFY(std::abs(outside[0]["roughness_um"].get<double>() - 0.3125) < 1e-4);
+    const Ran inspected = bench.run({"inspect", "part.handwheel", "--json"});
+    QVERIFY(reported(inspected)["document"]["finish"]["outside"] == outside);
+    QVERIFY(bench.run({"inspect", "part.handwheel"}).out.contains("outside Ra 0.31"));
   }
 
   // A path beside the part is no pass, of a bar and of a part.

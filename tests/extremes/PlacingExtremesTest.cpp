@@ -67,7 +67,7 @@ double largestChangeOfAnEdge(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   return largest;
 }
 
-// Has area that can be told, and numbers that can be squared twice.
+// Has area that can be determined, and numbers that can be squared twice.
 bool isUsable(const test::ExtremeMesh& extreme, const Box& box) {
   return extreme.degenerate < extreme.soup().triangles.size() && !box.isEmpty() && test::reachOf(box) < kLargest &&
          box.sizes().maxCoeff() > kSmallest;

@@ -13,7 +13,7 @@ shift
 names=("$@")
 ((${#names[@]})) || mapfile -t names < <(find "$root/build/fuzz/tests" -maxdepth 1 -name '*Fuzz' -printf '%f\n' | sort)
 
-# UBSan prints and goes on unless told; leaks are looked for by libFuzzer itself.
+# UBSan prints and goes on by default; leaks are looked for by libFuzzer itself.
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 failed=()
 for name in "${names[@]}"; do

@@ -4,6 +4,8 @@
 
 #include "MeshShapes.h"
 
+#include <array>
+
 // Flat plates with holes cut into them.
 namespace handwheel::test {
 
@@ -40,6 +42,39 @@ inline TriangleSoup plateWithHole() {
 // Two square holes of 2 in a plate of 10 that touch in the origin.
 inline TriangleSoup plateWithPinchedHole() {
   return plateWithout(10, [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 2.0 && x * y > 0.0; });
+}
+
+// Of a torus of 24 × 12 cells: the two triangles of cell (i, j).
+inline std::array<std::size_t, 2> torusCell(std::uint32_t i, std::uint32_t j) {
+  return {2 * std::size_t(i * 12 + j), 2 * std::size_t(i * 12 + j) + 1};
+}
+
+// A torus with two holes and a slit. One hole is two squares of 3 × 3 cells, and a slit of one edge joins them; the
+// other is a slit of two edges. The vertices along a slit lie this far apart, mm: merged, the first hole falls into
+// two, and the second closes.
+inline TriangleSoup torusWithSlits(double gap) {
+  TriangleSoup s = torus(24, 12);
+  const auto at = [](std::uint32_t i, std::uint32_t j) { return i * 12 + j; };
+  // The cells at a vertex on the side of the larger j get another vertex there.
+  const auto slit = [&](std::uint32_t i, std::uint32_t j) {
+    const Vec3 p = s.points[at(i, j)];
+    const auto copy = static_cast<std::uint32_t>(s.points.size());
+    s.points.push_back(p + gap * (s.points[at(i, j + 1)] - p).normalized());
+    for (const std::uint32_t cell : {i - 1, i})
+      for (const std::size_t t : torusCell(cell, j))
+        std::replace(s.triangles[t].begin(), s.triangles[t].end(), at(i, j), copy);
+  };
+  slit(5, 3), slit(6, 3);
+  slit(15, 8);
+  std::set<std::size_t> open;
+  for (const std::uint32_t first : {2u, 6u})
+    for (std::uint32_t i = first; i < first + 3; ++i)
+      for (std::uint32_t j = 2; j < 5; ++j)
+        for (const std::size_t t : torusCell(i, j)) open.insert(t);
+  TriangleSoup holed{s.points, {}};
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    if (!open.contains(t)) holed.triangles.push_back(s.triangles[t]);
+  return holed;
 }
 
 }  // namespace handwheel::test

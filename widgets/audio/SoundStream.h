@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The samples of a machine's sound as a device that audio outputs read from. When nobody has told it a state for
+// The samples of a machine's sound as a device that audio outputs read from. When it has received no state for
 // kPatience of played sound it fades to silence, so that a machine that stands still is not heard for ever. One thread.
 class SoundStream : public QIODevice {
   Q_OBJECT

@@ -155,13 +155,19 @@ TextRow::TextRow(QWidget* parent, QWidget* beside) : PropertyRow(parent), m_line
     if (!m_line->isModified()) return;
     m_line->setModified(false);
     forgetRefusal();
-    emit edited(m_line->text().toStdString(), false);
+    const QString text = m_line->text();
+    emit edited((m_isNumbers ? withPoints(text, locale()) : text).toStdString(), false);
   });
+}
+
+QString TextRow::shown(const QString& value) const {
+  return m_isNumbers ? withLocalNumbers(value, locale()) : value;
 }
 
 // What was refused is out of date when the value has changed and nobody is typing any more.
 void TextRow::showValue(const Property& property, LengthUnit) {
-  const QString value = plainText(property);
+  m_isNumbers = property.isNumbers;
+  const QString value = shown(plainText(property));
   if (std::exchange(m_value, value) != value && !m_line->hasFocus()) {
     m_line->setModified(false);
     forgetRefusal();
@@ -174,7 +180,7 @@ void TextRow::setLabel(const QString& label) {
 }
 
 bool TextRow::keep(const PropertyValue& entered) {
-  m_line->setText(QString::fromStdString(std::get<std::string>(entered)));
+  m_line->setText(shown(QString::fromStdString(std::get<std::string>(entered))));
   m_line->setModified(true);
   return true;
 }

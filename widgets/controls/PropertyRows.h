@@ -73,8 +73,11 @@ class TextRow : public PropertyRow {
   bool eventFilter(QObject* watched, QEvent* event) override;  // Esc restores the value
 
  private:
+  QString shown(const QString& value) const;
+
   QLineEdit* m_line;
-  QString m_value;
+  QString m_value;           // as it is shown
+  bool m_isNumbers = false;  // with the decimal separator of the user
 };
 
 // A row for a colour, "#rrggbb": a line edit, and a button that opens the dialog for colours.

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 
+#include <QRegularExpression>
 #include <cmath>
 
 namespace handwheel {
@@ -42,6 +43,16 @@ QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLo
   const QString number = numberText(value / perShownUnit(quantity, unit), locale);
   const QString symbol = unitSymbol(quantity, unit);
   return quantity == Quantity::Length ? number + QChar::Nbsp + symbol : number + symbol;
+}
+
+QString withLocalNumbers(const QString& text, const QLocale& locale) {
+  static const QRegularExpression kPoint(QStringLiteral("(?<=[0-9])[.](?=[0-9])"));
+  return QString(text).replace(kPoint, locale.decimalPoint());
+}
+
+QString withPoints(const QString& text, const QLocale& locale) {
+  const QRegularExpression separator("(?:,|" + QRegularExpression::escape(locale.decimalPoint()) + ")(?=[0-9])");
+  return QString(text).replace(separator, QStringLiteral("."));
 }
 
 }  // namespace handwheel

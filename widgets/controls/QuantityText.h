@@ -23,4 +23,10 @@ QString numberText(double value, const QLocale& locale);
 // Formats a value in mm or radian with its unit: "12.7 mm", "90°".
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
 
+// The same text with the decimal separator of the locale in its numbers: "±0,05", "1,5; 2".
+QString withLocalNumbers(const QString& text, const QLocale& locale);
+// The inverse, for files: numbers with the decimal separator of the locale, a comma or a point become numbers with a
+// point. No separators of thousands.
+QString withPoints(const QString& text, const QLocale& locale);
+
 }  // namespace handwheel

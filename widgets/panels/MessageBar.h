@@ -26,7 +26,7 @@ struct Message {
   QString otherText = {};
   std::function<void()> other = {};
   const Document* about = nullptr;    // removed with this document; null: about no open document
-  QString topic = {};                 // what makes it pointless is told by withdraw(); empty: nothing does
+  QString topic = {};                 // what makes it pointless is reported by withdraw(); empty: nothing does
   bool comesFirst = false;            // shown before others, and not removed unread: something may be lost
   std::function<bool()> isOver = {};  // asked after each change of that document; true: removed
 };

@@ -75,7 +75,7 @@ void NextStepCard::showStep(const NextStep& step) {
     if (item->widget()) item->widget()->deleteLater();
     delete item;
   }
-  auto rank = ActionButton::Rank::Primary;
+  auto rank = step.isFirstObvious ? ActionButton::Rank::Primary : ActionButton::Rank::Ordinary;
   for (QAction* action : step.actions) {
     auto* button = new ActionButton(action, rank, this);
     button->setObjectName(QStringLiteral("nextStep/") + action->objectName());

@@ -11,13 +11,14 @@ class QLabel;
 
 namespace handwheel {
 
-// A suggested next step with its actions. The first action is the most obvious one.
+// A suggested next step with its actions.
 struct NextStep {
   QString icon;
   QColor colour;
   QString title;
   QString detail;
   std::vector<QAction*> actions;
+  bool isFirstObvious = true;  // the first action stands out as the one that most people want
 
   bool isEmpty() const { return title.isEmpty(); }
 };

@@ -213,6 +213,11 @@ constexpr const char* kPhrases[] = {
     // of lathes, programs and exercises
     QT_TRANSLATE_NOOP("ErrorWord", "a list was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a nose radius is impossible"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the points go back in z"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the bore is not open at an end of the part"),
+    QT_TRANSLATE_NOOP("ErrorWord", "segments of five numbers each were expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the part is in several pieces"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a tool is impossible or not known"),
     QT_TRANSLATE_NOOP("ErrorWord", "a number was expected, or nothing"),
     QT_TRANSLATE_NOOP("ErrorWord", "a range ends before it begins"),
     QT_TRANSLATE_NOOP("ErrorWord", "a section has no corners, too many, or impossible ones"),

@@ -138,13 +138,32 @@ QString fillFailureReason(FillFailure failure) {
     case FillFailure::SheetKeptOpen:
       return RepairWords::tr("a boundary of the sheet is marked to stay open, and a thin body has none");
     case FillFailure::TooMuchEffort:
-      return RepairWords::tr("it would take too long for a mesh of this size");
+      return RepairWords::tr("the effort that a mesh of this size allows was used up");
   }
   return {};
 }
 
 QString boundaryLoopName(bool isRim, int number) {
   return isRim ? RepairWords::tr("Outer boundary %1").arg(number) : RepairWords::tr("Hole %1").arg(number);
+}
+
+QStringList outcomeTexts(const LoopCounts& loops) {
+  QStringList parts;
+  const auto add = [&parts](std::size_t count, const auto& phrase) {
+    if (count > 0) parts << phrase(asInt(count));
+  };
+  const OutcomeCounts &holes = loops.holes, &edges = loops.sheetEdges;
+  if (holes.closed + holes.removed + holes.kept + holes.failed > 0)
+    parts << RepairWords::tr("%1 of %n hole(s) filled", nullptr, asInt(holes.all)).arg(holes.closed);
+  add(holes.removed, [](int n) { return RepairWords::tr("%n gone with removed triangles", nullptr, n); });
+  add(holes.kept, [](int n) { return RepairWords::tr("%n kept open", nullptr, n); });
+  add(holes.failed, [](int n) { return RepairWords::tr("%n could not be filled", nullptr, n); });
+  if (loops.pieces) parts << RepairWords::tr("split or joined, %n hole(s) are left", nullptr, asInt(*loops.pieces));
+  if (edges.closed > 0)
+    parts << RepairWords::tr("%1 of %n sheet edge(s) closed", nullptr, asInt(edges.all)).arg(edges.closed);
+  add(edges.removed, [](int n) { return RepairWords::tr("%n sheet edge(s) gone with removed triangles", nullptr, n); });
+  add(loops.newOpenings, [](int n) { return RepairWords::tr("%n new opening(s)", nullptr, n); });
+  return parts;
 }
 
 QStringList repairSummary(const RepairReport& report, LengthUnit unit) {

@@ -5,7 +5,7 @@
 #include "base/Units.h"
 #include "mesh/defects/MeshState.h"
 #include "mesh/holes/HoleFiller.h"
-#include "mesh/repair/Repair.h"
+#include "mesh/repair/OutcomeCounts.h"
 
 #include <QStringList>
 
@@ -23,6 +23,9 @@ QString boundaryLoopName(bool isRim, int number);
 // Why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
 QString fillFailureReason(FillFailure failure);
 
+// What became of the holes and sheet edges, a phrase each: "26 of 28 holes filled", "2 could not be filled". Empty
+// where nothing did.
+QStringList outcomeTexts(const LoopCounts& loops);
 // The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
 QStringList repairSummary(const RepairReport& report, LengthUnit unit = LengthUnit::Millimetre);
 // "0.01 to 0.05 mm", or "0.01 mm" where both are written alike; and at how many vertices it is less than requested.

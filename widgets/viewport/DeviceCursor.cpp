@@ -18,7 +18,7 @@ constexpr double kHeadLength = 10.0, kHeadWidth = 5.0;
 constexpr double kGaugeGap = 5.0;  // pixels between ball and gauge
 constexpr double kHiddenOpacity = 0.4;
 
-// Under parallel projection nothing grows as it comes nearer; the cursor does, as depth could not be told otherwise.
+// Under parallel projection nothing grows as it comes nearer; the cursor does, as depth could not be seen otherwise.
 double sizeAt(const Vec3& p, const CameraNavigation& view) {
   const double size = view.isPerspective() ? view.unitsPerPixel() / view.unitsPerPixelAt(p)
                                            : 1.0 + 0.8 * view.depth(p) / view.camera().height;

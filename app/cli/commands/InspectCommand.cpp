@@ -15,6 +15,7 @@
 #include "document/workpiece/TargetImport.h"
 #include "text/NoteText.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -47,11 +48,27 @@ std::string readableText(const OpenedFile& opened) {
   return text;
 }
 
-// The dimensions that a kind tells, a line for each, and how far the document is from its target.
+// How passes have left the surface, a line for each stretch; of very many the first.
+std::string finishText(const nlohmann::json& described) {
+  constexpr std::size_t kMost = 50;
+  std::string text;
+  const nlohmann::json finish = described.value("finish", nlohmann::json::object());
+  for (const char* const side : {"outside", "bore"}) {
+    const nlohmann::json stretches = finish.value(side, nlohmann::json::array());
+    for (std::size_t i = 0; i < std::min(stretches.size(), kMost); ++i)
+      text += std::string("  ") + side + " " + stretches[i]["text"].get<std::string>() + "\n";
+    if (stretches.size() > kMost)
+      text += std::string("  ") + side + " and " + std::to_string(stretches.size() - kMost) + " more\n";
+  }
+  return text;
+}
+
+// The dimensions that a kind tells, a line for each, its finish, and how far the document is from its target.
 std::string dimensionsText(const nlohmann::json& described) {
   std::string text;
   for (const nlohmann::json& dimension : described.value("dimensions", nlohmann::json::array()))
     text += "  " + dimension.value("text", std::string()) + "\n";
+  text += finishText(described);
   const nlohmann::json target = described.value("target", nlohmann::json());
   if (!target.is_object()) return text;
   const nlohmann::json& deviation = target["deviation"];

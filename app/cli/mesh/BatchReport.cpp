@@ -5,6 +5,7 @@
 #include "base/JsonText.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
+#include "cli/mesh/RepairJson.h"
 #include "document/FileBytes.h"
 
 #include <algorithm>
@@ -45,8 +46,7 @@ bool takeEntry(const nlohmann::json& object, BatchEntry& entry) {
   if (!object.is_object() || !takeState(object, entry.state)) return false;
   take(object, "input", entry.input);
   take(object, "output", entry.output);
-  take(object, "holes", entry.holes);
-  take(object, "filled", entry.filled);
+  entry.loops = loopCountsFrom(object);
   take(object, "left", entry.left);
   take(object, "reason", entry.reason);
   take(object, "notes", entry.notes);
@@ -58,12 +58,10 @@ bool takeEntry(const nlohmann::json& object, BatchEntry& entry) {
 }
 
 Json toJson(const BatchEntry& entry) {
-  return {
+  Json json = {
       {"input", entry.input},
       {"output", entry.output},
       {"state", kStateWords[static_cast<std::size_t>(entry.state)]},
-      {"holes", entry.holes},
-      {"filled", entry.filled},
       {"left", entry.left},
       {"reason", entry.reason.empty() ? Json(nullptr) : Json(entry.reason)},
       {"notes", entry.notes},
@@ -72,6 +70,8 @@ Json toJson(const BatchEntry& entry) {
       {"input_modified_ns", entry.inputStamp.modifiedNs},
       {"output_bytes", entry.outputBytes},
   };
+  json.update(toJson(entry.loops));
+  return json;
 }
 
 // What the files in one state, or in any, come to.
@@ -84,7 +84,7 @@ Total totalOf(const BatchReport& report, std::optional<BatchState> state) {
   for (const BatchEntry& entry : report.entries) {
     if (state && entry.state != *state) continue;
     ++total.files;
-    total.filled += entry.filled;
+    total.filled += entry.loops.holes.closed;
     total.seconds += entry.seconds;
   }
   return total;
@@ -173,7 +173,7 @@ std::string sentenceFor(const BatchEntry& entry) {
   } else {
     sentence += ", ";
   }
-  std::string filled = filledText(entry.filled, entry.holes);
+  std::string filled = outcomesText(entry.loops);
   filled.front() = static_cast<char>(std::tolower(filled.front()));
   sentence += filled + ", " + oneDecimal(entry.seconds) + " s";
   if (!entry.reason.empty()) sentence += ". " + entry.reason;

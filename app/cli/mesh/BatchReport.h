@@ -4,6 +4,7 @@
 
 #include "base/Result.h"
 #include "document/FileStamp.h"
+#include "mesh/repair/OutcomeCounts.h"
 
 #include <array>
 #include <cstdint>
@@ -26,7 +27,7 @@ struct BatchEntry {
   FileStamp inputStamp;  // before the repair
   std::uintmax_t outputBytes = 0;
   BatchState state = BatchState::Failed;
-  std::size_t holes = 0, filled = 0;
+  LoopCounts loops;
   std::size_t left = 0;            // remaining defects that keep the written file from being closed
   std::string reason;              // of the first of them, or why it failed, as a sentence
   std::vector<std::string> notes;  // losses and damage

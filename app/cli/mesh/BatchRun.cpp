@@ -127,10 +127,10 @@ void BatchRun::watchTimes() {
   const auto now = Clock::now();
   for (std::size_t i = 0; i < m_running.size(); ++i) {
     Running& running = m_running[i];
-    if (running.told && now - *running.told > kGrace) m_children[i]->send(SIGKILL);
-    if (running.told || !m_request.timeLimit || secondsSince(running.start) < *m_request.timeLimit) continue;
+    if (running.askedToEnd && now - *running.askedToEnd > kGrace) m_children[i]->send(SIGKILL);
+    if (running.askedToEnd || !m_request.timeLimit || secondsSince(running.start) < *m_request.timeLimit) continue;
     m_children[i]->send(SIGTERM);
-    running.told = now;
+    running.askedToEnd = now;
   }
 }
 
@@ -168,7 +168,7 @@ void BatchRun::conclude(const Running& running, const ChildProcess& child) {
 // Why it failed.
 std::string BatchRun::reasonOf(const Running& running, const ChildProcess& child) const {
   const std::vector<std::string> sentences = complaints(child.errors());
-  if (running.told) return "It took longer than " + shortestText(*m_request.timeLimit) + " s.";
+  if (running.askedToEnd) return "It took longer than " + shortestText(*m_request.timeLimit) + " s.";
   if (child.code() == 128 + SIGKILL) return "The system ended its process; memory may have run out.";
   if (child.code() > 128 && child.code() != kExitInterrupted) {
     return std::string("Its process crashed (") + strsignal(child.code() - 128) + ").";
@@ -199,7 +199,7 @@ void BatchRun::finish(std::size_t file, BatchEntry entry, std::string_view mark)
 void BatchRun::stop() {
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     m_children[i]->send(SIGTERM);
-    m_running[i].told = Clock::now();
+    m_running[i].askedToEnd = Clock::now();
   }
   while (!m_children.empty()) {
     ChildProcess::wait(m_children, kPoll);

@@ -39,7 +39,7 @@ class BatchRun {
     std::size_t file;  // in the plan
     FileStamp stamp;
     Clock::time_point start;
-    std::optional<Clock::time_point> told;  // when it was asked to end
+    std::optional<Clock::time_point> askedToEnd;  // when it was asked to end
   };
 
   const BatchFile& planned(std::size_t file) const { return m_request.plan.files[file]; }

@@ -26,13 +26,8 @@ namespace {
 constexpr double kToldRounding = 1e-6;
 
 std::string summary(const RepairRun& run, const RepairRequest& request) {
-  const HoleCounts counts = countHoles(run.repair);
-  std::string text = filledText(counts.filled, counts.holes);
-  if (counts.closedSheetEdges > 0)
-    text += ", " + std::to_string(counts.closedSheetEdges) + " of " + std::to_string(counts.sheetEdges) +
-            (counts.sheetEdges == 1 ? " sheet edge" : " sheet edges") + " closed";
-  return text + ". " + request.output.string() + ": " + stateText(run.after).toStdString() + ".\n" +
-         changesLine(run.repair);
+  return outcomesText(countOutcomes(run.repair)) + ". " + request.output.string() + ": " +
+         stateText(run.after).toStdString() + ".\n" + changesLine(run.repair);
 }
 
 // What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.
@@ -52,7 +47,8 @@ Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Ar
   if (arguments.has("report")) delivery.report = textOf(toJson(run, request, unitOf(arguments)));
   const bool asJson = arguments.has("json");
   if (!asJson) {
-    for (std::string& sentence : leftovers(run.repair, run.after)) delivery.complaints.push_back(std::move(sentence));
+    for (std::string& sentence : leftovers(run.repair, request.options, run.after))
+      delivery.complaints.push_back(std::move(sentence));
     for (std::string& sentence : patchWarnings(run.repair)) delivery.complaints.push_back(std::move(sentence));
   }
   delivery.text = asJson ? outcomeLine(run, request) : summary(run, request);

@@ -57,6 +57,29 @@ Json toJson(const LoopResult& loop) {
   };
 }
 
+// The members of LoopCounts by their keys in JSON.
+constexpr struct {
+  const char* key;
+  OutcomeCounts LoopCounts::*loops;
+  std::size_t OutcomeCounts::*count;
+} kCounts[] = {
+    {"holes", &LoopCounts::holes, &OutcomeCounts::all},
+    {"filled", &LoopCounts::holes, &OutcomeCounts::closed},
+    {"removed", &LoopCounts::holes, &OutcomeCounts::removed},
+    {"kept_open", &LoopCounts::holes, &OutcomeCounts::kept},
+    {"not_filled", &LoopCounts::holes, &OutcomeCounts::failed},
+    {"sheet_edges", &LoopCounts::sheetEdges, &OutcomeCounts::all},
+    {"sheet_edges_closed", &LoopCounts::sheetEdges, &OutcomeCounts::closed},
+    {"sheet_edges_removed", &LoopCounts::sheetEdges, &OutcomeCounts::removed},
+    {"sheet_edges_kept_open", &LoopCounts::sheetEdges, &OutcomeCounts::kept},
+    {"sheet_edges_not_closed", &LoopCounts::sheetEdges, &OutcomeCounts::failed},
+};
+
+std::size_t countFrom(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number_unsigned() ? found->get<std::size_t>() : 0;
+}
+
 Json optionsJson(const RepairOptions& options) {
   Json json = toJson(valuesOf(options));
   json.erase("numbers");  // those of the output
@@ -78,6 +101,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"before", toJson(run.before)},
       {"after", toJson(run.after)},
       {"loops", loops},
+      {"loop_counts", toJson(countOutcomes(run.repair))},
       {"removed_degenerate", run.repair.removedDegenerate},
       {"removed_duplicates", run.repair.removedDuplicates},
       {"removed_flaps", run.repair.removedFlaps},
@@ -106,30 +130,34 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
   };
 }
 
+Json toJson(const LoopCounts& loops) {
+  Json json;
+  for (const auto& [key, of, count] : kCounts) json[key] = loops.*of.*count;
+  json["new_openings"] = loops.newOpenings;
+  json["pieces"] = loops.pieces ? Json(*loops.pieces) : Json(nullptr);
+  return json;
+}
+
+LoopCounts loopCountsFrom(const nlohmann::json& object) {
+  LoopCounts loops;
+  for (const auto& [key, of, count] : kCounts) loops.*of.*count = countFrom(object, key);
+  loops.newOpenings = countFrom(object, "new_openings");
+  if (const std::size_t pieces = countFrom(object, "pieces"); pieces > 0) loops.pieces = pieces;
+  return loops;
+}
+
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
-  const std::vector<std::string> left = leftovers(run.repair, run.after);
-  const HoleCounts counts = countHoles(run.repair);
-  const Json outcome{
+  const std::vector<std::string> left = leftovers(run.repair, request.options, run.after);
+  Json outcome{
       {"input", request.input.string()},
       {"output", request.output.string()},
       {"state", run.after.isSound() ? "closed" : "left-open"},
-      {"holes", counts.holes},
-      {"filled", counts.filled},
       {"left", left.size()},
       {"reason", left.empty() ? Json(nullptr) : Json(left.front())},
       {"seconds", run.seconds},
   };
+  outcome.update(toJson(countOutcomes(run.repair)));
   return outcome.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-HoleCounts countHoles(const RepairReport& repair) {
-  HoleCounts counts;
-  for (const LoopResult& loop : repair.loops) {
-    if (loop.id < 0) continue;  // opened by the repair itself; what is still open is told apart
-    ++(loop.rim ? counts.sheetEdges : counts.holes);
-    (loop.rim ? counts.closedSheetEdges : counts.filled) += loop.outcome == LoopOutcome::Filled;
-  }
-  return counts;
 }
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/mesh/RepairJob.h"
+#include "mesh/repair/OutcomeCounts.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,14 +18,9 @@ nlohmann::ordered_json toJson(const RepairRun& run, const RepairRequest& request
 // "left-open"; "left" counts the defects that keep the file from being closed, and "reason" describes the first.
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request);
 
-// The holes of the input, and how many of them were closed, be it by a patch or by thickening their sheet. The outer
-// edges of its sheets are counted apart.
-struct HoleCounts {
-  std::size_t holes = 0;
-  std::size_t filled = 0;
-  std::size_t sheetEdges = 0;
-  std::size_t closedSheetEdges = 0;
-};
-HoleCounts countHoles(const RepairReport& repair);
+// The counts of holes, sheet edges and new openings as members of a JSON object, and back. What is missing or of
+// another type counts 0.
+nlohmann::ordered_json toJson(const LoopCounts& loops);
+LoopCounts loopCountsFrom(const nlohmann::json& object);
 
 }  // namespace handwheel

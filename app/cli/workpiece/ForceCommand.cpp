@@ -46,7 +46,7 @@ LawForces forcesBy(const CuttingForceModel& model, const CutReport& report, cons
 }
 
 void addKosilova(CutReport& report, const OperationValues& values) {
-  const KosilovaTables tables = KosilovaTables::standard();
+  const KosilovaTables& tables = KosilovaTables::standard();
   WorkMaterial material = report.material;
   if (const std::optional<double> strength = values.given("strength")) material.strength = *strength;
   const CuttingEdge edge = edgeOf(values);
@@ -85,7 +85,7 @@ Status addNetwork(CutReport& report, const OperationValues& values, const std::s
 }
 
 Result<CutReport> reportOn(const OperationValues& values, const std::string& modelPath) {
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   const WorkMaterial* material = materials.find(values.text("material"));
   if (!material) return Error{ForceErrors::MaterialUnknown, {values.text("material")}, {}, {}};
   CutReport report{*material, cutOf(values), {}, 0.0, {}, {}};
@@ -180,7 +180,7 @@ std::string readableText(const CutReport& report, const OperationValues& values)
 std::string listOfMaterials(bool asJson) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::string text;
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   for (const WorkMaterial& m : materials.all()) {
     json.push_back({{"id", m.id},
                     {"name", m.name},

@@ -6,6 +6,7 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/workpiece/BarWord.h"
 #include "cli/workpiece/TurnedFigures.h"
 #include "document/AtomicFile.h"
 #include "document/workpiece/PassesProgram.h"
@@ -40,8 +41,10 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
   if (dialect != "linuxcnc" && dialect != "fanuc") return "--dialect is linuxcnc or fanuc.";
   request.dialect = dialect == "fanuc" ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
   if (arguments.has("stock")) {
-    request.stock = stockOf(arguments.valueOf("stock"));
-    if (!request.stock) return "--stock is a bar such as cylinder:40x100.";
+    BarWord word = readBar(arguments.valueOf("stock"));
+    if (!word.problem.empty()) return std::move(word.problem);
+    if (!word.bar) return "--stock is a bar such as cylinder:40x100.";
+    request.stock = word.bar;
   }
   CycleSettings& c = request.cycles;
   const NumberOption numbers[] = {{"depth", &c.depth, 0.02, 100.0},

@@ -59,7 +59,7 @@ Error about(Error error, const std::string& subject) {
 }
 
 Result<ForceSamples> synthetic(const std::string& id) {
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   if (const WorkMaterial* material = materials.find(id)) return syntheticSamples(*material, KosilovaTables::standard());
   return Error{ForceErrors::MaterialUnknown, {id}, {}, {}};
 }

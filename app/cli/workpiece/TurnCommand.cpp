@@ -16,6 +16,7 @@
 #include "cli/workpiece/TurnRequest.h"
 #include "cli/workpiece/TurnedFigures.h"
 #include "document/FileBytes.h"
+#include "document/workpiece/FinishReport.h"
 #include "document/workpiece/ProgramTrial.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/ExerciseStock.h"
@@ -138,10 +139,9 @@ bool repeats(const WorkpieceSnapshot& workpiece, Progress progress) {
 // task is put.
 Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& kinds,
                              std::optional<ExerciseStock>& exercise, Progress progress) {
-  const std::optional<StockCylinder> stock = stockOf(request.input);
   const DocumentKind& kind = *kinds.withId("workpiece");
   OpenedFile opened = DocumentKinds::blank(kind);
-  if (!stock) {
+  if (!request.bar) {
     Result<OpenedFile> file = kinds.open(request.input, {}, progress);
     if (file) exercise = exerciseStock(*file->content);
     if (!exercise) return file;
@@ -149,8 +149,8 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
     return opened;
   }
   auto workpiece = std::make_shared<WorkpieceSnapshot>();
-  workpiece->stock = *stock;
-  workpiece->mesh = std::make_shared<const StockMesh>(*stock, workpiece->chord);
+  workpiece->stock = *request.bar;
+  workpiece->mesh = std::make_shared<const StockMesh>(*request.bar, workpiece->chord);
   opened.content = std::move(workpiece);
   return opened;
 }
@@ -233,7 +233,10 @@ Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, co
   if (!peaks) return Error{ErrorCode::Cancelled, {}, {}, {}};
   figures.force = peaks->force;
   figures.power = peaks->power;
-  for (const TurningPass& pass : *passes) figures.time += pass.times.empty() ? 0.0 : pass.times.back();
+  for (TurningPass& pass : *passes) {
+    figures.time += pass.times.empty() ? 0.0 : pass.times.back();
+    if (pass.speeds.empty()) pass.speeds.assign(pass.path.size(), request.spindle);
+  }
   return turn(workpiece, std::move(passes.value()), request.spacing, progress.part(0.5, 1.0));
 }
 
@@ -252,7 +255,7 @@ int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
 void useMachineOf(const TurningTask& task, const Arguments& arguments, TurnRequest& request) {
   request.grip = task.lathe.chuckHeight;
   if (!arguments.has("spindle")) request.spindle = task.lathe.spindleSpeed;
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   const WorkMaterial* const material = materials.find(task.material);
   if (material && !arguments.has("material")) request.material = *material;
 }
@@ -298,6 +301,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!unreadable.empty()) return refuse(request.recording.string() + ": " + unreadable);
   const WorkpieceSnapshot& after = turned->value();
   figures.removed = volumeOf(*given) - volumeOf(after);
+  if (after.part) figures.finish = finishJson(*after.part);
   const TurnedProfile profile = partOf(after, request.spacing).profile;
   if (target)
     figures.profileError = profileError(target->value(), profile);
@@ -342,7 +346,7 @@ std::vector<Command> workpieceCommands() {
             {"material", 0, "NAME",
              "Of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
             {"spindle", 0, "RPM",
-             "Speed of the spindle of a recording, for the forces (default 500, or that of the exercise)"},
+             "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise)"},
             {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
             {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
             {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},

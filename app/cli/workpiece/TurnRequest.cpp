@@ -3,6 +3,7 @@
 #include "cli/workpiece/TurnRequest.h"
 
 #include "base/NumberText.h"
+#include "cli/workpiece/BarWord.h"
 #include "machining/TurningPass.h"
 #include "machining/program/ToolPath.h"
 
@@ -20,7 +21,7 @@ std::string readLength(const Arguments& arguments, const char* name, double leas
 }
 
 std::string readMaterial(const Arguments& arguments, TurnRequest& request) {
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   const std::string id = arguments.has("material") ? arguments.valueOf("material") : kUsualMaterial;
   if (const WorkMaterial* const found = materials.find(id)) {
     request.material = *found;
@@ -52,6 +53,9 @@ std::string readNose(const Arguments& arguments, TurnRequest& request) {
 
 std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   request.input = arguments.operands[0];
+  BarWord word = readBar(request.input);
+  if (!word.problem.empty()) return std::move(word.problem);
+  request.bar = word.bar;
   request.recording = arguments.valueOf("recording");
   request.program = arguments.valueOf("program");
   request.tools = arguments.valueOf("tools");

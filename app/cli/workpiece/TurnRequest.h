@@ -6,6 +6,7 @@
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/program/ProgramSetup.h"
+#include "nurbs/StockCylinder.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,7 +16,8 @@ namespace handwheel {
 
 // The words of 'handwheel turn'. Lengths in mm.
 struct TurnRequest {
-  std::string input;
+  std::string input;                 // a file, or the word for a bar
+  std::optional<StockCylinder> bar;  // the bar that it is
   std::filesystem::path recording, program, tools, target, output;
   std::optional<double> noseRadius;  // mm
   double spacing = turnSpacingSetting().standard;

@@ -12,14 +12,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace handwheel {
 
 namespace {
 
-constexpr std::string_view kCylinder = "cylinder:";
 constexpr double kSection = 1e-3;  // mm, of the section of a workpiece that is a target
+
+// Of the outside: "Roughness: up to Ra 1.2 µm." Empty where it is not known.
+std::string roughestText(const nlohmann::json& finish) {
+  double roughest = -1.0;
+  for (const nlohmann::json& stretch : finish.is_object() ? finish["outside"] : nlohmann::json::array()) {
+    if (stretch["roughness_um"].is_number()) roughest = std::max(roughest, stretch["roughness_um"].get<double>());
+  }
+  return roughest < 0.0 ? std::string() : "Roughness: up to Ra " + roundedText(roughest, 3) + " µm.\n";
+}
 
 }  // namespace
 
@@ -29,6 +36,7 @@ std::string figuresAsJson(const TurnedFigures& figures) {
                                  {"time_s", figures.time},         {"profile_error_mm", nullptr}};
   if (figures.collisions) json["collisions"] = *figures.collisions;
   if (figures.profileError) json["profile_error_mm"] = *figures.profileError;
+  json["finish"] = figures.finish;
   return json.dump(2) + "\n";
 }
 
@@ -37,21 +45,9 @@ std::string figuresAsText(const TurnedFigures& figures) {
       "Removed: " + roundedText(figures.removed) + " mm³. Largest force: " + roundedText(figures.force, 4) +
       " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) + " s." +
       (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") + "\n";
+  text += roughestText(figures.finish);
   if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
   return text;
-}
-
-std::optional<StockCylinder> stockOf(const std::string& word) {
-  if (!word.starts_with(kCylinder)) return {};
-  const std::string_view size = std::string_view(word).substr(kCylinder.size());
-  const std::size_t times = size.find('x');
-  StockCylinder stock;
-  ErrorCode why;
-  if (times == std::string_view::npos || !parseDecimal(size.substr(0, times), stock.diameter, why) ||
-      !parseDecimal(size.substr(times + 1), stock.length, why))
-    return {};
-  stock.position = -stock.length;
-  return stock.isSound() ? std::optional(stock) : std::nullopt;
 }
 
 Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress) {
@@ -59,9 +55,9 @@ Result<TargetProfile> readTarget(const std::filesystem::path& path, const Docume
   if (ending == ".dxf" || ending == ".svg") {
     const Result<std::string> text = readFileBytes(path, progress);
     if (!text) return text.error();
-    const Result<Drawing> drawing = ending == ".dxf" ? readDxf(*text) : readSvg(*text);
+    const Result<Drawing> drawing = ending == ".dxf" ? readDxf(*text, progress) : readSvg(*text, progress);
     if (!drawing) return drawing.error();
-    return targetIn(*drawing);
+    return targetIn(*drawing, progress);
   }
   const Result<OpenedFile> opened = kinds.open(path, {}, progress);
   if (!opened) return opened.error();

@@ -8,6 +8,7 @@
 #include "machining/target/TargetProfile.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 namespace handwheel {
 
@@ -18,14 +19,12 @@ struct TurnedFigures {
   std::optional<std::size_t> collisions;  // none where they were not looked for
   double time = 0.0;                      // s
   std::optional<double> profileError;     // mm, from a target
+  nlohmann::json finish;                  // as finishJson() has it; null where nothing was cut
 };
 
-// As JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s, profile_error_mm.
+// As JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s, profile_error_mm, finish.
 std::string figuresAsJson(const TurnedFigures& figures);
 std::string figuresAsText(const TurnedFigures& figures);
-
-// "cylinder:40x100": a bar of 40 mm diameter and 100 mm length, whose upper end is at z = 0. None for other words.
-std::optional<StockCylinder> stockOf(const std::string& word);
 
 // The target in a file: a drawing as DXF or SVG, or a workpiece. Errors: those of the readers, FormatUnknown.
 Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress);

@@ -88,7 +88,7 @@ void Autosave::save(DocumentTab* document) {
   m_jobs.start(std::move(job));
 }
 
-// It is tried again within the interval; told is the first of several failures.
+// It is tried again within the interval; only the first of several failures is reported.
 void Autosave::reportFailure(DocumentTab* document, const QString& name, const Error& error) {
   if (!m_tabs.contains(document)) return;
   document->autosaved = 0;

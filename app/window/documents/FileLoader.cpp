@@ -121,7 +121,7 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
 
 void FileLoader::reportNotes(const Document& document) {
   const std::vector<Note>& notes = document.file().notes;
-  if (notes.empty() || document.file().wouldLoseDataOnOverwrite()) return;  // else they are told with the losses
+  if (notes.empty() || document.file().wouldLoseDataOnOverwrite()) return;  // else they are reported with the losses
   QStringList lines;
   for (std::size_t i = 0; i < notes.size(); ++i) {
     m_log.add(noteText(notes[i]), {}, LogEntry::Weight::Warning);

@@ -96,11 +96,11 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
   }
 }
 
-// Once for each list of them: who saves often has read it. Whether it was told. A foreign file that is opened again has
-// the usual unit.
+// Once for each list of them: who saves often has read it. Whether it was reported. A foreign file that is opened again
+// has the usual unit.
 bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written) {
   const auto foreign = formatOf(document->document.kind(), state.path);
-  if (foreign && !foreign->reads) return false;  // an export, which was told
+  if (foreign && !foreign->reads) return false;  // an export, which was reported
   QStringList losses = lossesOf(written);
   if (foreign && state.displayUnit != loadPreferences().lengthUnit)
     losses << tr("The display unit is not in this file.");
@@ -140,17 +140,17 @@ void FileSaver::reportExport(const DocumentTab& document, const QString& name, Q
 void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {
   const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
   m_log.add(title, {}, LogEntry::Weight::Warning);
-  Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is unchanged."), {}, {}, {}};
+  Message report{Message::Weight::Warning, title, tr("Nothing was written: the file is unchanged."), {}, {}, {}};
   if (m_tabs.contains(document)) {
-    told.about = &document->document;
-    told.topic = kSavingTopic;
-    told.advice = tr("The document is still open, with all its changes.");
-    told.actionText = tr("Save again");
-    told.action = [this, document, path] {
+    report.about = &document->document;
+    report.topic = kSavingTopic;
+    report.advice = tr("The document is still open, with all its changes.");
+    report.actionText = tr("Save again");
+    report.action = [this, document, path] {
       if (m_tabs.contains(document)) save(document, path);
     };
   }
-  emit message(told);
+  emit message(report);
 }
 
 void FileSaver::reportFailure(DocumentTab* document, const QString& path, const Error& error) {
@@ -158,19 +158,19 @@ void FileSaver::reportFailure(DocumentTab* document, const QString& path, const 
   const QString name = QFileInfo(path).fileName();
   const QString title = tr("%1 could not be saved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
-  Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
+  Message report{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
   if (m_tabs.contains(document)) {
-    told.about = &document->document;
-    told.topic = kSavingTopic;
+    report.about = &document->document;
+    report.topic = kSavingTopic;
     if (error.code == DocumentError::ChangedOnDisk) {
-      told.otherText = tr("Replace");
-      told.other = [this, document, path] {
+      report.otherText = tr("Replace");
+      report.other = [this, document, path] {
         if (m_tabs.contains(document)) save(document, path, {}, Changed::Replace);
       };
     }
-    emit failed(document, told);
+    emit failed(document, report);
   } else {
-    emit message(told);
+    emit message(report);
   }
 }
 

@@ -26,7 +26,7 @@ struct HapticSession::ActiveDevice {
   std::optional<double> failedAt;            // s by the clock of the loop: since when it has failed
   bool isMoving = false;                     // the view is being changed, and
   std::unique_ptr<HapticScene> movedScene;   // this is the scene for the new one
-  std::optional<std::uint64_t> jumpedAfter;  // tick: the tip was told to jump then, and may not have yet
+  std::optional<std::uint64_t> jumpedAfter;  // tick: the tip was made to jump then, and may not have yet
   std::optional<double> isChangingSince;     // s by the clock of the loop: start of a change of its settings
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/DocumentKind.h"
+#include "mesh/search/PickRay.h"
 #include "panels/HintBar.h"
 #include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
@@ -14,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 class QMenu;
 class QThreadPool;
@@ -95,7 +97,7 @@ class KindUi : public QObject {
   using QObject::QObject;
 
   virtual std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) = 0;
-  // To be called when a document was read from a file and all of it is told; may add messages of the kind.
+  // To be called when a document was read from a file and all of it is reported; may add messages of the kind.
   virtual void opened(DocumentTab& document) { (void)document; }
   // Sets the current document; null when it is of another kind, or none is open. Fills the viewport or leaves it empty.
   virtual void setDocument(DocumentTab* document) = 0;
@@ -146,6 +148,8 @@ class KindUi : public QObject {
 
   virtual std::vector<Hint> hints() { return {}; }
   virtual NextStep nextStep() { return {}; }
+  // The axis through which the current document is cut for a half section; none: it has none.
+  virtual std::optional<Ray> sectionAxis() const { return std::nullopt; }
   // Measurements of the section by the clipping plane; shown below its settings.
   virtual std::vector<Property> sectionMeasurements() const { return {}; }
   virtual QString statistics() const { return {}; }  // "1 234 triangles"

@@ -43,6 +43,7 @@ void RigidPartsUi::setDocument(DocumentTab* document) {
     m_layer->setParts({});
     m_replaced.reset();
     m_instead.reset();
+    m_past.reset();
     m_model.reset();
   }
   m_document = document;
@@ -96,7 +97,13 @@ std::vector<QAction*> RigidPartsUi::panelActions() const {
 }
 
 void RigidPartsUi::showParts() {
-  m_layer->setParts((m_replaced ? m_replaced : m_instead ? m_instead : m_model)->parts);
+  m_layer->setParts((m_past ? m_past : m_replaced ? m_replaced : m_instead ? m_instead : m_model)->parts);
+}
+
+void RigidPartsUi::showPast(const std::shared_ptr<const DisplayModel>& model) {
+  if (model == m_past) return;
+  m_past = model;
+  if (m_document) showParts();
 }
 
 void RigidPartsUi::showInstead(const std::shared_ptr<const DisplayModel>& model) {

@@ -46,6 +46,8 @@ class RigidPartsUi : public KindUi {
   void show();  // after it changed
   // Shows other parts in place of those of the document, unless a tool shows its own; null: the document's.
   void showInstead(const std::shared_ptr<const DisplayModel>& model);
+  // Shows other parts before all else, as those of a replay; null: nothing.
+  void showPast(const std::shared_ptr<const DisplayModel>& model);
   PartsLayer& layer() { return *m_layer; }
   void refreshPanel();
   std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
@@ -63,6 +65,7 @@ class RigidPartsUi : public KindUi {
   std::shared_ptr<const DisplayModel> m_model;     // of the document; null: none
   std::shared_ptr<const DisplayModel> m_replaced;  // by the tool; null: nothing
   std::shared_ptr<const DisplayModel> m_instead;   // of showInstead()
+  std::shared_ptr<const DisplayModel> m_past;      // of showPast()
   QPointer<PropertyList> m_panel;
   DocumentTab* m_document = nullptr;
 };

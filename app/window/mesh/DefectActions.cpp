@@ -6,6 +6,7 @@
 #include "mesh/repair/SheetThickening.h"
 #include "text/RepairText.h"
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/HoleFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/MeshOperations.h"
 #include "window/ActionToolTip.h"
@@ -90,16 +91,13 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   prepare(m_reverseBodies, "reverseBodies", "inside-out", tr("Reverse all bodies whose triangles face inwards"));
   prepare(m_resolveIntersections, "resolveIntersections", "self-intersection",
           tr("Cut all triangles that intersect apart, and join the rest"));
-  const auto connectTo = [this](QAction& action, auto make) {
-    connect(&action, &QAction::triggered, this, [this, make] {
-      if (std::optional<MeshChange> wanted = make()) m_jobs.change(m_document, std::move(*wanted));
-    });
-  };
-  connectTo(m_fix, [this] { return change(); });
-  connectTo(m_reverseBodies, [this] { return changeFor(DefectKind::InsideOut, -1); });
-  connectTo(m_resolveIntersections, [this] { return changeFor(DefectKind::SelfIntersection, -1); });
-  connectTo(m_thickenSheet, [this] { return std::optional(thickening()); });
-  connectTo(m_cutAndClose, [this] { return std::optional(cutting()); });
+  connect(&m_fix, &QAction::triggered, this, [this] {
+    if (m_kind) fixRow({*m_kind, m_row});
+  });
+  connect(&m_reverseBodies, &QAction::triggered, this, [this] { fixRow({DefectKind::InsideOut, -1}); });
+  connect(&m_resolveIntersections, &QAction::triggered, this, [this] { fixRow({DefectKind::SelfIntersection, -1}); });
+  connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
+  connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
   // After every change of the inspection, too.
   connect(&m_selection, &Selection::changed, this, [this] {
     m_isThickeningPointed = false;
@@ -110,6 +108,10 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connect(&m_fidelity, &FidelityChoice::changed, this, &DefectActions::renewPreview);
   connect(&m_shown, &FixPreview::changed, this, &DefectActions::followShown);
   follow();
+}
+
+void DefectActions::fixRow(const DefectRow& row) {
+  if (auto wanted = changeFor(row.kind, row.row)) m_jobs.change(m_document, std::move(*wanted), row);
 }
 
 void DefectActions::setDocument(MeshTab* document) {
@@ -166,9 +168,15 @@ void DefectActions::follow() {
   followShown();
 }
 
-// What would change nothing is not offered: the text of the preview says why.
+// What would change nothing is not offered: the text of the preview says why, and the row keeps it.
 void DefectActions::followShown() {
   const bool isOfLoop = selectedLoop() >= 0;
+  if (const char* why = m_shown.isPointless() ? m_shown.shown().reason : nullptr;
+      why && m_kind && m_mayFix && !isOfLoop) {
+    const QString reason = QCoreApplication::translate("Tool", why);
+    Inspection& inspection = m_document->inspection;
+    if (inspection.reason(*m_kind, m_row) != reason) inspection.setReason(*m_kind, m_row, reason);
+  }
   m_fix.setEnabled(m_mayFix && (isOfLoop || !m_shown.isPointless()));
   m_cutAndClose.setEnabled(m_mayCut && (m_isThickeningPointed || !m_shown.isPointless()));
 }

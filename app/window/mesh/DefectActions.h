@@ -17,6 +17,7 @@ class RepairJobs;
 class Selection;
 struct FillOptions;
 struct MeshTab;
+struct DefectRow;
 struct OfferedFix;
 
 // The actions that repair selected defects other than holes. They apply to one defect or all of a kind, as selected in
@@ -51,6 +52,7 @@ class DefectActions : public QObject {
   void thicknessChanged();
 
  private:
+  void fixRow(const DefectRow& row);
   void follow();
   void followShown();
   void renewPreview();

@@ -20,7 +20,7 @@ namespace {
 
 // Share of the model's diagonal that the camera shows at least.
 constexpr double kLeastPlace = 0.08;
-// A defect of few triangles has an outline, so that it is told from others that lie on it.
+// A defect of few triangles has an outline, so that it stands out from others that lie on it.
 constexpr std::size_t kMostOutlined = 16;
 
 std::vector<Vec3> pointsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {

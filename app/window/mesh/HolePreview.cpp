@@ -19,8 +19,9 @@ bool isSame(const EarWeights& a, const EarWeights& b) {
 }
 
 // Each by itself: where a method fails, no other takes its place.
+// shown: the patch of the preview, if any; it may be of a method that succeeds only after others have failed.
 std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop& loop, FillOptions options,
-                                    Progress progress) {
+                                    const std::optional<FillAttempt>& shown, Progress progress) {
   std::vector<MethodTrial> trials;
   options.tryOthers = false;
   for (const FillMethod method : HoleSettings::methods()) {
@@ -28,7 +29,8 @@ std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop
     options.method = method;
     QElapsedTimer clock;
     clock.start();
-    const FillAttempt attempt = filler.propose(loop, options, progress);
+    FillAttempt attempt = filler.propose(loop, options, progress);
+    if (attempt.failure != FillFailure::None && shown && shown->patch.method == method) attempt = *shown;
     MethodTrial trial{method, attempt.failure, {}, 1e-6 * static_cast<double>(clock.nsecsElapsed())};
     if (attempt.failure == FillFailure::None) trial.statistics = statisticsOf(filler.mesh(), loop, attempt.patch);
     trials.push_back(trial);
@@ -143,12 +145,13 @@ void HolePreview::compare() {
   job.name = tr("Comparing methods");
   job.work = [this, &service = m_services.fillPreview(), bench = m_fillerCache,
               loop = m_document->inspection.loop(m_loop), options = m_options,
+              shown = m_state.kind == PreviewState::Kind::Ready ? m_attempt : std::nullopt,
               request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     HoleFiller* filler = bench->filler(progress.part(0.0, 0.1));
     if (!filler) return {};
     auto trials =
-        std::make_shared<std::vector<MethodTrial>>(tryMethods(*filler, loop, options, progress.part(0.1, 1.0)));
+        std::make_shared<std::vector<MethodTrial>>(tryMethods(*filler, loop, options, shown, progress.part(0.1, 1.0)));
     return [this, trials, request] {
       if (request != m_request) return;
       m_trials = std::move(*trials);

@@ -4,8 +4,10 @@
 
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/UnitDoubt.h"
+#include "text/ErrorText.h"
 #include "text/NoteText.h"
 #include "window/documents/FileLoader.h"
+#include "window/mesh/RepairJobs.h"
 
 #include <QCoreApplication>
 
@@ -33,6 +35,38 @@ Message partlyChangedMessage(const MeshDocument& document, const QString& what, 
           .detail = how + QLatin1Char('.'),
           .about = &document,
           .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+}
+
+Message changeMessage(const MeshDocument& document, const QString& text, const QString& how) {
+  return {.weight = Message::Weight::Info,
+          .title = text,
+          .detail = how.left(1).toUpper() + how.mid(1) + QLatin1Char('.'),
+          .about = &document,
+          .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+}
+
+Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, std::size_t faces,
+                             std::function<void()> undo) {
+  return {
+      .weight = Message::Weight::Info,
+      .title = RepairJobs::tr("%Ln whole piece(s) deleted", nullptr, static_cast<int>(pieces)),
+      .detail =
+          RepairJobs::tr("%Ln triangle(s) are gone from %1.", nullptr, static_cast<int>(faces)).arg(document.name()),
+      .actionText = RepairJobs::tr("Undo"),
+      .action = std::move(undo),
+      .about = &document,
+      .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+}
+
+Message jobFailedMessage(const Document& document, const QString& job, const Error& error) {
+  const QString advice = error.code == ErrorCode::OutOfMemory
+                             ? errorAdvice(error)
+                             : RepairJobs::tr("Save your work, and try it on a smaller part or in another way.");
+  return {.weight = Message::Weight::Error,
+          .title = RepairJobs::tr("%1 failed").arg(job),
+          .detail = errorSentence(error),
+          .advice = RepairJobs::tr("The document is as it was before. %1").arg(advice),
+          .about = &document};
 }
 
 std::optional<Message> unitDoubtMessage(const MeshDocument& document) {

@@ -139,7 +139,7 @@ void MeshUi::compareMethods() {
   m_preview.compare();
 }
 
-// Jobs ask when they start; the others have to be told.
+// Jobs ask when they start; the others have to be asked.
 void MeshUi::followFidelity() {
   const FidelityValues& values = m_parts.fidelity.values();
   m_kind.setNearWeld(values.of(nearWeldSetting()));

@@ -68,6 +68,24 @@ QString reasons(const Inspection& inspection) {
   return lines.join(QLatin1Char(' '));
 }
 
+// "Self-intersections stay: no cut would separate the triangles cleanly.", where a fix of all of them was tried.
+QString failedFixes(const Inspection& inspection) {
+  if (inspection.count(DefectKind::SelfIntersection) == 0 || !inspection.isHopeless(DefectKind::SelfIntersection))
+    return {};
+  return NextStepsWords::tr("The self-intersections stay: %1.")
+      .arg(inspection.reason(DefectKind::SelfIntersection, -1));
+}
+
+// Of a sheet that no attempt has failed to thicken.
+bool hasSheetToThicken(const Inspection& inspection) {
+  const auto& open = inspection.keptOpen();
+  return std::any_of(open.begin(), open.end(), [&](int id) {
+    const FillFailure failure = inspection.failure(id);
+    return inspection.loop(id).rim &&
+           (failure == FillFailure::None || failure == FillFailure::Rim || failure == FillFailure::SheetKeptOpen);
+  });
+}
+
 QString openTitle(const Inspection& inspection) {
   const auto sheets = static_cast<int>(inspection.sheetCount());
   const auto pieces = static_cast<int>(inspection.state().components);
@@ -106,12 +124,15 @@ QString joined(QStringList sentences) {
   return sentences.join(QLatin1Char(' '));
 }
 
-// What may be done about what a repair leaves, in one place.
+// What may be done about what a repair leaves, in one place; not what was tried in vain. None of it is what most people
+// want: the card shows no such action as the obvious one.
 void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
-  if (inspection.sheetCount() > 0 && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
+  step.isFirstObvious = !step.actions.empty();
+  if (hasSheetToThicken(inspection) && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
   if (inspection.count(DefectKind::InsideOut) > 0) step.actions.push_back(actions.reverseBodies);
-  if (inspection.count(DefectKind::SelfIntersection) > 0) step.actions.push_back(actions.resolveIntersections);
+  if (inspection.count(DefectKind::SelfIntersection) > 0 && !inspection.isHopeless(DefectKind::SelfIntersection))
+    step.actions.push_back(actions.resolveIntersections);
   if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   if (document.isJustRepaired() && document.document.isModified()) step.actions.push_back(actions.undoRepair);
@@ -133,7 +154,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     step.colour = colours.warning;
     if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
   }
-  QStringList details;
+  QStringList details = inspection.patchWarnings();
   const auto turned = static_cast<int>(document.document.reversedFaces().size());
   if (isWorthSaving(document)) {
     details << comparison(inspection) << otherFindings(inspection, Compared::Yes);
@@ -145,6 +166,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     if (!document.written && state.isSound() && inspection.debris().empty())
       details << NextStepsWords::tr("There is nothing to repair.");
   }
+  details << failedFixes(inspection);
   step.detail = joined(details);
   addFurther(step, document, actions);
   return step;
@@ -153,13 +175,16 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
 // After a repair that left something.
 NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
-  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
+  // The same number as in the account, where a hole that was left in pieces counts once.
+  const std::size_t failed = inspection.loopOutcomes().holes.failed;
+  const auto holes = static_cast<int>(failed > 0 ? failed : inspection.count(DefectKind::Hole));
   NextStep left{QStringLiteral("warning"),
                 themeColours(currentTheme()).warning,
                 holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
                           : NextStepsWords::tr("Some defects remain."),
-                joined({comparison(inspection), reasons(inspection), openSheets(inspection),
-                        otherFindings(inspection, Compared::Yes), savedAs(document)}),
+                joined({inspection.patchWarnings().join(QLatin1Char(' ')), comparison(inspection), reasons(inspection),
+                        failedFixes(inspection), openSheets(inspection), otherFindings(inspection, Compared::Yes),
+                        savedAs(document)}),
                 {}};
   if (holes > 0) left.actions.push_back(actions.oneByOne);
   if (isWorthSaving(document)) left.actions.push_back(actions.saveAs);

@@ -3,82 +3,37 @@
 #include "window/mesh/RepairJobs.h"
 
 #include "mesh/measure/MeshFidelity.h"
-#include "mesh/structure/FaceComponents.h"
+#include "mesh/repair/SelfIntersectionRemoval.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
-#include "panels/defects/RepairAccount.h"
 #include "proximity/SelfIntersection.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
+#include "tools/mesh/RemainingDefects.h"
 #include "tools/mesh/RepairChanges.h"
 #include "window/CommandLines.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/EquivalentCommand.h"
+#include "window/mesh/MeshMessages.h"
 #include "window/mesh/MeshTab.h"
+#include "window/mesh/RepairLog.h"
+#include "window/mesh/RepairReasons.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 
 namespace handwheel {
-
 namespace {
 
-// Why loops stayed open, by their key, because the repair renumbers them.
-std::vector<std::pair<Vertex, FillFailure>> failuresOf(const Inspection& inspection, const RepairReport& report) {
-  std::vector<std::pair<Vertex, FillFailure>> failures;
-  for (const LoopResult& loop : report.loops) {
-    if (loop.outcome == LoopOutcome::Failed && loop.id >= 0)
-      failures.emplace_back(inspection.keyOf(loop.id), loop.reason);
-  }
-  return failures;
-}
-
-// Why the holes stayed open that the repair opened itself, or whose key it changed: the one reason it gives for such.
-std::vector<std::pair<Vertex, FillFailure>> failuresOfOthers(const Inspection& inspection, const RepairReport& report) {
-  FillFailure reason = FillFailure::SelfIntersecting;
-  for (const LoopResult& loop : report.loops)
-    if (loop.outcome == LoopOutcome::Failed && loop.id < 0) reason = loop.reason;
-  std::vector<std::pair<Vertex, FillFailure>> failures;
-  for (const int id : inspection.holes())
-    if (inspection.failure(id) == FillFailure::None) failures.emplace_back(inspection.keyOf(id), reason);
-  return failures;
-}
-
-constexpr const char* kPartingCutShort =
-    QT_TRANSLATE_NOOP("Tool", "separating all of them would take too long for a mesh of this size");
-constexpr const char* kNotTried =
-    QT_TRANSLATE_NOOP("Tool", "“Repair all” leaves them as they are; they can be fixed here");
-
-// Why a repair leaves defects of these kinds: what was cut short, what was refused, and what it does not try. Not all
-// kinds have a reason.
-std::map<DefectKind, QString> reasonsOf(const Inspection& inspection, const RepairReport& report,
-                                        const RepairOptions& options) {
-  const auto text = [](const char* reason) { return QCoreApplication::translate("Tool", reason); };
-  const QString notSeparated = text(report.isSeparationIncomplete ? kPartingCutShort : kNotSeparable);
-  std::map<DefectKind, QString> reasons{
-      {DefectKind::NonManifoldEdge, notSeparated},    {DefectKind::NonManifoldVertex, notSeparated},
-      {DefectKind::NearVertex, text(kClosesNothing)}, {DefectKind::Duplicate, text(kPlateSides)},
-      {DefectKind::OneSided, text(kNoCleanCut)},
-  };
-  if (!options.cutCrossings) reasons[DefectKind::SelfIntersection] = text(kNotTried);
-  if (!options.removeDebris) reasons[DefectKind::Debris] = text(kNotTried);
-  std::erase_if(reasons, [&](const auto& entry) { return inspection.count(entry.first) == 0; });
-  return reasons;
-}
-
-// The connected parts of a mesh of which another version has no face any more. 0 if cancelled.
-std::size_t countGone(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress) {
-  const PositionTriangles byPosition(before, progress.part(0.0, 0.5));
-  if (progress.cancelled()) return 0;
-  const FaceComponents components(before, byPosition, progress.part(0.5, 1.0));
-  if (progress.cancelled()) return 0;
-  std::vector<bool> isLeft(components.count(), false);
-  for (Face f = 0; f < before.faceSlots(); ++f)
-    if (before.isLive(f) && after.isLive(f)) isLeft[components.of(f)] = true;
-  return static_cast<std::size_t>(std::count(isLeft.begin(), isLeft.end(), false));
+// Whether numbers of this type hold all digits of a mesh. O(n).
+bool isExactIn(const HalfEdgeMesh& mesh, NumberType numbers) {
+  if (numbers == NumberType::Float64) return true;
+  for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
+    if (rounded(mesh.position(v), numbers) != mesh.position(v)) return false;
+  return true;
 }
 
 }  // namespace
@@ -141,18 +96,24 @@ void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<
 }
 
 void RepairJobs::removeDebris(MeshTab* document) {
-  change(document, allDebrisFix());
+  const std::vector<std::size_t>& debris = document->inspection.debris();
+  const std::vector<Component>& components = document->document.defects().components;
+  const auto all = std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; });
+  if (debris.size() == static_cast<std::size_t>(all)) return change(document, allDebrisFix());
+  std::vector<Face> faces;  // without the pieces that a fix has cut off
+  for (const std::size_t i : debris) faces.push_back(components[i].faces.front());
+  change(document, debrisFix(std::move(faces)));
 }
 
-void RepairJobs::change(MeshTab* document, MeshChange wanted) {
-  m_changes.emplace_back(document, std::move(wanted));
-  if (m_changes.size() == 1) startChange(document, m_changes.front().second, Round::First);
+void RepairJobs::change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of) {
+  m_changes.push_back({document, std::move(wanted), of});
+  if (m_changes.size() == 1) startChange(m_changes.front(), Round::First);
 }
 
 void RepairJobs::changeEnded() {
-  const MeshChange ended = std::move(m_changes.front().second);
+  const MeshChange ended = std::move(m_changes.front().wanted);
   m_changes.pop_front();
-  if (!m_changes.empty()) startChange(m_changes.front().first, m_changes.front().second, Round::First);
+  if (!m_changes.empty()) startChange(m_changes.front(), Round::First);
   ended.ended();
 }
 
@@ -160,36 +121,37 @@ void RepairJobs::changeEnded() {
 void RepairJobs::dropChanges(const DocumentTab* document) {
   if (m_changes.empty()) return;
   m_changes.erase(std::remove_if(m_changes.begin() + 1, m_changes.end(),
-                                 [document](const auto& change) { return change.first == document; }),
+                                 [document](const auto& change) { return change.document == document; }),
                   m_changes.end());
 }
 
-void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) {
-  const std::uint64_t revision = document->document.revision();
-  const QString text = QCoreApplication::translate("Tool", wanted.text);
+void RepairJobs::startChange(Request request, Round round) {
+  MeshTab* const document = request.document;
+  request.revision = document->document.revision();
+  const QString text = QCoreApplication::translate("Tool", request.wanted.text);
   Job job;
   job.name = text;
   const bool isSearched = document->inspection.selfIntersections().has_value();
-  job.work = [this, document, revision, round, wanted, text, isSearched, nearWeld = nearWeld(),
+  FaceSelection oldDebris;
+  for (const Component& piece : document->document.defects().components)
+    for (const Face f : piece.faces) oldDebris.add(f);
+  job.work = [this, request, round, text, isSearched, nearWeld = nearWeld(), oldDebris = std::move(oldDebris),
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
-    wanted.apply(result, progress.part(0.0, 0.4));
-    Changed change;
-    // The list of defects need not wait until the whole surface has been searched again.
-    if (wanted.crossed || (wanted.isFix && isSearched))
-      change.crossings = intersectionsChange(mesh, result, progress.part(0.4, 0.45));
-    if (wanted.isDeletion) change.bodiesGone = countGone(mesh, result, progress.part(0.45, 0.5));
-    change.facesGone = mesh.liveFaceCount() - std::min(mesh.liveFaceCount(), result.liveFaceCount());
+    request.wanted.apply(result, progress.part(0.0, 0.4));
+    ChangeEffects effects = effectsOf(request.wanted, mesh, result, isSearched, progress.part(0.4, 0.5));
     if (progress.cancelled()) return {};
-    return [this, document, revision, round, wanted, text, change,
-            after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
-      if (!m_tabs.contains(document)) return changeEnded();
-      if (!isStale(document, revision)) {
-        changed(document, wanted, text, after, change);
+    const InspectedMesh after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0));
+    if (progress.cancelled()) return {};
+    if (request.wanted.isFix) effects.cutOff = cutOffCorners(oldDebris, after);
+    return [this, request, round, text, effects, after] {
+      if (!m_tabs.contains(request.document)) return changeEnded();
+      if (!isStale(request.document, request.revision)) {
+        changed(request, text, after, effects);
         return changeEnded();
       }
-      reportStale(*document, round);
-      if (round == Round::First) return startChange(document, wanted, Round::Second);
+      reportStale(*request.document, round);
+      if (round == Round::First) return startChange({request.document, request.wanted, {}}, Round::Second);
       changeEnded();
     };
   };
@@ -197,82 +159,50 @@ void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) 
   start(document, std::move(job));
 }
 
-void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
-                         const Changed& change) {
-  const auto& crossings = change.crossings;
+void RepairJobs::changed(const Request& request, const QString& text, const InspectedMesh& after,
+                         const ChangeEffects& effects) {
+  MeshTab* const document = request.document;
+  const MeshChange& wanted = request.wanted;
+  const auto& crossings = effects.crossings;
   Inspection& inspection = document->inspection;
-  const auto known = inspection.selfIntersections();
+  // Those of a mesh that its file rounds are searched again as a whole.
+  const auto known = isExactIn(document->document.mesh(), document->document.fileNumbers())
+                         ? inspection.selfIntersections()
+                         : std::nullopt;
   const auto before = inspection.counts();
   const QString command = stepCommand(*document, wanted.step);
+  inspection.keepPieces(effects.cutOff);
   if (document->document.commit(text, after, wanted.step)) {
     if (crossings && known && known->size() < kMaxTrianglePairs)
       inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
-    if (wanted.isFix) inspection.setBefore(before);
+    if (wanted.isFix) inspection.setBefore(before, effects.loops);
+    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
     logChange(*document, wanted, text, command);
-    if (change.bodiesGone > 0) reportBodiesGone(document, change);
+    if (effects.piecesGone > 0) {  // one triangle was meant, perhaps, and all that hangs together with it was selected
+      const auto undo = [this, document] {
+        if (m_tabs.contains(document)) document->document.history()->undo();
+      };
+      emit message(piecesDeletedMessage(document->document, effects.piecesGone, effects.facesGone, undo));
+    }
     if (!crossings || !wanted.crossed) return;
     if (crossings->fresh > 0) reportCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
   } else if (const char* reason = reasonOf(wanted)) {
+    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
+    if (request.of && request.of->row < 0) inspection.setHopeless(request.of->kind);
     emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
   }
 }
 
-// One triangle was meant, perhaps, and all that hangs together with it was selected.
-void RepairJobs::reportBodiesGone(MeshTab* document, const Changed& change) {
-  const MeshDocument& mesh = document->document;
-  emit message(
-      {.weight = Message::Weight::Info,
-       .title = tr("%Ln whole piece(s) deleted", nullptr, static_cast<int>(change.bodiesGone)),
-       .detail = tr("%Ln triangle(s) are gone from %1.", nullptr, static_cast<int>(change.facesGone)).arg(mesh.name()),
-       .actionText = tr("Undo"),
-       .action =
-           [this, document] {
-             if (m_tabs.contains(document)) document->document.history()->undo();
-           },
-       .about = &mesh,
-       .isOver = [&mesh, then = mesh.revision()] { return mesh.revision() != then; }});
-}
-
 void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, const QString& text,
                            const QString& command) {
-  const QString name = document.document.name();
-  const LengthUnit unit = document.document.displayUnit();
-  const bool isPartly = done.sheets && done.sheets->leftCount() > 0;
-  const bool isThickened = !isPartly && done.sheets && done.sheets->thickened > 0;
-  const bool isMeasured = done.distance && *done.distance;
-  const QStringList account = done.isFix ? repairAccount(document.inspection) : QStringList();
-  QStringList how;
-  if (isPartly) how << sheetsText(*done.sheets, unit);
-  if (isMeasured)
-    how << tr("largest distance found between the surface before and after %1").arg(lengthText(**done.distance, unit));
-  how << account;
-  const QString separator = QStringLiteral(", ");
-  QString line = tr("%1: %2").arg(name, text);
-  if (isThickened) {
-    const QString thickness = thicknessText(done.sheets->thickness, unit);
-    line = (QStringList(tr("%1: %2 by %3").arg(name, text, thickness)) + how).join(separator);
-    how.prepend(thickness);
-  } else if (!how.isEmpty()) {
-    line = tr("%1: %2: %3").arg(name, text, how.join(separator));
+  const ChangeAccount account = accountOf(document, done, text);
+  m_log.add(account.line, command, account.isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
+  if (account.isPartly) {
+    emit changedPartly(&document, text, account.how);
+  } else if (account.isTold) {
+    emit message(changeMessage(document.document, text, account.how));
   }
-  const QString all = how.join(separator);
-  m_log.add(line, command, isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
-  if (isPartly) {
-    emit changedPartly(&document, text, all);
-  } else if (isMeasured || !account.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0)) {
-    emit message(changeMessage(document, text, all));
-  }
-}
-
-// What a change did, until the next one.
-Message RepairJobs::changeMessage(const MeshTab& document, const QString& text, const QString& how) {
-  const MeshDocument& mesh = document.document;
-  return {.weight = Message::Weight::Info,
-          .title = text,
-          .detail = how.left(1).toUpper() + how.mid(1) + QLatin1Char('.'),
-          .about = &mesh,
-          .isOver = [&mesh, then = mesh.revision()] { return mesh.revision() != then; }};
 }
 
 void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {
@@ -303,22 +233,24 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
     const MeshChange wanted = repairChange(options, report);
     wanted.apply(result, progress.part(0.0, 0.85));
     std::optional<FacePairs> pairs;
-    if (isSearched && !report->cancelled) pairs = findSelfIntersections(result, progress.part(0.85, 0.9));
+    if (isSearched && !report->cancelled)
+      pairs = selfIntersectingPairs(result, options.fill.numbers, progress.part(0.85, 0.9));
     if (report->cancelled || progress.cancelled()) return {};
-    return [this, document, revision, round, options, step = wanted.step, report, pairs = std::move(pairs),
-            after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 1.0))] {
-      if (!m_tabs.contains(document)) return;
-      if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step, pairs});
-      reportStale(*document, round);
-      if (round == Round::First) startRepair(document, Round::Second);
-    };
+    const InspectedMesh after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 0.98));
+    const RemainingDefects left = remainingDefects(after, *report, progress.part(0.98, 1.0));
+    return
+        [this, document, revision, round, options, step = wanted.step, report, pairs = std::move(pairs), after, left] {
+          if (!m_tabs.contains(document)) return;
+          if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step, pairs, left});
+          reportStale(*document, round);
+          if (round == Round::First) startRepair(document, Round::Second);
+        };
   };
   start(document, std::move(job));
 }
 
 void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done) {
   Inspection& inspection = document->inspection;
-  const auto failures = failuresOf(inspection, done.report);
   const auto before = inspection.counts();
   const QString command = document->isAsInFile() ? repairCommand(document->document.path(), done.options)
                                                  : stepCommand(*document, done.step);
@@ -329,36 +261,20 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   if (isChanged && done.pairs) inspection.setSelfIntersections(document->document.revision(), *done.pairs);
   document->repairedRevision = document->document.revision();
   document->hasRepairChanged = isChanged;
-  inspection.setFailures(failures);
-  inspection.setFailures(failuresOfOthers(inspection, done.report));
+  inspection.setFailures(failuresOf(done.report));
   // A repair that changes nothing has no account: what is known from before is of another change.
   if (isChanged)
-    inspection.setBefore(before, repairSummary(done.report, document->document.displayUnit()));
+    inspection.setBefore(before, countOutcomes(done.report),
+                         repairSummary(done.report, document->document.displayUnit()));
   else
     inspection.setBefore({});
-  inspection.setReasons(reasonsOf(inspection, done.report, done.options));
-  logRepair(*document, done, names, command);
+  inspection.setReasons(reasonsOf(done.left, done.options));
+  logRepair(m_log, *document, done.report, names, command);
+  if (isChanged) inspection.setPatchWarnings(patchWarningsOf(done.report, names));
   if (!isChanged)
     emit changedNothing(document, tr("Repair all"),
                         tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "
                            "are known."));
-}
-
-// names: of the loops that there were.
-void RepairJobs::logRepair(const MeshTab& document, const Repaired& done, const std::map<int, QString>& names,
-                           const QString& command) {
-  const QStringList account = repairAccount(document.inspection);
-  m_log.add(account.isEmpty() ? tr("Repaired %1: nothing was changed").arg(document.document.name())
-                              : tr("Repaired %1: %2").arg(document.document.name(), account.join(QStringLiteral(", "))),
-            command);
-  for (const LoopResult& loop : done.report.loops) {
-    const QString name = loop.id >= 0 ? names.at(loop.id) : tr("A hole opened by the repair");
-    const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
-    if (loop.id >= 0 && !warning.isEmpty())
-      m_log.add(tr("Look at the patch of %1: %2").arg(name, warning), {}, LogEntry::Weight::Warning);
-    if (loop.outcome == LoopOutcome::Failed)
-      m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
-  }
 }
 
 double RepairJobs::nearWeld() const {
@@ -397,18 +313,7 @@ void RepairJobs::start(const DocumentTab* document, Job job) {
 void RepairJobs::reportFailure(const DocumentTab* document, const QString& job, const Error& error) {
   m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
   if (error.code == ErrorCode::Cancelled || !m_tabs.contains(document)) return;
-  const QString advice = error.code == ErrorCode::OutOfMemory
-                             ? errorAdvice(error)
-                             : tr("Save your work, and try it on a smaller part or in another way.");
-  emit message({Message::Weight::Error,
-                tr("%1 failed").arg(job),
-                errorSentence(error),
-                tr("The document is as it was before. %1").arg(advice),
-                {},
-                {},
-                {},
-                {},
-                &document->document});
+  emit message(jobFailedMessage(document->document, job, error));
 }
 
 void RepairJobs::ended(const DocumentTab* document) {

@@ -4,9 +4,9 @@
 
 #include "mesh/defects/Defects.h"
 #include "mesh/repair/Repair.h"
-#include "mesh/search/LocalIntersections.h"
 #include "panels/defects/Inspection.h"
-#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/ChangeEffects.h"
+#include "tools/mesh/RemainingDefects.h"
 #include "window/mesh/HoleFillerCache.h"
 #include "window/mesh/HolePreview.h"
 
@@ -37,8 +37,8 @@ class RepairJobs : public QObject {
   void fill(MeshTab* document, int loop, PreparedFill prepared);
   void repairAll(MeshTab* document);
   void removeDebris(MeshTab* document);
-  // Applies a change requested by a tool. Changes run one after the other.
-  void change(MeshTab* document, MeshChange wanted);
+  // Applies a change requested by a tool, or a fix of these defects. Changes run one after the other.
+  void change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of = std::nullopt);
 
   // Whether a fill, a repair or another change is waiting or running, of any document or of this one.
   bool isWorking() const { return !m_working.empty(); }
@@ -58,19 +58,18 @@ class RepairJobs : public QObject {
  private:
   enum class Round { First, Second };
   void startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round);
-  void startChange(MeshTab* document, MeshChange wanted, Round round);
+  struct Request {
+    MeshTab* document;
+    MeshChange wanted;
+    std::optional<DefectRow> of;
+    std::uint64_t revision = 0;  // for which it runs
+  };
+  void startChange(Request request, Round round);
   void logChange(const MeshTab& document, const MeshChange& done, const QString& text, const QString& command);
   void changeEnded();
   void dropChanges(const DocumentTab* document);
   void startRepair(MeshTab* document, Round round);
-  struct Changed {
-    std::optional<IntersectionsChange> crossings;
-    std::size_t bodiesGone = 0;  // connected parts of which nothing is left; of a deletion
-    std::size_t facesGone = 0;
-  };
-  void changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
-               const Changed& change);
-  void reportBodiesGone(MeshTab* document, const Changed& change);
+  void changed(const Request& request, const QString& text, const InspectedMesh& after, const ChangeEffects& effects);
   double nearWeld() const;  // tolerance for the defects of a job's result
   bool isStale(MeshTab* document, std::uint64_t revision) const;
   struct Filled {
@@ -84,11 +83,9 @@ class RepairJobs : public QObject {
     RepairOptions options;
     std::string step;
     std::optional<FacePairs> pairs;  // that intersect then, where that is known of the mesh before
+    RemainingDefects left;
   };
   void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
-  void logRepair(const MeshTab& document, const Repaired& done, const std::map<int, QString>& names,
-                 const QString& command);
-  static Message changeMessage(const MeshTab& document, const QString& text, const QString& how);
   void reportCrossings(const MeshTab& document, const IntersectionsChange& crossings);
   void reportStale(const MeshTab& document, Round round);
   void start(const DocumentTab* document, Job job);
@@ -99,8 +96,8 @@ class RepairJobs : public QObject {
   JobRunner& m_jobs;
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
-  std::multiset<const DocumentTab*> m_working;            // of the jobs
-  std::deque<std::pair<MeshTab*, MeshChange>> m_changes;  // the first is running
+  std::multiset<const DocumentTab*> m_working;  // of the jobs
+  std::deque<Request> m_changes;                // the first is running
 };
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/SelfIntersectionSearch.h"
 
+#include "mesh/repair/SelfIntersectionRemoval.h"
 #include "window/WindowServices.h"
 #include "window/mesh/MeshTab.h"
 
@@ -42,13 +43,14 @@ void SelfIntersectionSearch::start() {
   Job job;
   job.name = tr("Searching self-intersections");
   job.work = [this, &service = m_services.selfIntersections(), document = m_document,
-              revision = m_document->document.revision(),
+              revision = m_document->document.revision(), numbers = m_document->document.fileNumbers(),
               mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
-    auto found = findSelfIntersections(mesh, progress);
-    if (!found) return {};
-    return [this, document, revision, pairs = std::move(*found)]() mutable {
-      if (document == m_document) document->inspection.setSelfIntersections(revision, std::move(pairs));
+    FacePairs found = selfIntersectingPairs(mesh, numbers, progress);
+    if (progress.cancelled()) return {};
+    return [this, document, revision, numbers, pairs = std::move(found)]() mutable {
+      if (document == m_document && document->document.fileNumbers() == numbers)
+        document->inspection.setSelfIntersections(revision, std::move(pairs));
     };
   };
   m_runner.start(std::move(job));

@@ -63,7 +63,7 @@ std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ra
   return event.button == PointerButton::First ? std::optional(event) : std::nullopt;
 }
 
-// What a tool proposes is told from what is there by its colour.
+// What a tool proposes is distinguished from what is there by its colour.
 void tint(std::vector<DisplayPart>& parts) {
   const QColor accent = themeColours(currentTheme()).accent;
   for (DisplayPart& part : parts) part.colour = {accent.redF(), accent.greenF(), accent.blueF()};

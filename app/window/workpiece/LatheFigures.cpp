@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <cmath>
 
 namespace handwheel {
 
@@ -53,6 +54,9 @@ LatheFigures::LatheFigures(QWidget* parent) : QWidget(parent) {
       cell(*line, tr("Cutting speed"), "latheCuttingSpeed", tr("%1 m/min").arg(8888), tr("At the middle of the cut"));
   m_depth = cell(*line, tr("Depth"), "latheDepth", tr("%1 mm").arg(88.88), tr("Of the cut, across its way"));
   m_feed = cell(*line, tr("Feed"), "latheFeedNow", tr("%1 mm/rev").arg(8.888), tr("In a turn of the spindle"));
+  m_roughness = cell(*line, tr("Ra here"), "latheRoughness", tr("%1 µm").arg(88.88),
+                     tr("Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or "
+                        "disk have taken off since"));
   m_law = cell(*line, tr("Law"), "latheLaw", tr("Kosilova"), QString());
   line->addStretch();
 }
@@ -94,6 +98,8 @@ void LatheFigures::show(const ManualLatheTool& tool) {
   m_speed->setText(load.isCutting ? tr("%1 m/min").arg(figure(load.cut.speed, 0)) : none);
   m_depth->setText(load.isCutting ? tr("%1 mm").arg(figure(load.cut.depth, 2)) : none);
   m_feed->setText(load.isCutting ? tr("%1 mm/rev").arg(figure(load.cut.feed, 3)) : none);
+  const std::optional<double> rough = tool.roughnessHere();
+  m_roughness->setText(rough && std::isfinite(*rough) ? tr("%1 µm").arg(figure(*rough, 2)) : none);
   m_law->setText(nameOf(tool.material()->law));
   setWarning(*m_law, load.isOutsideModel);
   const QString material = QString::fromStdString(tool.material()->id);

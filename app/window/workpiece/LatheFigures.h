@@ -32,6 +32,7 @@ class LatheFigures : public QWidget {
   QLabel* m_speed;
   QLabel* m_depth;
   QLabel* m_feed;
+  QLabel* m_roughness;
   QLabel* m_law;
 };
 

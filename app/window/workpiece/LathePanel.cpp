@@ -3,20 +3,17 @@
 #include "window/workpiece/LathePanel.h"
 
 #include "controls/NumberField.h"
-#include "controls/machine/HandwheelDial.h"
 #include "window/workpiece/LatheEvents.h"
 #include "window/workpiece/LatheFigures.h"
+#include "window/workpiece/LatheWheels.h"
+#include "window/workpiece/ToolPostRow.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QComboBox>
-#include <QCoreApplication>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QSignalBlocker>
 
 namespace handwheel {
 
@@ -67,14 +64,19 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lathePanel"));
   auto* levers = new QVBoxLayout;
   levers->setSpacing(4);
-  for (QWidget* row : {makeReadout(), makeTouchingOff(), makeSpindle(), makeSurfaceSpeed(), makeFeed(), makeThread()})
+  for (QWidget* row :
+       {makeReadout(), makeTouchingOff(), makeSpindle(), makeSurfaceSpeed(), makeFeed(), makeThreadAndRapid()})
     levers->addWidget(row);
   levers->addStretch();
+  m_wheels = new LatheWheels;
+  connect(m_wheels, &LatheWheels::turned, this, [this](LatheAxis axis, double mm) {
+    emit commanded({Do::Turn, axis, mm});
+  });
   m_figures = new LatheFigures;
   m_events = new LatheEvents;
   auto* below = new QHBoxLayout;
   below->addLayout(levers);
-  below->addWidget(makeWheels());
+  below->addWidget(m_wheels);
   below->addWidget(m_events, 1);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(8, 4, 8, 4);
@@ -91,21 +93,18 @@ QPushButton* LathePanel::button(const QString& text, const char* name, const QSt
 }
 
 QWidget* LathePanel::makeReadout() {
-  m_tools = new QComboBox;
-  m_tools->setObjectName(QStringLiteral("latheTool"));
-  m_tools->setAccessibleName(tr("Tool in the post"));
-  m_tools->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_tools->setMinimumContentsLength(14);
+  m_post = new ToolPostRow;
   m_x = new QLabel;
   m_x->setObjectName(QStringLiteral("latheX"));
   m_z = new QLabel;
   m_z->setObjectName(QStringLiteral("latheZ"));
   m_x->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("X ⌀ -888.888 mm")));
   m_z->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Z -888.888 mm")));
-  connect(m_tools, &QComboBox::activated, this, [this](int index) {
-    emit commanded({Do::Tool, LatheAxis::Carriage, static_cast<double>(index)});
+  connect(m_post, &ToolPostRow::sideChosen, this, [this](int side) {
+    emit commanded({Do::Tool, LatheAxis::Carriage, static_cast<double>(side)});
   });
-  auto* const row = rowOf({m_tools, m_x, m_z});
+  connect(m_post, &ToolPostRow::mountRequested, this, &LathePanel::mountRequested);
+  auto* const row = rowOf({m_post, m_x, m_z});
   static_cast<QHBoxLayout*>(row->layout())->setStretch(0, 1);
   return row;
 }
@@ -168,39 +167,30 @@ QWidget* LathePanel::makeFeed() {
                 new QLabel(tr("mm/rev"))});
 }
 
-QWidget* LathePanel::makeThread() {
+QWidget* LathePanel::makeThreadAndRapid() {
   m_lead = field(tr("Pitch of the thread, mm"), "latheLead", 1.5, 0.0, 100.0);
   m_nut = button(tr("&Half-nut"), "latheHalfNut", tr("Closes the half-nut: the carriage follows the lead screw"));
   m_nut->setCheckable(true);
   connect(m_nut, &QPushButton::clicked, this, [this](bool isClosed) {
     emit commanded({Do::HalfNut, LatheAxis::Carriage, isClosed ? -m_lead->value() : 0.0});
   });
-  return rowOf({new QLabel(tr("Thread, pitch")), m_lead, new QLabel(tr("mm")), m_nut});
-}
-
-QWidget* LathePanel::makeWheels() {
-  auto* group = new QWidget;
-  auto* grid = new QGridLayout(group);
-  grid->setContentsMargins(0, 0, 0, 0);
-  const std::array<QString, kLatheAxes> names{tr("Carriage"), tr("Cross slide"), tr("Compound slide"),
-                                              tr("Tailstock quill")};
-  const std::array<const char*, kLatheAxes> ids{"latheCarriage", "latheCross", "latheCompound", "latheQuill"};
-  for (std::size_t i = 0; i < kLatheAxes; ++i) {
-    m_wheels[i] = new HandwheelDial;
-    m_wheels[i]->setObjectName(QString::fromLatin1(ids[i]));
-    m_wheels[i]->setLabel(names[i]);
-    auto* const caption = new QLabel(names[i]);
-    caption->setAlignment(Qt::AlignHCenter);
-    grid->addWidget(m_wheels[i], 0, static_cast<int>(i));
-    grid->addWidget(caption, 1, static_cast<int>(i));
-    m_captions[i] = caption;
-    connect(m_wheels[i], &HandwheelDial::moved, this, [this, i](double mm) {
-      const double by = mm - std::exchange(m_turned[i], mm);
-      emit commanded({Do::Turn, static_cast<LatheAxis>(i), by});
-    });
-  }
-  m_wheels[static_cast<std::size_t>(LatheAxis::Cross)]->setPrefix(QStringLiteral("R"));
-  return group;
+  const auto hold = [this](const QString& text, const char* name, const QString& tip, LatheAxis axis, double way) {
+    QPushButton* const made = button(text, name, tip);
+    made->setAccessibleName(tip);
+    made->setMaximumWidth(fontMetrics().horizontalAdvance(text) + 28);
+    connect(made, &QPushButton::pressed, this, [this, axis, way] { emit commanded({Do::Rapid, axis, way}); });
+    connect(made, &QPushButton::released, this, [this, axis] { emit commanded({Do::Rapid, axis, 0.0}); });
+    return made;
+  };
+  return rowOf(
+      {new QLabel(tr("Thread, pitch")), m_lead, new QLabel(tr("mm")), m_nut, new QLabel(tr("Rapid")),
+       hold(QStringLiteral("←"), "latheRapidLeft", tr("Rapid traverse to the chuck, while held (Alt+←)"),
+            LatheAxis::Carriage, -1.0),
+       hold(QStringLiteral("→"), "latheRapidRight", tr("Rapid traverse away from the chuck, while held (Alt+→)"),
+            LatheAxis::Carriage, 1.0),
+       hold(QStringLiteral("↑"), "latheRapidIn", tr("Rapid traverse in, while held (Alt+↑)"), LatheAxis::Cross, -1.0),
+       hold(QStringLiteral("↓"), "latheRapidOut", tr("Rapid traverse out, while held (Alt+↓)"), LatheAxis::Cross,
+            1.0)});
 }
 
 void LathePanel::sendSpeed() {
@@ -214,39 +204,6 @@ void LathePanel::sendFeed(int way) {
   if (way < 0 || way >= static_cast<int>(kFeedWays.size())) return;
   const FeedWay& chosen = kFeedWays[static_cast<std::size_t>(way)];
   emit commanded({Do::Feed, chosen.axis, chosen.sign * m_feed->value()});
-}
-
-void LathePanel::showTools(const ManualLatheTool& tool) {
-  std::vector<std::string> ids;
-  for (const LatheSlot& slot : tool.setup().stations) ids.push_back(slot.tool);
-  const QSignalBlocker quiet(m_tools);
-  if (ids != m_listed) {
-    m_listed = ids;
-    m_tools->clear();
-    int place = 1;
-    for (const std::string& id : ids) {
-      const auto found = toolNamed(tool.tools(), id);
-      const QString name = found ? QCoreApplication::translate("LatheTool", titleOf(found->kind)) + QLatin1Char(' ') +
-                                       QString::fromStdString(found->designation)
-                                 : tr("none");
-      m_tools->addItem(QStringLiteral("%1: %2").arg(place++).arg(name));
-    }
-  }
-  m_tools->setCurrentIndex(static_cast<int>(tool.moment()->machine.tool));
-}
-
-// What was turned and not followed yet counts, too.
-void LathePanel::showWheels(const ManualLatheTool& tool) {
-  const LatheSetup setup = tool.setup();
-  const auto now = tool.moment();
-  for (std::size_t i = 0; i < kLatheAxes; ++i) {
-    m_turned[i] = now->machine.wheels[i] + now->machine.demands[i];
-    m_wheels[i]->setDivisions(setup.dials[i].divisions, setup.dials[i].perDivision);
-    m_wheels[i]->setValue(m_turned[i]);
-  }
-  constexpr auto kQuill = static_cast<std::size_t>(LatheAxis::Quill);
-  m_wheels[kQuill]->setVisible(setup.tailstock.isUsed());
-  m_captions[kQuill]->setVisible(setup.tailstock.isUsed());
 }
 
 void LathePanel::show(const ManualLatheTool& tool) {
@@ -263,10 +220,15 @@ void LathePanel::show(const ManualLatheTool& tool) {
   }
   m_feedWays->button(way)->setChecked(true);
   m_nut->setChecked(now->machine.lead != 0.0);
-  showTools(tool);
-  showWheels(tool);
+  m_post->show(tool);
+  m_wheels->show(tool);
   m_figures->show(tool);
   m_events->show(tool);
+}
+
+void LathePanel::begin(const ManualLatheTool& tool) {
+  m_wheels->setZero(tool);
+  show(tool);
 }
 
 }  // namespace handwheel

@@ -5,20 +5,19 @@
 #include "tools/workpiece/ManualLatheTool.h"
 
 #include <QWidget>
-#include <array>
 
 class QButtonGroup;
 class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace handwheel {
 
-class HandwheelDial;
 class LatheEvents;
 class LatheFigures;
+class LatheWheels;
 class NumberField;
+class ToolPostRow;
 
 // The levers and handwheels of a manual lathe, its read-out, the figures of the cut, its crashes and warnings. What is
 // done comes out as commands; what the lathe does is shown by show(). Window thread.
@@ -28,12 +27,15 @@ class LathePanel : public QWidget {
  public:
   explicit LathePanel(QWidget* parent = nullptr);
 
+  // A tool has begun: the rings of the dials are set to zero.
+  void begin(const ManualLatheTool& tool);
   // To be called some times a second while the lathe runs.
   void show(const ManualLatheTool& tool);
 
  signals:
   void commanded(const handwheel::LatheCommand& command);
   void touchOffRequested(bool isX, double value);  // mm, X as it is shown
+  void mountRequested(const QString& tool);        // id, on the side of the post in use; empty: none
 
  private:
   QWidget* makeReadout();
@@ -41,15 +43,12 @@ class LathePanel : public QWidget {
   QWidget* makeSpindle();
   QWidget* makeSurfaceSpeed();
   QWidget* makeFeed();
-  QWidget* makeThread();
-  QWidget* makeWheels();
+  QWidget* makeThreadAndRapid();
   QPushButton* button(const QString& text, const char* name, const QString& tip);
   void sendSpeed();
   void sendFeed(int way);
-  void showTools(const ManualLatheTool& tool);
-  void showWheels(const ManualLatheTool& tool);
 
-  QComboBox* m_tools;
+  ToolPostRow* m_post;
   QLabel* m_x;
   QLabel* m_z;
   NumberField* m_touch;
@@ -62,12 +61,9 @@ class LathePanel : public QWidget {
   QButtonGroup* m_feedWays;
   NumberField* m_lead;
   QPushButton* m_nut;
-  std::array<HandwheelDial*, kLatheAxes> m_wheels;
-  std::array<QLabel*, kLatheAxes> m_captions{};
-  std::array<double, kLatheAxes> m_turned{};  // mm, what the dials show
+  LatheWheels* m_wheels;
   LatheFigures* m_figures;
   LatheEvents* m_events;
-  std::vector<std::string> m_listed;  // ids of the tools in the post
 };
 
 }  // namespace handwheel

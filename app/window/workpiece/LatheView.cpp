@@ -3,8 +3,10 @@
 #include "window/workpiece/LatheView.h"
 
 #include "audio/MachineSound.h"
+#include "controls/machine/HandwheelDial.h"
 #include "machining/lathe/LatheJson.h"
 #include "panels/DockTitle.h"
+#include "panels/MessageBar.h"
 #include "simulation/turning/LatheForce.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
@@ -15,7 +17,10 @@
 #include "window/tools/ToolHost.h"
 #include "window/workpiece/LathePanel.h"
 
+#include <QComboBox>
+#include <QCoreApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QMainWindow>
 #include <algorithm>
 #include <cmath>
@@ -35,6 +40,7 @@ LatheView::LatheView(const WindowContext& window, QObject* parent) : QObject(par
   m_refresh.setInterval(kRefreshMs);
   connect(&m_refresh, &QTimer::timeout, this, &LatheView::refresh);
   m_sounding.setInterval(kSoundMs);
+  window.viewport.installEventFilter(this);
   connect(&m_sounding, &QTimer::timeout, this, &LatheView::sound);
 }
 
@@ -88,6 +94,38 @@ void LatheView::makeDock() {
   connect(m_panel, &LathePanel::touchOffRequested, this, [this](bool isX, double value) {
     if (ManualLatheTool* const lathe = tool()) m_window.tools.runner().deliver([&] { lathe->touchOff(isX, value); });
   });
+  connect(m_panel, &LathePanel::mountRequested, this, &LatheView::mount);
+  for (QWidget* each : m_panel->findChildren<QWidget*>()) {
+    if (qobject_cast<HandwheelDial*>(each) || qobject_cast<QComboBox*>(each)) each->installEventFilter(this);
+  }
+}
+
+// The view has the keys of the slides: who turns a wheel or chooses a tool with the mouse goes on there. A rapid
+// traverse ends with its key, whichever that is.
+bool LatheView::eventFilter(QObject* watched, QEvent* event) {
+  ManualLatheTool* const lathe = tool();
+  if (!lathe) return QObject::eventFilter(watched, event);
+  if (watched == &m_window.viewport) {
+    const bool isReleased = event->type() == QEvent::KeyRelease && !static_cast<QKeyEvent*>(event)->isAutoRepeat();
+    if (isReleased || event->type() == QEvent::FocusOut)
+      m_window.tools.runner().deliver([lathe] { lathe->stopRapids(); });
+  } else if (event->type() == QEvent::MouseButtonPress && qobject_cast<HandwheelDial*>(watched)) {
+    m_window.viewport.setFocus(Qt::MouseFocusReason);
+  } else if (event->type() == QEvent::FocusIn && qobject_cast<QComboBox*>(watched) &&
+             static_cast<QFocusEvent*>(event)->reason() == Qt::PopupFocusReason) {
+    m_window.viewport.setFocus(Qt::OtherFocusReason);
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void LatheView::mount(const QString& id) {
+  ManualLatheTool* const lathe = tool();
+  if (!lathe) return;
+  std::optional<MountRefusal> refusal;
+  m_window.tools.runner().deliver([&] { refusal = lathe->mount(lathe->moment()->machine.tool, id.toStdString()); });
+  if (refusal)
+    emit message({Message::Weight::Warning, tr("The tool was not mounted"),
+                  QCoreApplication::translate("LathePart", sentenceOf(*refusal)), QString()});
 }
 
 void LatheView::follow() {
@@ -99,7 +137,10 @@ void LatheView::follow() {
     m_refresh.start();
     // When the dock has taken its place.
     QTimer::singleShot(0, this, [this] {
-      if (const ManualLatheTool* const lathe = tool()) face(*lathe);
+      const ManualLatheTool* const lathe = tool();
+      if (!lathe) return;
+      if (m_panel) m_panel->begin(*lathe);
+      face(*lathe);
     });
   }
   if (!isRunning) m_refresh.stop();

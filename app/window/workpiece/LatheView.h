@@ -32,6 +32,12 @@ class LatheView : public QObject {
   // Whether the tool of the lathe runs.
   bool isOn() const { return tool() != nullptr; }
 
+ signals:
+  void message(const handwheel::Message& message);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   ManualLatheTool* tool() const;
   void follow();
@@ -42,6 +48,7 @@ class LatheView : public QObject {
   void face(const ManualLatheTool& lathe);
   void sound();
   void push(const Vec3& way);
+  void mount(const QString& tool);
 
   WindowContext m_window;
   ManualLatheTool* m_made = nullptr;  // the last one; it may be gone

@@ -60,13 +60,16 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_lathe(window, this),
       m_thread(window, this),
       m_program(window, this),
+      m_replay(window, this),
       m_panel(makePanel()) {
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
     if (this->document()) show();
   });
+  connect(&m_lathe, &LatheView::message, this, &KindUi::message);
   connect(&m_program, &ProgramDock::message, this, &KindUi::message);
   connect(&m_program, &ProgramDock::partShown, this, &WorkpieceUi::showInstead);
+  connect(&m_replay, &ReplayDock::partShown, this, &WorkpieceUi::showPast);
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
   // When the tool shows the change, too, and it is in the history.
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
@@ -85,6 +88,7 @@ QWidget* WorkpieceUi::makePanel() {
 }
 
 void WorkpieceUi::setDocument(DocumentTab* document) {
+  m_replay.setDocument(document);
   m_target.setDocument(document);
   m_thread.setDocument(document);
   RigidPartsUi::setDocument(document);

@@ -5,6 +5,7 @@
 #include "simulation/turning/TurningForce.h"
 #include "window/kinds/RigidPartsUi.h"
 #include "window/workpiece/LatheView.h"
+#include "window/workpiece/ReplayDock.h"
 #include "window/workpiece/TargetView.h"
 #include "window/workpiece/ThreadView.h"
 #include "window/workpiece/program/ProgramDock.h"
@@ -24,7 +25,8 @@ class WorkpieceUi : public RigidPartsUi {
   void forget(DocumentTab* document) override;
   QWidget* panel() override { return m_panel; }
   QList<QAction*> menu() override {
-    return QList<QAction*>{m_thread.action()} + m_target.actions() + QList<QAction*>{m_program.action()};
+    return QList<QAction*>{m_thread.action()} + m_target.actions() +
+           QList<QAction*>{m_program.action(), m_replay.action()};
   }
   bool isSettled() const override { return RigidPartsUi::isSettled() && m_target.isSettled() && m_program.isSettled(); }
   void refreshVisibility() override;
@@ -40,6 +42,7 @@ class WorkpieceUi : public RigidPartsUi {
   std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
   QString statistics() const override;
+  std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // of turning
   QString openedText(const DocumentTab& document) const override;
 
  protected:
@@ -57,6 +60,7 @@ class WorkpieceUi : public RigidPartsUi {
   LatheView m_lathe;
   ThreadView m_thread;
   ProgramDock m_program;
+  ReplayDock m_replay;
   QPointer<QWidget> m_panel;
   bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none

@@ -112,11 +112,11 @@ class Import {
     return soup ? std::make_shared<const TriangleSoup>(std::move(soup).value()) : nullptr;
   }
 
-  // A package that is missing is told once, not for each of its meshes.
+  // A package that is missing is reported once, not for each of its meshes.
   void note(Error error) {
     constexpr std::size_t kMostNotes = 1000;
-    const auto isSame = [&](const Error& told) {
-      return told.code == error.code && told.arguments == error.arguments && told.subject == error.subject;
+    const auto isSame = [&](const Error& reported) {
+      return reported.code == error.code && reported.arguments == error.arguments && reported.subject == error.subject;
     };
     if (error.code == ErrorCode::ReferenceMissing &&
         std::any_of(m_result.damage.begin(), m_result.damage.end(), isSame))

@@ -30,6 +30,11 @@ const ErrorDescription ExerciseError::WithoutScheme{
     .sentences = {translatable("ErrorText", "it is a student's copy, which has no marking scheme")},
     .advice = {translatable("ErrorText", "Give the teacher's file of the exercise.")}};
 
+const ErrorDescription ExerciseError::WithoutTarget{
+    .id = "WithoutTarget",
+    .sentences = {translatable("ErrorText", "the exercise has no target, so there is nothing to draw")},
+    .advice = {translatable("ErrorText", "Turn a model solution and take it as the target.")}};
+
 const ErrorDescription ExerciseError::Fixed{
     .id = "Fixed",
     .sentences = {translatable("ErrorText", "a student's copy of an exercise cannot be changed")},

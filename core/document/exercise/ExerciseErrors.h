@@ -12,6 +12,7 @@ extern const ErrorDescription OtherExercise;   // {title} what was handed in bel
 extern const ErrorDescription OtherWork;       // {reason} the work cannot be of this exercise
 extern const ErrorDescription NotHandedIn;     // the file is no work that was handed in
 extern const ErrorDescription WithoutScheme;   // the exercise is a student's, which has no marking scheme
+extern const ErrorDescription WithoutTarget;   // the exercise has no target that could be drawn
 extern const ErrorDescription Fixed;           // a student's copy cannot be changed
 
 }  // namespace handwheel::ExerciseError

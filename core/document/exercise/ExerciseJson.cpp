@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/exercise/ExerciseJson.h"
 
+#include "base/JsonFields.h"
 #include "base/JsonText.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace handwheel {
 
@@ -13,70 +13,84 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json jsonOf(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
-std::optional<double> numberAt(const Json& object, const char* key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (found == object.end() || !found->is_number()) return std::nullopt;
-  return found->get<double>();
-}
-
-bool flagAt(const Json& object, const char* key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found != object.end() && found->is_boolean() && found->get<bool>();
-}
-
 // The elements of an array under a key; none where there is no array.
 const Json& arrayAt(const Json& object, const char* key) {
   static const Json kNone = Json::array();
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found != object.end() && found->is_array() ? *found : kNone;
+  const Json& found = JsonFieldReader(object).member(key);
+  return found.is_array() ? found : kNone;
 }
 
-std::vector<std::string> textsAt(const Json& object, const char* key, std::size_t most) {
-  std::vector<std::string> texts;
-  for (const Json& each : arrayAt(object, key)) {
-    if (each.is_string() && texts.size() < most) texts.push_back(each.get<std::string>());
+// Both ways with what exercises have besides plain values; of lists, at most so many are taken.
+struct ExerciseFieldWriter : JsonFieldWriter {
+  using JsonFieldWriter::JsonFieldWriter;
+  using JsonFieldWriter::operator();
+  void operator()(const char* key, const std::optional<double>& value) const {
+    (*this)(key, value ? Json(*value) : Json());
   }
-  return texts;
+  void operator()(const char* key, const auto& list, std::size_t) const { (*this)(key, Json(list)); }
+};
+
+struct ExerciseFieldReader : JsonFieldReader {
+  explicit ExerciseFieldReader(const Json& object) : JsonFieldReader(object), m_object(object) {}
+  using JsonFieldReader::operator();
+  void operator()(const char* key, std::optional<double>& value) const {
+    if (const Json& found = member(key); found.is_number()) value = found.get<double>();
+  }
+  void operator()(const char* key, std::vector<double>& list, std::size_t most) const {
+    list = numbersAt(m_object, key, most);
+  }
+  void operator()(const char* key, std::vector<std::string>& list, std::size_t most) const {
+    for (const Json& each : arrayAt(m_object, key)) {
+      if (each.is_string() && list.size() < most) list.push_back(each.get<std::string>());
+    }
+  }
+
+ private:
+  const Json& m_object;
+};
+
+// The keys, each once: for reader and writer, and for values that are const or not.
+template <class Criterion>
+void visitCriterion(Criterion& c, const auto& visit) {
+  visit("id", c.id);
+  visit("name", c.name);
+  visit("figure", c.figure);
+  visit("arguments", c.arguments, Exercise::kMostArguments);
+  visit("nominal", c.nominal);
+  visit("tolerance", c.tolerance);
+  visit("lower", c.lower);
+  visit("upper", c.upper);
+  visit("points", c.points);
+  visit("slack", c.slack);
+  visit("hidden", c.isHidden);
 }
 
-Json jsonOf(const MarkingCriterion& c) {
-  return {{"id", c.id},
-          {"name", c.name},
-          {"figure", c.figure},
-          {"arguments", c.arguments},
-          {"nominal", jsonOf(c.nominal)},
-          {"tolerance", c.tolerance},
-          {"lower", jsonOf(c.lower)},
-          {"upper", jsonOf(c.upper)},
-          {"points", c.points},
-          {"slack", c.slack},
-          {"hidden", c.isHidden}};
+template <class Step>
+void visitStep(Step& step, const auto& visit) {
+  visit("title", step.title);
+  visit("text", step.text);
+  visit("hints", step.hints, Exercise::kMostHints);
+  visit("criteria", step.criteria, Exercise::kMostCriteria);
 }
 
-MarkingCriterion criterionFrom(const Json& json) {
-  MarkingCriterion c;
-  c.id = stringAt(json, "id");
-  c.name = stringAt(json, "name");
-  c.figure = stringAt(json, "figure");
-  c.arguments = numbersAt(json, "arguments", Exercise::kMostArguments);
-  c.nominal = numberAt(json, "nominal");
-  c.tolerance = stringAt(json, "tolerance");
-  c.lower = numberAt(json, "lower");
-  c.upper = numberAt(json, "upper");
-  c.points = numberAt(json, "points").value_or(0.0);
-  c.slack = numberAt(json, "slack").value_or(0.0);
-  c.isHidden = flagAt(json, "hidden");
-  return c;
+// Without its rows.
+template <class Head>
+void visitHead(Head& exercise, const auto& visit) {
+  visit("title", exercise.title);
+  visit("author", exercise.author);
+  visit("text", exercise.text);
+  visit("allowed_seconds", exercise.allowedSeconds);
 }
 
-ExerciseStep stepFrom(const Json& json) {
-  return {stringAt(json, "title"), stringAt(json, "text"), textsAt(json, "hints", Exercise::kMostHints),
-          textsAt(json, "criteria", Exercise::kMostCriteria)};
+template <class Texts>
+void visitAttemptTexts(Texts& attempt, const auto& visit) {
+  visit("student", attempt.student);
+  visit("begun", attempt.begun);
+  visit("handed_in", attempt.handedIn);
 }
+
+constexpr const char *kSteps = "steps", *kCriteria = "criteria";                          // of an exercise
+constexpr const char *kSeconds = "seconds", *kHintsSeen = "hints", *kStepsDone = "done";  // of an attempt
 
 // Keeps the last row of an exercise, or takes it out and says why.
 template <class Row>
@@ -90,21 +104,20 @@ void keepIfSound(Exercise& exercise, std::vector<Row>& rows, std::vector<Error>&
 }  // namespace
 
 Json toJson(const Exercise& exercise) {
-  Json steps = Json::array(), criteria = Json::array();
+  Json json = Json::object(), steps = Json::array(), criteria = Json::array();
+  visitHead(exercise, ExerciseFieldWriter(json));
   for (const ExerciseStep& step : exercise.steps)
-    steps.push_back({{"title", step.title}, {"text", step.text}, {"hints", step.hints}, {"criteria", step.criteria}});
-  for (const MarkingCriterion& c : exercise.criteria) criteria.push_back(jsonOf(c));
-  return {{"title", exercise.title},   {"author", exercise.author},
-          {"text", exercise.text},     {"allowed_seconds", exercise.allowedSeconds},
-          {"steps", std::move(steps)}, {"criteria", std::move(criteria)}};
+    visitStep(step, ExerciseFieldWriter(steps.emplace_back(Json::object())));
+  for (const MarkingCriterion& c : exercise.criteria)
+    visitCriterion(c, ExerciseFieldWriter(criteria.emplace_back(Json::object())));
+  json[kSteps] = std::move(steps);
+  json[kCriteria] = std::move(criteria);
+  return json;
 }
 
 Exercise exerciseFrom(const Json& json, std::vector<Error>& damage) {
   Exercise exercise;
-  exercise.title = stringAt(json, "title");
-  exercise.author = stringAt(json, "author");
-  exercise.text = stringAt(json, "text");
-  exercise.allowedSeconds = numberAt(json, "allowed_seconds").value_or(0.0);
+  visitHead(exercise, ExerciseFieldReader(json));
   if (const Status checked = checkExercise(exercise); !checked) {
     damage.push_back(checked.error());
     exercise = Exercise();
@@ -112,13 +125,13 @@ Exercise exerciseFrom(const Json& json, std::vector<Error>& damage) {
   const auto tooMany = [&](const char* what, std::size_t count, std::size_t most) {
     damage.push_back({ErrorCode::FileTooLarge, {what, std::to_string(count), std::to_string(most)}, {}, {}});
   };
-  const Json &criteria = arrayAt(json, "criteria"), &steps = arrayAt(json, "steps");
+  const Json &criteria = arrayAt(json, kCriteria), &steps = arrayAt(json, kSteps);
   for (const Json& each : criteria) {
     if (exercise.criteria.size() == Exercise::kMostCriteria) {
       tooMany("criteria", criteria.size(), Exercise::kMostCriteria);
       break;
     }
-    exercise.criteria.push_back(criterionFrom(each));
+    visitCriterion(exercise.criteria.emplace_back(), ExerciseFieldReader(each));
     keepIfSound(exercise, exercise.criteria, damage);
   }
   for (const Json& each : steps) {
@@ -126,38 +139,39 @@ Exercise exerciseFrom(const Json& json, std::vector<Error>& damage) {
       tooMany("steps", steps.size(), Exercise::kMostSteps);
       break;
     }
-    exercise.steps.push_back(stepFrom(each));
+    visitStep(exercise.steps.emplace_back(), ExerciseFieldReader(each));
     keepIfSound(exercise, exercise.steps, damage);
   }
   return exercise;
 }
 
 Json toJson(const Attempt& attempt) {
-  return {{"student", attempt.student}, {"begun", attempt.begun}, {"handed_in", attempt.handedIn},
-          {"seconds", attempt.seconds}, {"hints", attempt.hints}, {"done", attempt.done}};
+  Json json = {{kSeconds, attempt.seconds}, {kHintsSeen, attempt.hints}, {kStepsDone, attempt.done}};
+  visitAttemptTexts(attempt, JsonFieldWriter(json));
+  return json;
 }
 
 Attempt attemptFrom(const Json& json, std::vector<Error>& damage) {
   Attempt attempt;
-  for (const auto& [key, text] : {std::pair{"student", &attempt.student}, std::pair{"begun", &attempt.begun},
-                                  std::pair{"handed_in", &attempt.handedIn}}) {
-    *text = stringAt(json, key);
-    if (text->size() <= Attempt::kLongestText) continue;
-    text->clear();
+  visitAttemptTexts(attempt, [&](const char* key, std::string& text) {
+    text = stringAt(json, key);
+    if (text.size() <= Attempt::kLongestText) return;
+    text.clear();
     damage.push_back({ErrorCode::ElementMalformed, {key, "it is too long"}, {}, {}});
-  }
-  const double seconds = numberAt(json, "seconds").value_or(0.0);
+  });
+  double seconds = 0.0;
+  JsonFieldReader{json}(kSeconds, seconds);
   if (seconds >= 0.0 && seconds <= Exercise::kLongestTime) {
     attempt.seconds = seconds;
   } else {
     damage.push_back({ErrorCode::ElementMalformed, {"attempt", "its time is impossible"}, {}, {}});
   }
-  for (const Json& each : arrayAt(json, "hints")) {
+  for (const Json& each : arrayAt(json, kHintsSeen)) {
     if (attempt.hints.size() == Exercise::kMostSteps) break;
     const auto count = each.is_number_unsigned() ? each.get<std::uint64_t>() : 0;
     attempt.hints.push_back(static_cast<std::size_t>(std::min<std::uint64_t>(count, Exercise::kMostHints)));
   }
-  for (const Json& each : arrayAt(json, "done")) {
+  for (const Json& each : arrayAt(json, kStepsDone)) {
     if (attempt.done.size() < Exercise::kMostSteps) attempt.done.push_back(each.is_boolean() && each.get<bool>());
   }
   return attempt;

@@ -87,7 +87,11 @@ std::string ExerciseKind::title() const {
 }
 
 std::vector<FileFormat> ExerciseKind::formats() const {
-  return {{"Exercise", {kDescriptionEnding}, true, true}};
+  std::vector<FileFormat> all{{"Exercise", {kDescriptionEnding}, true, true}};
+  for (const auto& subject : m_subjects) {
+    for (FileFormat& format : subject->drawingFormats()) all.push_back(std::move(format));
+  }
+  return all;
 }
 
 bool ExerciseKind::recognises(std::string_view head, std::string_view name) const {
@@ -113,6 +117,8 @@ Result<OpenedFile> ExerciseKind::import(const std::filesystem::path& path, const
 Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
                                            Progress progress) const {
   const ExerciseSnapshot& exercise = exerciseOf(content);
+  if (!path.string().ends_with(kDescriptionEnding))
+    return exercise.subject->exportDrawing(exercise.exercise, *exercise.task, path, progress);
   const std::string text = description(exercise).dump(1) + "\n";
   const Status written = writeFileAtomically(path, text, progress);
   if (!written) return written.error();

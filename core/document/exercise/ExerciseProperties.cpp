@@ -112,11 +112,11 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   } else {
     figure.problem = QT_TRANSLATE_NOOP("Property", "this figure is not known");
   }
-  add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments));
-  add("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal));
-  add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance);
-  add("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower));
-  add("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper));
+  add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments)).isNumbers = true;
+  add("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal)).isNumbers = true;
+  add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance).isNumbers = true;
+  add("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower)).isNumbers = true;
+  add("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper)).isNumbers = true;
   if (exercise.isForStudents) return all;
   Property& points = add("points", QT_TRANSLATE_NOOP("Property", "Points"), c.points);
   points.least = 0.0;

@@ -92,6 +92,13 @@ class ExerciseSubject {
   virtual ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const = 0;
   // The target, as it is shown in the view.
   virtual DisplayModel display(const ExerciseTask& task) const = 0;
+
+  // The formats in which a drawing of the target is written.
+  virtual std::vector<FileFormat> drawingFormats() const = 0;
+  // Writes it, with the tolerances that students see. The path ends as one of the formats. Errors:
+  // ExerciseError::WithoutTarget, those of the files.
+  virtual Result<WrittenFile> exportDrawing(const Exercise& exercise, const ExerciseTask& task,
+                                            const std::filesystem::path& path, Progress progress) const = 0;
 };
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-// Whether what the student was told is what is marked; texts and points may be others.
+// Whether what the student could read is what is marked; texts and points may be others.
 bool isSameScheme(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission) {
   const std::vector<MarkingCriterion> mine = withoutAnswers(scheme.exercise).criteria;
   const std::vector<MarkingCriterion>& theirs = submission.exercise.criteria;

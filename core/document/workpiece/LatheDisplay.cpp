@@ -105,6 +105,7 @@ LatheDisplay::LatheDisplay(const LatheSetup& setup, const LatheTools& tools, dou
     const std::string name = "lathe.tailstock." + std::to_string(number++);
     auto& list = solid.part == LathePart::Tailstock ? m_tailstock : m_quill;
     list.push_back(partOfLathe(name, turned(upperHalf(solid.section)), kSteel, true));
+    list.back().isSectioned = false;
   }
   for (DisplayPart& part : m_tailstock) part.pose.translation().z() = base;
   for (const LatheSlot& slot : setup.stations) {
@@ -139,6 +140,7 @@ std::vector<DisplayPart> LatheDisplay::toolParts(const LatheTool& tool) const {
         break;
     }
   }
+  for (DisplayPart& part : parts) part.isSectioned = false;
   return parts;
 }
 

@@ -3,6 +3,7 @@
 #include "document/workpiece/ProgramTrial.h"
 
 #include "document/workpiece/TurnedPartEdit.h"
+#include "machining/finish/FinishMeter.h"
 #include "machining/program/ProgramInterpreter.h"
 
 #include <algorithm>
@@ -49,9 +50,15 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   if (passes.empty()) return true;
   m_removed = before.profile.volume() - simulation.part().volume();
   TurningPasses all = before.passes;
-  for (TurningPass& pass : passes) all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  FinishMeter meter(before.profile, before.finish);
+  for (TurningPass& pass : passes) {
+    if (progress.cancelled()) return false;
+    cut(before.profile, pass, static_cast<std::uint32_t>(all.size()), meter);
+    all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  }
   TurnedPart part = TurnedPart::of(simulation.part(), std::move(all), workpiece.chord);
   part.crashes = before.crashes;
+  part.finish = meter.finish();
   m_part = std::make_shared<const TurnedPart>(std::move(part));
   return true;
 }

@@ -12,27 +12,28 @@ namespace handwheel {
 namespace {
 
 constexpr const char* kTargetBlob = "workpiece/target";
+constexpr const char *kTargetKey = "target", *kSegmentsKey = "segments", *kSourceKey = "source";
 constexpr std::size_t kSegmentNumbers = 5;
 constexpr std::size_t kLongestSource = 1000;  // bytes
 
 }  // namespace
 
 void writeTarget(const WorkpieceSnapshot& workpiece, Container& container) {
-  nlohmann::json& entry = (*container.manifest)["document"]["target"];
+  nlohmann::json& entry = (*container.manifest)["document"][kTargetKey];
   entry = nullptr;
   if (!workpiece.target) return;
   std::vector<double> numbers;
   for (const ProfileSegment& s : workpiece.target->profile.segments())
     numbers.insert(numbers.end(), {s.from.x(), s.from.y(), s.to.x(), s.to.y(), s.bulge});
   writeArray<double>(container, kTargetBlob, numbers, kSegmentNumbers);
-  entry = {{"segments", workpiece.target->profile.segments().size()}, {"source", workpiece.target->source}};
+  entry = {{kSegmentsKey, workpiece.target->profile.segments().size()}, {kSourceKey, workpiece.target->source}};
 }
 
 std::shared_ptr<const WorkpieceTarget> readTarget(const nlohmann::json& document, const Container& container,
                                                   std::vector<Error>& damage) {
-  const auto found = document.find("target");
+  const auto found = document.find(kTargetKey);
   if (found == document.end() || found->is_null()) return nullptr;
-  const nlohmann::json count = found->is_object() ? found->value("segments", nlohmann::json()) : nlohmann::json();
+  const nlohmann::json count = found->is_object() ? found->value(kSegmentsKey, nlohmann::json()) : nlohmann::json();
   if (!count.is_number_unsigned() || count.get<std::uint64_t>() > TargetProfile::kMostSegments) {
     damage.push_back(
         {ErrorCode::ElementMalformed, {"target", "the number of segments is missing or impossible"}, {}, {}});
@@ -55,7 +56,7 @@ std::shared_ptr<const WorkpieceTarget> readTarget(const nlohmann::json& document
     damage.push_back(profile.error());
     return nullptr;
   }
-  const nlohmann::json source = found->value("source", nlohmann::json());
+  const nlohmann::json source = found->value(kSourceKey, nlohmann::json());
   std::string name = source.is_string() ? source.get<std::string>() : std::string();
   if (name.size() > kLongestSource || !isUtf8(name)) name.clear();
   return std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(profile.value()), std::move(name)});

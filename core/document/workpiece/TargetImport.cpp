@@ -25,9 +25,9 @@ Note noUnit() {
   return {QT_TRANSLATE_NOOP("Note", "The file does not say its unit of length: taken as 1 mm in DXF, a pixel in SVG.")};
 }
 
-Result<ImportedTarget> fromDrawing(const Result<Drawing>& drawing) {
+Result<ImportedTarget> fromDrawing(const Result<Drawing>& drawing, Progress progress) {
   if (!drawing) return drawing.error();
-  Result<TargetProfile> target = targetIn(*drawing);
+  Result<TargetProfile> target = targetIn(*drawing, progress);
   if (!target) return target.error();
   ImportedTarget imported{std::move(target.value()), {}, {}};
   if (!drawing->hasUnit) imported.notes.push_back(noUnit());
@@ -81,10 +81,11 @@ Result<ImportedTarget> fromMesh(std::string_view bytes, const std::string& name,
 Result<ImportedTarget> importAny(std::string_view bytes, const std::string& name, UnturnedFaces others,
                                  Progress progress) {
   const std::string_view head = bytes.substr(0, kFileHead);
+  const Progress reading = progress.part(0.0, 0.6), joining = progress.part(0.6, 1.0);
   if (looksLikeStep(head)) return fromStep(bytes, others, progress);
   if (bytes.starts_with("PK")) return fromWorkpiece(bytes, progress);
-  if (looksLikeSvg(head)) return fromDrawing(readSvg(bytes, progress));
-  if (looksLikeDxf(head)) return fromDrawing(readDxf(bytes, progress));
+  if (looksLikeSvg(head)) return fromDrawing(readSvg(bytes, reading), joining);
+  if (looksLikeDxf(head)) return fromDrawing(readDxf(bytes, reading), joining);
   if (isMeshName(name)) return fromMesh(bytes, name, progress);
   return Error{DocumentError::FormatUnknown, targetEndings(), {}, {}};
 }

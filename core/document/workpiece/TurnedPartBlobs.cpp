@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/TurnedPartBlobs.h"
 
+#include "base/JsonFields.h"
 #include "document/container/Blobs.h"
+#include "document/workpiece/FinishBlobs.h"
 #include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <limits>
 #include <optional>
 
 namespace handwheel {
@@ -23,6 +25,12 @@ constexpr const char* kSpeeds = "workpiece/speeds";       // of the passes with 
 constexpr const char* kBore = "bore";                     // value of "side"
 constexpr const char* kPoles = "poles";                   // value of "method"
 constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
+// Keys of a turned part, of its passes and of their threads.
+constexpr const char *kTurned = "turned", *kSamples = "samples", *kBored = "bored", *kPasses = "passes",
+                     *kCrashes = "crashes", *kFinish = "finish";
+constexpr const char *kNose = "nose_radius", *kPoints = "points", *kTool = "tool", *kSpindleSpeed = "spindle_speed",
+                     *kHasSpeeds = "speeds", *kThread = "thread", *kSide = "side", *kMethod = "method",
+                     *kResolution = "resolution", *kHand = "hand";
 constexpr std::size_t kMostPasses = 100'000;
 constexpr double kLargestSpeed = 1e5;     // r/min
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
@@ -39,9 +47,14 @@ double numberIn(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
+bool isTrueIn(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
 // Of a pass as it is listed; 0 where that is malformed.
 std::uint64_t pointsIn(const nlohmann::json& entry) {
-  const std::uint64_t count = entry.is_object() ? countIn(entry, "points") : 0;
+  const std::uint64_t count = entry.is_object() ? countIn(entry, kPoints) : 0;
   return count <= TurningPass::kMostPoints ? count : 0;
 }
 
@@ -62,8 +75,7 @@ bool isSpeed(double speed) {
 
 // Whether the speed of each point of a listed pass stands in the array of speeds.
 bool hasSpeeds(const nlohmann::json& entry) {
-  const auto found = entry.is_object() ? entry.find("speeds") : entry.end();
-  return found != entry.end() && found->is_boolean() && found->get<bool>();
+  return entry.is_object() && isTrueIn(entry, kHasSpeeds);
 }
 
 bool isConstant(const std::vector<double>& speeds) {
@@ -81,35 +93,37 @@ std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const R
       return std::nullopt;
     const auto first = speeds.values.begin() + static_cast<std::ptrdiff_t>(begin);
     read.assign(first, first + static_cast<std::ptrdiff_t>(count));
-  } else if (const auto constant = entry.find("spindle_speed"); constant != entry.end()) {
+  } else if (const auto constant = entry.find(kSpindleSpeed); constant != entry.end()) {
     read.assign(count, constant->is_number() ? constant->get<double>() : -1.0);
   }
   if (!std::all_of(read.begin(), read.end(), isSpeed)) return std::nullopt;
   return read;
 }
 
+// The keys of the numbers of a thread, for reader and writer.
+template <class Thread>
+void visitThread(Thread& thread, const auto& visit) {
+  visit("pitch", thread.pitch);
+  visit("starts", thread.starts);
+  visit("angle", thread.angle);
+  visit("flat", thread.flat);
+  visit("offset", thread.offset);
+}
+
 nlohmann::json threadJson(const ThreadCut& thread) {
-  return {{"pitch", thread.pitch},
-          {"starts", static_cast<std::uint64_t>(thread.starts)},
-          {"hand", thread.isLeft ? kLeft : kRight},
-          {"angle", thread.angle},
-          {"flat", thread.flat},
-          {"offset", thread.offset}};
+  nlohmann::json json = {{kHand, thread.isLeft ? kLeft : kRight}};
+  visitThread(thread, JsonFieldWriter(json));
+  return json;
 }
 
 std::optional<ThreadCut> threadFrom(const nlohmann::json& entry) {
-  if (!entry.is_object()) return std::nullopt;
-  ThreadCut thread;
-  thread.pitch = numberIn(entry, "pitch");
-  const std::uint64_t starts = countIn(entry, "starts");
-  thread.starts = starts <= ThreadCut::kMostStarts ? static_cast<int>(starts) : 0;
-  const auto hand = entry.find("hand");
-  if (hand == entry.end() || (*hand != kLeft && *hand != kRight)) return std::nullopt;
-  thread.isLeft = *hand == kLeft;
-  thread.angle = numberIn(entry, "angle");
-  thread.flat = numberIn(entry, "flat");
-  thread.offset = numberIn(entry, "offset");
-  return thread.isSound() ? std::optional(thread) : std::nullopt;
+  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+  ThreadCut thread{kMissing, 0, false, kMissing, kMissing, kMissing};
+  const JsonFieldReader reader(entry);
+  visitThread(thread, reader);
+  const nlohmann::json& hand = reader.member(kHand);
+  thread.isLeft = hand == kLeft;
+  return (thread.isLeft || hand == kRight) && thread.isSound() ? std::optional(thread) : std::nullopt;
 }
 
 // The pass whose points begin there in the path of all passes.
@@ -117,23 +131,23 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
                                     const ReadArray<double>& speeds, std::uint64_t speedsBegin) {
   TurningPass pass;
   if (!entry.is_object()) return std::nullopt;
-  pass.noseRadius = numberIn(entry, "nose_radius");
+  pass.noseRadius = numberIn(entry, kNose);
   const std::uint64_t count = pointsIn(entry);
-  if (const auto side = entry.find("side"); side != entry.end()) {
+  if (const auto side = entry.find(kSide); side != entry.end()) {
     if (*side != kBore) return std::nullopt;
     pass.side = TurningSide::Bore;
   }
-  if (const auto method = entry.find("method"); method != entry.end()) {
+  if (const auto method = entry.find(kMethod); method != entry.end()) {
     pass.method = TurningMethod::Poles;
-    pass.resolution = numberIn(entry, "resolution");
+    pass.resolution = numberIn(entry, kResolution);
     const bool isSound = pass.resolution >= PoleCut::kLeastResolution && pass.resolution <= PoleCut::kLargestResolution;
     if (*method != kPoles || !isSound) return std::nullopt;
   }
-  if (const auto thread = entry.find("thread"); thread != entry.end()) {
+  if (const auto thread = entry.find(kThread); thread != entry.end()) {
     pass.thread = threadFrom(*thread);
     if (!pass.thread) return std::nullopt;
   }
-  if (const auto tool = entry.find("tool"); tool != entry.end()) {
+  if (const auto tool = entry.find(kTool); tool != entry.end()) {
     Result<LatheTool> read = latheToolFrom(*tool);
     if (!read) return std::nullopt;
     pass.tool = std::make_shared<const LatheTool>(std::move(*read));
@@ -186,7 +200,7 @@ std::optional<TurnedProfile> cutOnceMore(const TurningPasses& passes, const Stoc
 }  // namespace
 
 void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
-  nlohmann::json& turned = (*container.manifest)["document"]["turned"];
+  nlohmann::json& turned = (*container.manifest)["document"][kTurned];
   turned = nullptr;
   if (!workpiece.part) return;
   const TurnedProfile& profile = workpiece.part->profile;
@@ -204,43 +218,47 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
     for (std::size_t k = 0; k < pass.path.size(); ++k) {
       points.insert(points.end(), {pass.times[k], pass.path[k].x(), pass.path[k].y()});
     }
-    nlohmann::json entry = {{"nose_radius", pass.noseRadius}, {"points", pass.path.size()}};
-    if (pass.tool) entry["tool"] = toJson(*pass.tool);
+    nlohmann::json entry = {{kNose, pass.noseRadius}, {kPoints, pass.path.size()}};
+    if (pass.tool) entry[kTool] = toJson(*pass.tool);
     if (!pass.speeds.empty() && isConstant(pass.speeds)) {
-      entry["spindle_speed"] = pass.speeds.front();
+      entry[kSpindleSpeed] = pass.speeds.front();
     } else if (!pass.speeds.empty()) {
-      entry["speeds"] = true;
+      entry[kHasSpeeds] = true;
       speeds.insert(speeds.end(), pass.speeds.begin(), pass.speeds.end());
     }
-    if (pass.thread) entry["thread"] = threadJson(*pass.thread);
-    if (pass.side == TurningSide::Bore) entry["side"] = kBore;
+    if (pass.thread) entry[kThread] = threadJson(*pass.thread);
+    if (pass.side == TurningSide::Bore) entry[kSide] = kBore;
     if (pass.method == TurningMethod::Poles) {
-      entry["method"] = kPoles;
-      entry["resolution"] = pass.resolution;
+      entry[kMethod] = kPoles;
+      entry[kResolution] = pass.resolution;
     }
     passes.push_back(std::move(entry));
   }
   writeArray<double>(container, kPath, points, kPointNumbers);
   if (!speeds.empty()) writeArray<double>(container, kSpeeds, speeds);
-  turned = {{"samples", profile.size()}, {"passes", std::move(passes)}};
-  if (profile.isBored()) turned["bored"] = true;
+  turned = {{kSamples, profile.size()}, {kPasses, std::move(passes)}};
+  if (profile.isBored()) turned[kBored] = true;
+  if (workpiece.part->finish.size() == profile.size()) {
+    writeFinish(workpiece.part->finish, profile, container);
+    turned[kFinish] = true;
+  }
   if (const auto& crashes = workpiece.part->crashes; crashes && !crashes->empty())
-    turned["crashes"] = crashesToJson(*crashes);
+    turned[kCrashes] = crashesToJson(*crashes);
 }
 
 Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& document,
                                                          const WorkpieceSnapshot& workpiece, const Container& container,
                                                          std::vector<Error>& damage, Progress progress) {
-  const auto turned = document.find("turned");
+  const auto turned = document.find(kTurned);
   if (turned == document.end() || turned->is_null()) return std::shared_ptr<const TurnedPart>();
-  const std::uint64_t samples = turned->is_object() ? countIn(*turned, "samples") : 0;
+  const std::uint64_t samples = turned->is_object() ? countIn(*turned, kSamples) : 0;
   if (samples < 2 || samples > TurnedProfile::kMostSamples) {
     damage.push_back(
-        {ErrorCode::ElementMalformed, {"turned", "the number of samples is missing or impossible"}, {}, {}});
+        {ErrorCode::ElementMalformed, {kTurned, "the number of samples is missing or impossible"}, {}, {}});
     return std::shared_ptr<const TurnedPart>();
   }
   TurningPasses passes;
-  const nlohmann::json listed = turned->value("passes", nlohmann::json::array());
+  const nlohmann::json listed = turned->value(kPasses, nlohmann::json::array());
   const std::size_t count = listed.is_array() ? std::min(listed.size(), kMostPasses) : 0;
   std::uint64_t points = 0, speedCount = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -259,10 +277,9 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     if (hasSpeeds(listed[i])) speedsBegin += pointsIn(listed[i]);
   }
   const bool hasAllPasses = passes.size() == listed.size();
-  if (!hasAllPasses) damage.push_back(lost("passes", listed.size(), passes.size()));
+  if (!hasAllPasses) damage.push_back(lost(kPasses, listed.size(), passes.size()));
 
-  const nlohmann::json bored = turned->value("bored", nlohmann::json(false));
-  const bool isBored = bored.is_boolean() && bored.get<bool>();
+  const bool isBored = isTrueIn(*turned, kBored);
   const ReadArray<double> radii = readArray<double>(container, kRadii, samples);
   const ReadArray<double> inner = isBored ? readArray<double>(container, kInner, samples) : ReadArray<double>();
   const StockCylinder& stock = workpiece.stock;
@@ -276,12 +293,14 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     profile = cutOnceMore(passes, stock, samples, progress);
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!profile) {
-      damage.push_back({ErrorCode::ElementMalformed, {"passes", "cutting them again would take too long"}, {}, {}});
+      damage.push_back({ErrorCode::ElementMalformed, {kPasses, "cutting them again would take too long"}, {}, {}});
       return std::shared_ptr<const TurnedPart>();
     }
   }
   auto part = TurnedPart::of(std::move(*profile), std::move(passes), workpiece.chord);
-  std::vector<LatheCollision> crashes = crashesFrom(turned->value("crashes", nlohmann::json()));
+  // Where passes are lost the others have other numbers.
+  if (isTrueIn(*turned, kFinish) && hasAllPasses) part.finish = readFinish(container, part.profile, part.passes.size());
+  std::vector<LatheCollision> crashes = crashesFrom(turned->value(kCrashes, nlohmann::json()));
   if (!crashes.empty()) part.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(crashes));
   return std::make_shared<const TurnedPart>(std::move(part));
 }

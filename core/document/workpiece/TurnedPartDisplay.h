@@ -4,6 +4,7 @@
 
 #include "document/DisplayModel.h"
 #include "machining/TurnedSurface.h"
+#include "machining/finish/SurfaceFinish.h"
 
 namespace handwheel {
 
@@ -13,5 +14,10 @@ inline constexpr const char* kStockGroup = "stock";
 // A turned part as displayed parts, one for each block of triangles: what did not change is not built anew. base: mm, z
 // of the lower end.
 DisplayModel displayOf(const TurnedSurface& surface, double base);
+
+// Shows the finish of the outside in such a model: of the blocks what is polished is light and gleams, what is rough is
+// dull, by the mean of the logarithms of Ra. Blocks of which nothing is known look as they did. It takes every eighth
+// sample: some tenths of a millisecond.
+void showFinish(DisplayModel& model, const TurnedProfile& profile, const SurfaceFinish& finish);
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 
 #include "document/workpiece/WorkpieceDocument.h"
+#include "machining/finish/FinishMeter.h"
 
 #include <algorithm>
 
@@ -15,18 +16,20 @@ void TurnedPartEdit::exchange(Document& document) {
   owner.set(std::move(workpiece));
 }
 
-// Of what it may hold alone: the last pass, and the page of samples that it changed.
+// Of what it may hold alone: the last pass, and the pages of samples that it changed.
 std::size_t TurnedPartEdit::bytes() const {
   if (!m_part || m_part->passes.empty()) return sizeof *this;
   const std::size_t points = m_part->passes.back()->path.size();
   return sizeof *this + points * (sizeof(ProfilePoint) + sizeof(double)) +
-         PagedArray<double>::kPageSize * sizeof(double);
+         PagedArray<double>::kPageSize * (sizeof(double) + sizeof(FinishMark));
 }
 
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing) {
   if (workpiece.part) return *workpiece.part;
   const TurnedProfile profile(workpiece.stock, spacing);
-  return TurnedPart::of(profile, {}, workpiece.chord);
+  TurnedPart bar = TurnedPart::of(profile, {}, workpiece.chord);
+  bar.finish = SurfaceFinish(profile.size());
+  return bar;
 }
 
 namespace {
@@ -48,8 +51,11 @@ std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, T
                                            Progress progress) {
   TurnedPart part = partOf(workpiece, spacing);
   if (pass.thread) return withThread(std::move(part), std::move(pass));
-  const TurnedProfile::Range changed = cut(part.profile, pass, progress);
+  FinishMeter meter(part.profile, part.finish);
+  const auto number = static_cast<std::uint32_t>(part.passes.size());
+  const TurnedProfile::Range changed = cut(part.profile, pass, number, meter, progress);
   if (progress.cancelled()) return nullptr;
+  part.finish = meter.finish();
   part.surface.update(part.profile, changed);
   if (!changed.isEmpty()) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   return std::make_shared<const TurnedPart>(std::move(part));

@@ -6,6 +6,7 @@
 #include "document/DocumentErrors.h"
 #include "document/formats/MeshExport.h"
 #include "document/workpiece/DrawingExport.h"
+#include "document/workpiece/FinishReport.h"
 #include "document/workpiece/TargetBlobs.h"
 #include "document/workpiece/TargetImport.h"
 #include "document/workpiece/TargetReport.h"
@@ -15,6 +16,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/WorkpieceShape.h"
+#include "machining/drawing/DrawnThreads.h"
 #include "machining/lathe/LatheJson.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
@@ -69,6 +71,8 @@ Result<WrittenFile> exportSection(const WorkpieceSnapshot& workpiece, const std:
   title.name = path.stem().string();
   title.material = workpiece.material;
   title.tolerance = workpiece.chord;
+  if (workpiece.part && workpiece.part->threads())
+    title.threads = drawnThreads(workpiece.part->profile, *workpiece.part->threads(), workpiece.stock.position);
   return exportDrawing(*section, title, path, progress);
 }
 
@@ -186,6 +190,7 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
     described["bored"] = part.profile.isBored();
     if (part.threads()) described["threads"] = threadsJson(part);
     described["pieces"] = part.profile.pieces();
+    described["finish"] = finishJson(part);
     return described;
   }
   StockCylinder atOrigin = workpiece.stock;
@@ -200,7 +205,11 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
 
 DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
-  if (workpiece.part) return displayOf(workpiece.part->surface, workpiece.stock.position);
+  if (workpiece.part) {
+    DisplayModel turned = displayOf(workpiece.part->surface, workpiece.stock.position);
+    showFinish(turned, workpiece.part->profile, workpiece.part->finish);
+    return turned;
+  }
   DisplayPart part;
   part.name = "stock";
   part.group = kStockGroup;

@@ -123,6 +123,7 @@ WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, c
     const TurnedPart& part = *workpiece.part;
     TurnedPart meshed = TurnedPart::of(part.profile, part.passes, workpiece.chord);
     meshed.crashes = part.crashes;
+    meshed.finish = part.finish;
     workpiece.part = std::make_shared<const TurnedPart>(std::move(meshed));
   }
   if (!workpiece.mesh->isOf(workpiece.stock, workpiece.chord)) {

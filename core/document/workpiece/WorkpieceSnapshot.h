@@ -6,6 +6,7 @@
 #include "document/workpiece/StockMesh.h"
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPasses.h"
+#include "machining/finish/SurfaceFinish.h"
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheSetup.h"
 #include "machining/target/TargetProfile.h"
@@ -21,6 +22,7 @@ struct TurnedPart {
   TurningPasses passes;
   // Of the manual lathe, while these passes were cut; null: none.
   std::shared_ptr<const std::vector<LatheCollision>> crashes = {};
+  SurfaceFinish finish = SurfaceFinish();  // of the profile; of no samples where nothing is known
 
   // With its triangles and threads. chord: mm.
   static TurnedPart of(TurnedProfile profile, TurningPasses passes, double chord);

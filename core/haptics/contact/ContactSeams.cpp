@@ -242,7 +242,7 @@ void closeSeams(std::vector<Vec3>& points, std::vector<Triangle>& triangles, Pro
   std::erase_if(open, [&](const Edge& e) { return !points[e.from].allFinite() || !points[e.to].allFinite(); });
   if (open.empty() || progress.cancelled()) return;
 
-  // From the middle of the model, so that far from the origin the cells can be told apart.
+  // From the middle of the model, so that far from the origin the cells can be distinguished.
   std::vector<Vec3> local(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) local[i] = points[i] - bounds.center();
   const CornerMerging merged(local, open, tolerance::kContactSeam * diagonal);

@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kLongestGap = 1.0;      // s: a longer one is the clock that jumped, or a machine that slept
-constexpr double kLongestPeriods = 4.0;  // nominal ones, that a scene is told of
+constexpr double kLongestPeriods = 4.0;  // nominal ones, that a scene hears of
 
 double rateOf(const ServoSettings& settings, const DeviceCapabilities& device) {
   const double rate = settings.rate == 0.0 ? device.nominalRate : settings.rate;
@@ -104,9 +104,9 @@ double ServoTick::advance(std::int64_t now) {
 // before the mapping that it was made for; looked for the other way round, a tick that finds the later finds the
 // earlier, too.
 bool ServoTick::takeNews() {
-  const NumberedMapping& told = m_channel.mapping.read();
+  const NumberedMapping& requested = m_channel.mapping.read();
   const auto taken = m_channel.scenes.take();
-  takeMapping(taken.isNew && taken.current->mapping.number > told.number ? taken.current->mapping : told);
+  takeMapping(taken.isNew && taken.current->mapping.number > requested.number ? taken.current->mapping : requested);
   const bool isDiscontinuous = m_channel.isDiscontinuous.exchange(false, std::memory_order_acquire);
   if (!taken.isNew) return isDiscontinuous;
   m_renderer = taken.current->renderer.get();
@@ -128,9 +128,9 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   const DeviceMotionEstimator::Seen seen = m_motion.add(device, period);
   input.velocity = seen.velocity;
   input.stepSpeed = seen.stepSpeed;
-  const double told = std::min(period, kLongestPeriods * nominalPeriod());
-  const WorkspaceMapper::Tip placed = m_mapper.map(device, input.velocity, told);
-  sample.tip = tipFor(device, placed, told);
+  const double elapsed = std::min(period, kLongestPeriods * nominalPeriod());
+  const WorkspaceMapper::Tip placed = m_mapper.map(device, input.velocity, elapsed);
+  sample.tip = tipFor(device, placed, elapsed);
   m_isRestart = false;
   sample.felt.proxy = placed.position;
   input.isDiscontinuous = input.isDiscontinuous || placed.hasDiscontinuity || !m_wasReady || placed.isHeld != m_wasHeld;

@@ -9,118 +9,192 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kText = 3.5;       // mm, height
-constexpr double kGap = 1.0;        // mm, between lines and texts
-constexpr double kOverrun = 2.0;    // mm, of extension lines
-constexpr double kArrowRoom = 8.0;  // mm: arrows are inside of what is longer
-constexpr double kLeader = 9.0;     // mm
+constexpr double kText = 3.5;                   // mm, height
+constexpr double kGap = 1.0;                    // mm, between lines and texts
+constexpr double kOverrun = 2.0;                // mm, of extension lines
+constexpr double kArrowRoom = 8.0;              // mm: arrows are inside of what is longer
+constexpr double kArrowOutside = 6.0;           // mm, of the line behind arrows that are outside
+constexpr double kRow = 8.0;                    // mm, between rows
+constexpr double kNoteRow = 7.0;                // mm
+constexpr double kLeader = 9.0;                 // mm
+constexpr double kSign = 4.5;                   // mm, wide: of roughness
+constexpr double kColumn = kText + 3.0 * kGap;  // mm, of a text that runs up
+constexpr std::size_t kMostRows = 7;            // more lengths are running dimensions
 
 const ProfilePoint kUp(0, 1), kRight(1, 0);
 
 }  // namespace
 
-std::string DimensionLines::withTolerance(DrawnTolerance::Of of, double value) const {
-  constexpr double kNominal = 0.051;  // mm: a part is not exactly what was asked
-  for (const DrawnTolerance& t : m_title.tolerances)
-    if (t.of == of && std::abs(t.size - value) < kNominal) return sizeText(t.size) + " " + t.text;
-  return sizeText(value);
+std::vector<double> spread(const std::vector<double>& wanted, double gap) {
+  struct Pool {
+    double sum;
+    std::size_t count;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    pools.push_back({wanted[i] - gap * static_cast<double>(i), 1});
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back() = {pools.back().sum + last.sum, pools.back().count + last.count};
+    }
+  }
+  std::vector<double> places;
+  for (const Pool& pool : pools) {
+    for (std::size_t k = 0; k < pool.count; ++k)
+      places.push_back(pool.mean() + gap * static_cast<double>(places.size()));
+  }
+  return places;
 }
 
-// A vertical line across the part, the text beside it below the axis, where nothing is hatched.
-void DimensionLines::addDiameters(const PartDimensions& dimensions) {
+void DimensionLines::add(const PartDimensions& dimensions) {
+  Notes notes = dimensions.notes;
+  addDiameters(dimensions, notes);
+  const double bottom = m_sheet.box().min().y(), top = m_place.origin.y() + m_place.scale * m_part.largestRadius();
+  addLengths(dimensions.outerHeights, dimensions.spans, false, bottom);
+  std::vector<double> inner = dimensions.innerHeights;
+  if (!inner.empty()) inner.push_back(m_part.upperEnd());
+  addNotes(std::move(notes), addLengths(std::move(inner), {}, true, top));
+}
+
+void DimensionLines::addDiameters(const PartDimensions& dimensions, Notes& notes) {
   std::vector<double> taken;  // x of lines
   for (const PartDimensions::Diameter& d : dimensions.diameters) {
-    const double r = 0.5 * d.value;
-    const ProfilePoint low = m_place.at(-r, 0.0), high = m_place.at(r, 0.0);
-    const double from = m_place.at(0.0, d.low).x(), to = m_place.at(0.0, d.high).x();
-    double x = d.low == d.high ? from : from + (d.isInner ? 0.35 : 0.6) * (to - from);
+    const double from = m_place.at(0.0, d.low).x() + kText + kGap, to = m_place.at(0.0, d.high).x() - kGap;
     const auto isFree = [&](double at) {
-      return std::none_of(taken.begin(), taken.end(), [&](double t) { return std::abs(t - at) < kText + 2.0 * kGap; });
+      return std::none_of(taken.begin(), taken.end(), [&](double t) { return std::abs(t - at) < kColumn; });
     };
-    for (double step = 0.0; !isFree(x) && step < 60.0; step += 3.0) x += x + 3.0 < to ? 3.0 : -3.0;
-    taken.push_back(x);
-    const std::string text = "Ø" + withTolerance(DrawnTolerance::Of::Diameter, d.value);
-    const double width = widthOf(text, kText), tall = high.y() - low.y();
-    const bool isInside = tall > 2.0 * kArrowRoom;
-    const bool hasRoom = 0.5 * tall > width + 2.0 * kArrowRoom - 6.0;
-    const double bottom = hasRoom ? low.y() : low.y() - width - kArrowRoom;
-    m_sheet.line({x, isInside ? high.y() : high.y() + kArrowRoom}, {x, bottom});
-    if (x < std::min(from, to) || x > std::max(from, to)) {
-      m_sheet.line({x, high.y()}, {to, high.y()});
-      m_sheet.line({x, low.y()}, {to, low.y()});
+    std::optional<double> x;
+    for (const double share : {0.6, 0.35, 0.8, 0.2, 0.5, 0.9, 0.1}) {
+      const double at = from + share * (to - from);
+      if (!x && to >= from && isFree(at)) x = at;
     }
-    m_sheet.arrow({x, high.y()}, isInside ? kUp : ProfilePoint(-kUp));
-    m_sheet.arrow({x, low.y()}, isInside ? ProfilePoint(-kUp) : kUp);
-    const double textY = hasRoom ? low.y() + 4.0 : low.y() - width - kArrowRoom + kGap;
-    m_sheet.texts.push_back({{x - kGap, textY}, text, kText, Sheet::Align::Left, true});
+    if (x) {
+      taken.push_back(*x);
+      addDiameter(d, *x);
+    } else {
+      notes.push_back({{0.5 * d.value, 0.5 * (d.low + d.high)}, d.text});
+    }
   }
 }
 
-double DimensionLines::roomFor(std::size_t heights) {
-  if (heights < 2) return 0.0;
-  const std::size_t rows = heights - 1 <= kMostRows ? heights - 1 : 2;
-  return kFirstRow + kRow * static_cast<double>(rows);
+// A vertical line across the part, the text beside it below the axis, where nothing is hatched, or below the part. In
+// the half section a bore has one arrow, and the line ends beyond the axis (ISO 129-1).
+void DimensionLines::addDiameter(const PartDimensions::Diameter& d, double x) {
+  const double axis = m_place.origin.y(), high = axis + 0.5 * m_place.scale * d.value;
+  const double low = 2.0 * axis - high, width = widthOf(d.text, kText);
+  const bool isInside = high - low > 2.0 * kArrowRoom;
+  double text = d.isInner ? axis - width - 2.0 * kGap : low + 4.0, bottom = d.isInner ? text - kGap : low;
+  const bool hasRoom = d.isInner || (isInside && text + width + kGap < axis);
+  if (!hasRoom) text = low - width - kArrowRoom, bottom = text - kGap;
+  m_sheet.line({x, isInside ? high : high + kArrowOutside}, {x, bottom});
+  m_sheet.arrow({x, high}, isInside ? kUp : ProfilePoint(-kUp));
+  if (!d.isInner) m_sheet.arrow({x, low}, isInside ? ProfilePoint(-kUp) : kUp);
+  m_sheet.texts.push_back({{x - kGap, text}, d.text, kText, Sheet::Align::Left, true});
 }
 
-void DimensionLines::addLength(double from, double to, double y, bool isAbove) {
-  const double a = m_place.at(0.0, from).x(), b = m_place.at(0.0, to).x();
-  const std::string text = withTolerance(DrawnTolerance::Of::Length, to - from);
-  const double width = widthOf(text, kText);
-  const bool isInside = b - a > kArrowRoom;
-  const bool hasRoom = b - a > width + 2.0 * kGap + (isInside ? 6.0 : 0.0);
-  const double edge = isAbove ? kOverrun : -kOverrun;
-  for (const auto& [x, z] : {std::pair{a, from}, std::pair{b, to}}) {
-    const auto extent = m_part.extentAt(z);
-    const double r = extent ? extent->outer : 0.0;
-    const double start = m_place.at(isAbove ? r : -r, z).y() + (isAbove ? kGap : -kGap);
-    m_sheet.line({x, start}, {x, y + edge});
-  }
-  const double outside = isInside ? 0.0 : 6.0;
-  m_sheet.line({a - outside - (hasRoom ? 0.0 : width + kGap), y}, {b + outside, y});
+// From the surface to a line of dimensions.
+void DimensionLines::extend(double z, double y, bool isAbove) {
+  const auto extent = m_part.extentAt(z);
+  const double r = extent ? extent->outer : 0.0;
+  const ProfilePoint start = m_place.at(isAbove ? r : -r, z);
+  m_sheet.line({start.x(), start.y() + (isAbove ? kGap : -kGap)}, {start.x(), y});
+}
+
+void DimensionLines::addLength(const PartDimensions::Length& length, double y, bool isAbove) {
+  const double a = m_place.at(0.0, length.from).x(), b = m_place.at(0.0, length.to).x();
+  const double width = widthOf(length.text, kText);
+  const bool isInside = b - a > 2.0 * kArrowRoom, hasRoom = b - a > width + 2.0 * kGap + (isInside ? 6.0 : 0.0);
+  for (const double z : {length.from, length.to}) extend(z, y + (isAbove ? kOverrun : -kOverrun), isAbove);
+  const double outside = isInside ? 0.0 : kArrowOutside;
+  // What has no room stands to the right, where no extension line goes further out.
+  m_sheet.line({a - outside, y}, {b + outside + (hasRoom ? 0.0 : width + 2.0 * kGap), y});
   m_sheet.arrow({a, y}, isInside ? ProfilePoint(-kRight) : kRight);
   m_sheet.arrow({b, y}, isInside ? kRight : ProfilePoint(-kRight));
-  const double middle = hasRoom ? 0.5 * (a + b) : a - outside - 0.5 * (width + kGap);
-  m_sheet.text({middle, y + kGap}, text);
+  if (hasRoom) return m_sheet.text({0.5 * (a + b), y + kGap}, length.text);
+  m_sheet.text({b + outside + kGap, y + kGap}, length.text, Sheet::Align::Left);
 }
 
-// From the upper end, the shortest nearest to the part; where there are many, as a chain with the whole below.
-void DimensionLines::addLengths(const std::vector<double>& heights, bool isAbove) {
-  if (heights.size() < 2) return;
-  const double beyond = m_place.scale * m_part.largestRadius();
-  const auto row = [&](std::size_t i) {
-    const double away = beyond + kFirstRow + kRow * static_cast<double>(i);
-    return m_place.origin.y() + (isAbove ? away : -away);
-  };
-  const double end = heights.back();
-  if (heights.size() - 1 <= kMostRows) {
-    std::size_t i = 0;
-    for (auto z = heights.rbegin() + 1; z != heights.rend(); ++z) addLength(*z, end, row(i++), isAbove);
-    return;
+double DimensionLines::addLengths(std::vector<double> heights, const std::vector<PartDimensions::Length>& spans,
+                                  bool isAbove, double start) {
+  if (heights.size() < 2) return start;
+  const double out = isAbove ? 1.0 : -1.0, end = heights.back();
+  double y = start + out * (isAbove ? kRow : kRow + kText);
+  std::vector<PartDimensions::Length> rows = spans;
+  const bool isRunning = heights.size() - 1 + spans.size() > kMostRows;
+  for (auto z = heights.rbegin() + 1; z != heights.rend() && !isRunning; ++z)
+    rows.push_back({*z, end, toleratedText(m_title, DrawnTolerance::Of::Length, end - *z, *z, end, {})});
+  for (const PartDimensions::Length& row : rows) {
+    addLength(row, y, isAbove);
+    y += out * kRow;
   }
-  for (std::size_t i = 0; i + 1 < heights.size(); ++i) addLength(heights[i], heights[i + 1], row(0), isAbove);
-  addLength(heights.front(), end, row(1), isAbove);
+  return isRunning ? addRunning(heights, isAbove, y) : y;
 }
 
-// Leaders from the surface above the axis, outwards; their texts keep clear of one another.
-void DimensionLines::addNotes(const PartDimensions& dimensions) {
-  const double beyond = m_place.origin.y() + m_place.scale * m_part.largestRadius();
-  const double first = beyond + 5.0 + roomFor(dimensions.innerHeights.empty() ? 0 : dimensions.innerHeights.size() + 1);
-  std::vector<PartDimensions::Note> notes = dimensions.notes;
-  std::sort(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.at.y() < b.at.y(); });
-  std::vector<double> rowEnds;  // x up to which each row of texts is taken
+// Superimposed running dimensions (ISO 129-1): one line from the upper end, texts at the ends of the extension lines,
+// which have a kink where their neighbours are too near.
+double DimensionLines::addRunning(const std::vector<double>& heights, bool isAbove, double start) {
+  constexpr double kKink = 6.0;  // mm
+  const double out = isAbove ? 1.0 : -1.0, end = heights.back(), origin = m_place.at(0.0, end).x();
+  std::vector<double> wanted;
+  double longest = 0.0;
+  std::vector<std::string> texts;
+  for (const double z : heights) {
+    wanted.push_back(m_place.at(0.0, z).x());
+    texts.push_back(toleratedText(m_title, DrawnTolerance::Of::Length, end - z, z, end, {}));
+    longest = std::max(longest, widthOf(texts.back(), kText));
+  }
+  const std::vector<double> places = spread(wanted, kColumn);
+  m_sheet.line({wanted.front(), start}, {origin, start});
+  for (const double half : {M_PI, 2.0 * M_PI})
+    m_sheet.strokes.push_back({arcAround({origin, start}, 1.0, half - M_PI, half), Sheet::Line::Narrow});
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    extend(heights[i], start + out * kGap, isAbove);
+    if (i + 1 < heights.size()) m_sheet.arrow({wanted[i], start}, ProfilePoint(-kRight));
+    const ProfilePoint kink(places[i], start + out * kKink);
+    m_sheet.line({wanted[i], start + out * kGap}, kink);
+    m_sheet.line(kink, {kink.x(), kink.y() + out * (longest + kGap)});
+    m_sheet.texts.push_back({{kink.x() - kGap, isAbove ? kink.y() + kGap : kink.y() - kGap},
+                             texts[i],
+                             kText,
+                             isAbove ? Sheet::Align::Left : Sheet::Align::Right,
+                             true});
+  }
+  return start + out * (kKink + longest + kRow);
+}
+
+// Leaders from the surface above the axis, outwards. From right to left, each in the lowest row that is free: so no
+// leader crosses the text of another one.
+void DimensionLines::addNotes(Notes notes, double first) {
+  std::stable_sort(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.at.y() > b.at.y(); });
+  std::vector<double> rowStarts;  // x from which on each row is taken
   for (const PartDimensions::Note& note : notes) {
-    const ProfilePoint tip = m_place.at(note.at);
-    const double width = widthOf(note.text, kText), x = tip.x() + kLeader;
+    const double x = m_place.at(note.at).x() + kLeader;
+    const double width = widthOf(note.text, kText) + (note.isRoughness ? kSign : 0.0) + 2.0 * kGap;
     std::size_t row = 0;
-    while (row < rowEnds.size() && rowEnds[row] > x - kGap) ++row;
-    if (row == rowEnds.size()) rowEnds.push_back(0.0);
-    rowEnds[row] = x + width + 2.0 * kGap;
-    const ProfilePoint elbow(x, first + 6.0 * static_cast<double>(row));
-    m_sheet.line(tip, elbow);
-    m_sheet.line(elbow, {x + width + kGap, elbow.y()});
-    m_sheet.arrow(tip, tip - elbow);
-    m_sheet.text({x + kGap, elbow.y() + kGap}, note.text, Sheet::Align::Left);
+    while (row < rowStarts.size() && x + width + kGap > rowStarts[row]) ++row;
+    if (row == rowStarts.size()) rowStarts.push_back(0.0);
+    rowStarts[row] = x;
+    addNote(note, {x, first + kGap + kNoteRow * static_cast<double>(row)}, width);
   }
+}
+
+void DimensionLines::addNote(const PartDimensions::Note& note, const ProfilePoint& elbow, double width) {
+  const ProfilePoint tip = m_place.at(note.at);
+  m_sheet.line(tip, elbow);
+  m_sheet.line(elbow, {elbow.x() + width, elbow.y()});
+  m_sheet.arrow(tip, tip - elbow);
+  ProfilePoint text(elbow.x() + kGap, elbow.y() + kGap);
+  if (note.isRoughness) {
+    // The sign of ISO 21920-1 for a surface from which material is to be removed.
+    const double left = 0.3 * kSign, right = 0.7 * kSign, low = elbow.y(), middle = low + 2.0, high = low + 4.0;
+    m_sheet.line({text.x() + left, low}, {text.x(), middle});
+    m_sheet.line({text.x() + left, low}, {text.x() + right, high});
+    m_sheet.line({text.x(), middle}, {text.x() + 0.5 * right + 0.5 * left, middle});
+    text.x() += kSign;
+  }
+  m_sheet.text(text, note.text, Sheet::Align::Left);
 }
 
 }  // namespace handwheel

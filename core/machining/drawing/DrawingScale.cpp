@@ -14,6 +14,9 @@ namespace {
 
 using Align = Sheet::Align;
 
+constexpr std::array kScales{50.0, 20.0, 10.0, 5.0,  2.0,  1.0,  0.5,  0.2,  0.1,
+                             0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4};
+
 // As much of a text as fits, cut between characters.
 std::string fitted(const std::string& text, double height, double room) {
   if (widthOf(text, height) <= room) return text;
@@ -56,11 +59,14 @@ void addFirstAngleSign(Sheet& sheet, const ProfilePoint& centre) {
 }  // namespace
 
 double standardScale(double length, double room) {
-  constexpr std::array kScales{50.0, 20.0, 10.0, 5.0,  2.0,  1.0,  0.5,  0.2,  0.1,
-                               0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4};
   for (const double scale : kScales)
     if (scale * length <= room) return scale;
   return kScales.back();
+}
+
+double nextScale(double scale) {
+  const auto next = std::find_if(kScales.begin(), kScales.end(), [&](double other) { return other < scale; });
+  return next == kScales.end() ? kScales.back() : *next;
 }
 
 std::string scaleText(double scale) {
@@ -80,9 +86,11 @@ void addTitleBlock(Sheet& sheet, const std::string& name, const std::string& mat
   sheet.line({left, middle}, {columns[3], middle});
   for (const double x : columns) sheet.line({x, bottom}, {x, bottom + kTitleHeight});
 
+  constexpr double kSmallest = 2.5;  // mm, of what is too long
   const auto field = [&](double x, double y, const char* label, const std::string& value, double room, double size) {
     sheet.text({x + 1.5, y + 8.8}, label, Align::Left, 1.8);
-    sheet.text({x + 1.5, y + 2.5}, fitted(value, size, room - 3.0), Align::Left, size);
+    const double shown = widthOf(value, size) <= room - 3.0 ? size : kSmallest;
+    sheet.text({x + 1.5, y + 2.5}, fitted(value, shown, room - 3.0), Align::Left, shown);
   };
   field(left, middle, "Name", name, 80.0, 5.0);
   field(left, bottom, "Material", material, 80.0, 3.5);

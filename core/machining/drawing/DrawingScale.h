@@ -25,6 +25,8 @@ struct DrawingPlace {
 
 // The largest scale of ISO 5455 at which a length is not drawn longer than `room` (mm).
 double standardScale(double length, double room);
+// The next smaller one; the least of all where there is none.
+double nextScale(double scale);
 // "1:2", "5:1".
 std::string scaleText(double scale);
 

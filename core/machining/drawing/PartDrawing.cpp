@@ -6,14 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace handwheel {
 
 namespace {
 
-constexpr double kSide = 25.0;       // mm, left and right of the part
-constexpr double kNoteRoom = 25.0;   // mm, above it
-constexpr double kBeyondAxis = 5.0;  // mm, of the centre line
+constexpr double kMargin = 5.0;                   // mm, between the frame and what is drawn
+constexpr double kBeyondAxis = 5.0;               // mm, of the centre line
+constexpr double kSmallText = 2.5;                // mm
+constexpr std::size_t kMost = 40, kCrowded = 12;  // dimensions of a drawing; of one that wants a larger sheet
+constexpr int kSmoothings = 6;                    // of them; then the part is taken as it is
+constexpr int kDoublings = 40;                    // of what is too small to be shown
 
 bool hasBore(const TargetProfile& part) {
   const auto all = part.segments();
@@ -29,7 +33,9 @@ bool isEdge(const ProfileSegment& a, const ProfileSegment& b) {
 
 // Circles are seen as lines across the part: of the outside below the axis, of a whole view also above it.
 void addEdges(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part, bool isSection) {
+  constexpr std::size_t kMostSegments = 200;  // of more the edges would blacken the view
   const auto all = part.segments();
+  if (all.size() > kMostSegments) return;
   for (std::size_t i = 0; i + 1 < all.size() + (part.isClosed() ? 1 : 0); ++i) {
     const ProfileSegment &a = all[i], &b = all[(i + 1) % all.size()];
     if (!isEdge(a, b)) continue;
@@ -52,7 +58,24 @@ bool isSeenFromOutside(const ProfileSegment& s, const TargetProfile& part) {
   return extent && std::max(s.from.x(), s.to.x()) >= extent->outer - 1e-6;
 }
 
-void addView(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part) {
+// The narrow line at the root of a thread and the wide ones where it ends, on both sides of the axis, or in the
+// section.
+void addThread(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part, const DrawnThread& thread,
+               bool isSection) {
+  const double root = 0.5 * (thread.isInner ? thread.major : thread.minor);
+  const double crest = 0.5 * (thread.isInner ? thread.minor : thread.major);
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0.0 && thread.isInner && isSection) continue;
+    sheet.line(place.at(side * root, thread.low), place.at(side * root, thread.high));
+    for (const double z : {thread.low, thread.high}) {
+      const bool isEnd = z <= part.lowerEnd() || z >= part.upperEnd();
+      if (!isEnd) sheet.line(place.at(side * crest, z), place.at(side * root, z), Sheet::Line::Wide);
+    }
+  }
+}
+
+void addView(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part, const TargetProfile& edges,
+             const std::vector<DrawnThread>& threads) {
   const bool isSection = hasBore(part);
   std::vector<ProfileSegment> upper;
   for (const ProfileSegment& s : part.segments()) {
@@ -64,62 +87,90 @@ void addView(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part)
     if (!part.isClosed()) upper.push_back({upper.back().to, upper.front().from, 0.0});
     sheet.areas.push_back({std::move(upper), true});
   }
-  addEdges(sheet, place, part, isSection);
+  addEdges(sheet, place, edges, isSection);
+  for (const DrawnThread& thread : threads) addThread(sheet, place, part, thread, isSection);
   sheet.line(place.at(0.0, part.lowerEnd()) - ProfilePoint(kBeyondAxis, 0),
              place.at(0.0, part.upperEnd()) + ProfilePoint(kBeyondAxis, 0), Sheet::Line::Centre);
 }
 
-// What the view and its dimensions take of a sheet.
-struct Rooms {
-  double above, below;
+// What is drawn of a part, and of what its dimensions are.
+struct Drawn {
+  const TargetProfile& part;
+  const TargetProfile& measured;  // the same without what is too small
+  const PartDimensions& dimensions;
+  const DrawingTitle& title;
 };
 
-Rooms roomsFor(const PartDimensions& dimensions) {
-  const std::size_t inner = dimensions.innerHeights.empty() ? 0 : dimensions.innerHeights.size() + 1;
-  return {kNoteRoom + DimensionLines::roomFor(inner),
-          std::max(DimensionLines::roomFor(dimensions.outerHeights.size()) + 3.0, 30.0)};
+// On paper of this size at this scale, without frame; none if it has no room there.
+std::optional<Sheet> viewOn(double width, double height, double scale, const Drawn& drawn) {
+  Sheet sheet;
+  sheet.width = width;
+  sheet.height = height;
+  DrawingPlace place;
+  place.scale = scale;
+  addView(sheet, place, drawn.part, drawn.measured, drawn.title.threads);
+  DimensionLines(sheet, place, drawn.measured, drawn.title).add(drawn.dimensions);
+  const ProfileBox box = sheet.box();
+  const ProfilePoint low(kFrameLeft + kMargin, kFrame + kTitleHeight + kMargin);
+  const ProfilePoint high(width - kFrame - kMargin, height - kFrame - kMargin);
+  if ((box.sizes().array() > (high - low).array()).any()) return std::nullopt;
+  sheet.move(0.5 * (low + high) - box.center());
+  return sheet;
 }
 
-double scaleOn(const Sheet& sheet, const TargetProfile& part, const Rooms& rooms) {
-  const double wide = sheet.width - kFrameLeft - kFrame - 2.0 * kSide;
-  const double high = sheet.height - 2.0 * kFrame - kTitleHeight - rooms.above - rooms.below;
-  return std::min(standardScale(part.length(), wide), standardScale(2.0 * part.largestRadius(), std::max(high, 1.0)));
+// At the largest scale of ISO 5455 that has room.
+std::optional<std::pair<Sheet, double>> largestOn(double width, double height, const Drawn& drawn) {
+  const TargetProfile& part = drawn.part;
+  double scale = std::min(standardScale(part.length(), width), standardScale(2.0 * part.largestRadius(), height));
+  for (;;) {
+    if (auto sheet = viewOn(width, height, scale, drawn)) return std::pair(std::move(*sheet), scale);
+    const double next = nextScale(scale);
+    if (!(next < scale)) return std::nullopt;
+    scale = next;
+  }
+}
+
+std::optional<Sheet> sheetOf(const Drawn& drawn, double leftOut) {
+  auto best = largestOn(297.0, 210.0, drawn);
+  // A larger sheet where the part would be too small for its dimensions.
+  const bool isSmall = !best || drawn.dimensions.diameters.size() + drawn.dimensions.outerHeights.size() > kCrowded ||
+                       best->second * drawn.part.length() < 60.0;
+  if (isSmall) {
+    auto large = largestOn(420.0, 297.0, drawn);
+    if (large && (!best || large->second > best->second)) best = std::move(large);
+  }
+  if (!best) return std::nullopt;
+  auto& [sheet, scale] = *best;
+  addTitleBlock(sheet, drawn.title.name, drawn.title.material, scale);
+  if (leftOut > 0.0)
+    sheet.text({kFrameLeft + 3.0, kFrame + 3.0}, "Without features below " + sizeText(leftOut) + " mm",
+               Sheet::Align::Left, kSmallText);
+  return std::move(sheet);
+}
+
+bool hasSmall(const TargetProfile& part, double tolerance, double least) {
+  const std::vector<ProfileFeature> features = featuresOf(part, tolerance);
+  return std::any_of(features.begin(), features.end(),
+                     [&](const ProfileFeature& f) { return (f.high - f.low).norm() < least; });
 }
 
 }  // namespace
 
 Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title) {
-  const PartDimensions dimensions = dimensionsOf(part, title.tolerance);
-  const Rooms rooms = roomsFor(dimensions);
-  Sheet sheet;
-  double scale = scaleOn(sheet, part, rooms);
-  // A larger sheet where the part would be too small for its dimensions.
-  Sheet large;
-  large.width = 420.0;
-  large.height = 297.0;
-  const double onLarge = scaleOn(large, part, rooms);
-  const bool isCrowded = dimensions.diameters.size() + dimensions.outerHeights.size() > 12;
-  if (onLarge > scale && (isCrowded || scale * part.length() < 60.0)) {
-    sheet = large;
-    scale = onLarge;
+  double least = std::min(kLeastDrawn, kLeastDrawnShare * std::max(part.length(), 2.0 * part.largestRadius()));
+  bool isWhole = !hasSmall(part, title.tolerance, least);
+  for (int i = 0; i < kDoublings; ++i, least *= 2.0, isWhole = false) {
+    const std::optional<TargetProfile> smooth = isWhole ? std::nullopt : withoutSmall(part, least);
+    if (!isWhole && !smooth && i < kSmoothings) continue;
+    const TargetProfile& measured = smooth ? *smooth : part;
+    const double tolerance = smooth ? std::max(title.tolerance, 0.5 * least) : title.tolerance;
+    const PartDimensions dimensions = dimensionsOf(measured, title, tolerance, least, smooth.has_value());
+    if (dimensions.count() > kMost) continue;
+    if (auto sheet = sheetOf({part, measured, dimensions, title}, isWhole ? 0.0 : least)) return std::move(*sheet);
   }
-  const double left = kFrameLeft, right = sheet.width - kFrame;
-  const double bottom = kFrame + kTitleHeight + rooms.below, top = sheet.height - kFrame - rooms.above;
-  DrawingPlace place;
-  place.scale = scale;
-  place.origin = {0.5 * (left + right) - scale * 0.5 * (part.lowerEnd() + part.upperEnd()), 0.5 * (bottom + top)};
-  addView(sheet, place, part);
-  DimensionLines lines(sheet, place, part, title);
-  lines.addDiameters(dimensions);
-  lines.addLengths(dimensions.outerHeights, false);
-  if (!dimensions.innerHeights.empty()) {
-    std::vector<double> inner = dimensions.innerHeights;
-    inner.push_back(part.upperEnd());
-    lines.addLengths(inner, true);
-  }
-  lines.addNotes(dimensions);
-  addTitleBlock(sheet, title.name, title.material, scale);
-  return sheet;
+  Sheet empty;  // of a part beyond the least scale
+  addTitleBlock(empty, title.name, title.material, nextScale(0.0));
+  return empty;
 }
 
 }  // namespace handwheel

@@ -6,16 +6,33 @@
 #include "machining/target/TargetProfile.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handwheel {
 
-// A tolerance that a drawing shows behind the dimensions of this size.
+// A tolerance that a drawing shows behind a dimension of this size, at this place. A part is not exactly what was
+// asked: sizes that are as near as the place tells apart are taken for it, and shown with their nominal value.
 struct DrawnTolerance {
-  enum class Of { Diameter, Length };
+  enum class Of { Diameter, Bore, Length, Radius };
   Of of = Of::Diameter;
-  double size = 0.0;  // mm, nominal
-  std::string text;   // "h7", "±0.1"
+  double size = 0.0;             // mm, nominal
+  std::string text;              // "h7", "±0.1"
+  double low = 0.0, high = 0.0;  // mm, z: within the surface; the two faces of a length
+};
+
+// A thread, which is shown as its crest and a narrow line at its root (ISO 6410-1).
+struct DrawnThread {
+  std::string designation;          // "M20×2.5", with its tolerance class if it has one
+  double low = 0.0, high = 0.0;     // mm, z
+  double major = 0.0, minor = 0.0;  // mm, diameters
+  bool isInner = false;
+};
+
+struct DrawnRoughness {
+  double ra = 0.0;               // µm, at most
+  double low = 0.0, high = 0.0;  // mm, z
+  bool isInner = false;
 };
 
 // What a drawing says besides the shape of the part.
@@ -23,14 +40,21 @@ struct DrawingTitle {
   std::string name, material;  // UTF-8; cut where they are longer than their fields
   std::vector<DrawnTolerance> tolerances;
   double tolerance = 1e-3;  // mm, of the features (featuresOf())
+  std::vector<DrawnThread> threads;
+  std::vector<DrawnRoughness> roughness;
 };
+
+// What is smaller has no dimension, mm; of small parts what is smaller than this share of them.
+inline constexpr double kLeastDrawn = 0.05, kLeastDrawnShare = 1.0 / 400.0;
 
 // Draws a turned part on A4, or on A3 where it has many dimensions.
 //
 // The view from the side has the axis horizontal. A part with a bore is shown in half section above the axis, others
-// whole. It has diameters, lengths from the upper end, radii, angles and chamfers, a frame (ISO 5457) and a title block
-// with name, material, scale (ISO 5455), unit and the sign of first angle projection (ISO 128-3, 5456-2). Dimensions
-// are those of the features, to 0.01 mm (ISO 129-1). O(segments).
+// whole. It has diameters, lengths from the upper end, radii, angles and chamfers, threads, roughness (ISO 21920-1), a
+// frame (ISO 5457) and a title block with name, material, scale (ISO 5455), unit and the sign of first angle projection
+// (ISO 128-3, 5456-2). Dimensions are those of the features, to 0.01 mm (ISO 129-1). No text is on another one; where a
+// sheet has no room for all dimensions, those of the smallest features are left out, which the sheet says. O(segments ·
+// log segments).
 Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title);
 
 }  // namespace handwheel

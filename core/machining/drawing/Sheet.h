@@ -25,6 +25,8 @@ struct Sheet {
     double height = 3.5;    // mm, of capitals
     Align align = Align::Centre;
     bool isUpwards = false;  // runs up, to be read from the right
+
+    ProfileBox box() const;  // that it covers, descenders included
   };
   // A closed outline, to be filled (arrow heads) or hatched (cut material).
   struct Area {
@@ -43,11 +45,13 @@ struct Sheet {
   void text(const ProfilePoint& at, std::string words, Align align = Align::Centre, double size = 3.5) {
     texts.push_back({at, std::move(words), size, align, false});
   }
+  void move(const ProfilePoint& by);  // all that is on it
+  ProfileBox box() const;             // of all that is on it; an empty sheet has an empty one
   // A slender arrow head whose tip is at a point, looking along a direction (ISO 129-1).
   void arrow(const ProfilePoint& tip, const ProfilePoint& towards);
 };
 
-// About how wide a text is printed (mm).
+// How wide a text is printed (mm), or a little more.
 double widthOf(const std::string& text, double height);
 
 }  // namespace handwheel

@@ -28,8 +28,8 @@ struct ForcePeaks {
   bool isOutsideModel = false;  // the model does not cover all that was cut
 };
 
-// Finds the peaks while something cuts: it is told what each short move removes. A cut is judged over at least one turn
-// of the spindle and a length that the samples of the profile can resolve, for no sample goes in part.
+// Finds the peaks while something cuts: it receives what each short move removes. A cut is judged over at least one
+// turn of the spindle and a length that the samples of the profile can resolve, for no sample goes in part.
 class ForcePeakMeter {
  public:
   // resolution: mm, spacing of the profile. The model must outlive it.

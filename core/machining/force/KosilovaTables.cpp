@@ -27,11 +27,15 @@ KosilovaLaw kosilovaLawIn(const nlohmann::json& row, const char* component, std:
   return law;
 }
 
+ToolMaterial toolMaterialOf(const std::string& word) {
+  return word == "carbide" ? ToolMaterial::Carbide : ToolMaterial::HighSpeedSteel;
+}
+
 KosilovaRow kosilovaRowIn(const nlohmann::json& json, const nlohmann::json& sources) {
   KosilovaRow row;
   row.id = json.at("id");
   row.work = json.at("work");
-  row.tool = json.at("tool");
+  row.tool = toolMaterialOf(json.at("tool"));
   row.operation = json.at("operation");
   row.source = sources.at(json.at("source").get<std::string>());
   row.isByHardness = json.contains("hardness");
@@ -53,7 +57,7 @@ KosilovaCorrection kosilovaCorrectionIn(const nlohmann::json& json) {
   KosilovaCorrection correction;
   correction.of = quantityOf(json.at("factor"));
   const std::string tool = json.at("tool");
-  if (tool != "any") correction.tool = tool == "carbide" ? ToolMaterial::Carbide : ToolMaterial::HighSpeedSteel;
+  if (tool != "any") correction.tool = toolMaterialOf(tool);
   correction.at = json.at("at").get<std::vector<double>>();
   correction.verifiedAt = json.at("verified_cutting_at").get<std::vector<double>>();
   correction.factors = {json.at("cutting").get<std::vector<double>>(), json.at("radial").get<std::vector<double>>(),
@@ -110,10 +114,10 @@ Result<KosilovaTables> KosilovaTables::fromJson(std::string_view text) {
   return tables;
 }
 
-KosilovaTables KosilovaTables::standard() {
-  const Result<KosilovaTables> tables = fromJson(kosilovaResource());
-  assert(tables);
-  return *tables;
+const KosilovaTables& KosilovaTables::standard() {
+  static const Result<KosilovaTables> kShipped = fromJson(kosilovaResource());
+  assert(kShipped);
+  return *kShipped;
 }
 
 const KosilovaRow* KosilovaTables::find(std::string_view id) const {

@@ -23,7 +23,8 @@ struct KosilovaLaw {
 
 // One row of the table of forces: a work material, a tool and an operation.
 struct KosilovaRow {
-  std::string id, work, tool, operation;
+  std::string id, work, operation;
+  ToolMaterial tool = ToolMaterial::Carbide;
   std::string source;         // a sentence
   double reference = 0.0;     // MPa or HB of the work that the row was measured on; 0: no correction
   bool isByHardness = false;  // HB, else tensile strength
@@ -51,8 +52,8 @@ class KosilovaTables {
  public:
   // Errors: ElementMalformed.
   static Result<KosilovaTables> fromJson(std::string_view text);
-  // Those that the program ships.
-  static KosilovaTables standard();
+  // Those that the program ships: one for all, read with the first use.
+  static const KosilovaTables& standard();
 
   const std::vector<KosilovaRow>& rows() const { return m_rows; }
   const KosilovaRow* find(std::string_view id) const;  // null when unknown

@@ -48,10 +48,10 @@ Result<WorkMaterials> WorkMaterials::fromJson(std::string_view text) {
   return materials;
 }
 
-WorkMaterials WorkMaterials::standard() {
-  const Result<WorkMaterials> materials = fromJson(materialsResource());
-  assert(materials);
-  return *materials;
+const WorkMaterials& WorkMaterials::standard() {
+  static const Result<WorkMaterials> kShipped = fromJson(materialsResource());
+  assert(kShipped);
+  return *kShipped;
 }
 
 const WorkMaterial* WorkMaterials::find(std::string_view id) const {
@@ -74,10 +74,9 @@ const WorkMaterial& WorkMaterials::called(std::string_view words) const& {
 }
 
 const KosilovaRow* kosilovaRowFor(const KosilovaTables& tables, const WorkMaterial& material, ToolMaterial tool) {
-  const std::string_view word = tool == ToolMaterial::Carbide ? "carbide" : "high-speed steel";
   for (const std::string& id : material.kosilova) {
     const KosilovaRow* row = tables.find(id);
-    if (row && row->tool == word) return row;
+    if (row && row->tool == tool) return row;
   }
   return nullptr;
 }

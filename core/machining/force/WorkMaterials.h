@@ -34,8 +34,8 @@ class WorkMaterials {
  public:
   // Errors: ElementMalformed.
   static Result<WorkMaterials> fromJson(std::string_view text);
-  // Those that the program ships.
-  static WorkMaterials standard();
+  // Those that the program ships: one table for all, read with the first use.
+  static const WorkMaterials& standard();
 
   const std::vector<WorkMaterial>& all() const& { return m_all; }
   void all() const&& = delete;  // of a registry that ends with the expression

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machining/force/CuttingForceModel.h"
+#include "nurbs/StockCylinder.h"
 
 namespace handwheel {
 
@@ -12,6 +13,7 @@ struct LatheLoad {
   CutConditions cut;            // over the last samples of the profile
   double radius = 0.0;          // mm, mean, of what leaves
   CutForces forces;             // N
+  ProfilePoint press{0, 0};     // N, of these on what grinds, in (r, z)
   double torque = 0.0;          // N·m, at the spindle
   double power = 0.0;           // kW, of the motor
   bool isOutsideModel = false;  // the law was not made for such a cut

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheCrashJson.h"
 
+#include "base/JsonFields.h"
 #include "base/JsonText.h"
 #include "machining/lathe/LatheRun.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace handwheel {
 
@@ -27,25 +27,27 @@ std::optional<Value> valueNamed(const std::array<const char*, N>& ids, const std
   return static_cast<Value>(found - ids.begin());
 }
 
-double finiteAt(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  const double value = found != object.end() && found->is_number() ? found->get<double>() : 0.0;
-  return std::isfinite(value) ? value : 0.0;
+// The keys of what is a number or a text; the places of the enumerations.
+template <class Crash>
+void visitCrash(Crash& crash, const auto& visit) {
+  visit("r", crash.place.x());
+  visit("z", crash.place.y());
+  visit("depth", crash.depth);
+  visit("time", crash.time);
+  visit("tool", crash.tool);
 }
+constexpr const char *kMoving = "moving", *kStruck = "struck", *kCause = "cause";
 
 }  // namespace
 
 nlohmann::json crashesToJson(const std::vector<LatheCollision>& crashes) {
   nlohmann::json all = nlohmann::json::array();
   for (const LatheCollision& crash : crashes) {
-    all.push_back({{"moving", kPartIds[static_cast<std::size_t>(crash.moving)]},
-                   {"struck", kPartIds[static_cast<std::size_t>(crash.struck)]},
-                   {"cause", kCauseIds[static_cast<std::size_t>(crash.cause)]},
-                   {"r", crash.place.x()},
-                   {"z", crash.place.y()},
-                   {"depth", crash.depth},
-                   {"time", crash.time},
-                   {"tool", crash.tool}});
+    nlohmann::json& one = all.emplace_back(nlohmann::json::object());
+    one[kMoving] = kPartIds[static_cast<std::size_t>(crash.moving)];
+    one[kStruck] = kPartIds[static_cast<std::size_t>(crash.struck)];
+    one[kCause] = kCauseIds[static_cast<std::size_t>(crash.cause)];
+    visitCrash(crash, JsonFieldWriter(one));
   }
   return all;
 }
@@ -57,18 +59,17 @@ std::vector<LatheCollision> crashesFrom(const nlohmann::json& json) {
   for (const nlohmann::json& each : json) {
     if (crashes.size() == LatheRun::kMostCollisions) break;
     if (!each.is_object()) continue;
-    const auto moving = valueNamed<LathePart>(kPartIds, stringAt(each, "moving"));
-    const auto struck = valueNamed<LathePart>(kPartIds, stringAt(each, "struck"));
-    const auto cause = valueNamed<CrashCause>(kCauseIds, stringAt(each, "cause"));
-    const std::string tool = stringAt(each, "tool");
-    if (!moving || !struck || !cause || tool.size() > kLongestId) continue;
-    crashes.push_back({*moving,
-                       *struck,
-                       *cause,
-                       {finiteAt(each, "r"), finiteAt(each, "z")},
-                       finiteAt(each, "depth"),
-                       finiteAt(each, "time"),
-                       tool});
+    const auto moving = valueNamed<LathePart>(kPartIds, stringAt(each, kMoving));
+    const auto struck = valueNamed<LathePart>(kPartIds, stringAt(each, kStruck));
+    const auto cause = valueNamed<CrashCause>(kCauseIds, stringAt(each, kCause));
+    LatheCollision crash;
+    visitCrash(crash, JsonFieldReader(each));
+    const bool isFinite = crash.place.allFinite() && std::isfinite(crash.depth) && std::isfinite(crash.time);
+    if (!moving || !struck || !cause || !isFinite || crash.tool.size() > kLongestId) continue;
+    crash.moving = *moving;
+    crash.struck = *struck;
+    crash.cause = *cause;
+    crashes.push_back(std::move(crash));
   }
   return crashes;
 }

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheJson.h"
 
+#include "base/JsonFields.h"
 #include "machining/lathe/LatheResources.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <concepts>
+#include <type_traits>
 
 namespace handwheel {
 
@@ -15,48 +19,166 @@ namespace {
 using nlohmann::json;
 
 constexpr double kLargestPlace = 1e4;  // mm, of a corner of a tool
+constexpr const char *kCornersKey = "corners", *kRadiusKey = "radius", *kToolKindKey = "kind", *kDialsKey = "dials",
+                     *kSlotsKey = "slots", *kAllowedKey = "allowed";
+// In the order of their enumerations.
+constexpr const char* kAxisNames[kLatheAxes] = {"carriage", "cross", "compound", "quill"};
+constexpr std::array kFittingNames{"none", "centre", "drill"};
+constexpr std::array kLatheSideNames{"outside", "inside"};
 
 Error wrong(std::string element, const char* what) {
   return {ErrorCode::ElementMalformed, {std::move(element), what}, {}, {}};
 }
 
 const json& memberOf(const json& object, const char* key) {
-  static const json kNothing;
-  if (!object.is_object()) return kNothing;
-  const auto found = object.find(key);
-  return found == object.end() ? kNothing : *found;
+  return JsonFieldReader(object).member(key);
 }
 
-// Takes what is there and of the right type.
-void takeIf(const json& object, const char* key, double& value) {
-  if (const json& found = memberOf(object, key); found.is_number()) value = found.get<double>();
-}
-void takeIf(const json& object, const char* key, int& value) {
-  const json& found = memberOf(object, key);
-  if (found.is_number_integer() && std::abs(found.get<double>()) < 1e9) value = found.get<int>();
-}
-void takeIf(const json& object, const char* key, bool& value) {
-  if (const json& found = memberOf(object, key); found.is_boolean()) value = found.get<bool>();
-}
-void takeIf(const json& object, const char* key, std::string& value) {
-  if (const json& found = memberOf(object, key); found.is_string()) value = found.get<std::string>();
-}
-void takeIf(const json& object, const char* key, ProfilePoint& value) {
-  const json& found = memberOf(object, key);
-  if (found.is_array() && found.size() == 2 && found[0].is_number() && found[1].is_number())
-    value = {found[0].get<double>(), found[1].get<double>()};
+// Both ways with the types of a lathe besides the plain ones.
+struct LatheFieldWriter : JsonFieldWriter {
+  using JsonFieldWriter::JsonFieldWriter;
+  using JsonFieldWriter::operator();
+  void operator()(const char* key, const ProfilePoint& p) const { (*this)(key, json::array({p.x(), p.y()})); }
+  void operator()(const char* key, const TurningSide& side) const {
+    (*this)(key, kLatheSideNames[static_cast<std::size_t>(side)]);
+  }
+  void operator()(const char* key, const LatheFitting& fitting) const {
+    (*this)(key, kFittingNames[static_cast<std::size_t>(fitting)]);
+  }
+};
+
+struct LatheFieldReader : JsonFieldReader {
+  using JsonFieldReader::JsonFieldReader;
+  using JsonFieldReader::operator();
+  void operator()(const char* key, ProfilePoint& value) const {
+    const json& found = member(key);
+    if (found.is_array() && found.size() == 2 && found[0].is_number() && found[1].is_number())
+      value = {found[0].get<double>(), found[1].get<double>()};
+  }
+  void operator()(const char* key, TurningSide& side) const { takeNamed(key, kLatheSideNames, side); }
+  void operator()(const char* key, LatheFitting& fitting) const { takeNamed(key, kFittingNames, fitting); }
+
+ private:
+  template <std::size_t N, class Value>
+  void takeNamed(const char* key, const std::array<const char*, N>& names, Value& value) const {
+    const json& found = member(key);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (found == names[i]) value = static_cast<Value>(i);
+    }
+  }
+};
+
+// The keys, each once: for reader and writer, and for values that are const or not.
+template <class Dial>
+requires std::same_as<std::remove_const_t<Dial>, LatheDial>
+void visitFields(Dial& dial, const auto& visit) {
+  visit("divisions", dial.divisions);
+  visit("per_division", dial.perDivision);
+  visit("backlash", dial.backlash);
+  visit("least", dial.least);
+  visit("largest", dial.largest);
 }
 
-json pointJson(const ProfilePoint& p) {
-  return json::array({p.x(), p.y()});
+template <class Slot>
+requires std::same_as<std::remove_const_t<Slot>, LatheSlot>
+void visitFields(Slot& slot, const auto& visit) {
+  visit("tool", slot.tool);
+  visit("place", slot.place);
+  visit("offset", slot.offset);
+  visit("has_radius_offset", slot.hasOffset[0]);
+  visit("has_z_offset", slot.hasOffset[1]);
+}
+
+template <class Chuck>
+requires std::same_as<std::remove_const_t<Chuck>, LatheChuck>
+void visitFields(Chuck& chuck, const auto& visit) {
+  visit("diameter", chuck.diameter);
+  visit("length", chuck.length);
+  visit("jaw_length", chuck.jawLength);
+  visit("jaw_height", chuck.jawHeight);
+  visit("jaw_width", chuck.jawWidth);
+  visit("grip", chuck.grip);
+  visit("grips_inside", chuck.gripsInside);
+}
+
+template <class Tailstock>
+requires std::same_as<std::remove_const_t<Tailstock>, LatheTailstock>
+void visitFields(Tailstock& tailstock, const auto& visit) {
+  visit("fitting", tailstock.fitting);
+  visit("drill", tailstock.drill);
+  visit("place", tailstock.place);
+  visit("quill_diameter", tailstock.quillDiameter);
+  visit("body_radius", tailstock.bodyRadius);
+}
+
+template <class Spindle>
+requires std::same_as<std::remove_const_t<Spindle>, LatheSpindle>
+void visitFields(Spindle& spindle, const auto& visit) {
+  visit("least_speed", spindle.leastSpeed);
+  visit("largest_speed", spindle.largestSpeed);
+  visit("speed", spindle.speed);
+  visit("acceleration", spindle.acceleration);
+  visit("power", spindle.power);
+  visit("torque", spindle.torque);
+}
+
+// Of a setup the plain numbers; groups: those that are objects.
+template <class Setup>
+requires std::same_as<std::remove_const_t<Setup>, LatheSetup>
+void visitFields(Setup& setup, const auto& visit) {
+  visit("compound_angle", setup.compoundAngle);
+  visit("lead_screw_pitch", setup.leadScrewPitch);
+  visit("rapid_speed", setup.rapidSpeed);
+  visit("hand_speed", setup.handSpeed);
+  visit("hand_feed", setup.handFeed);
+  visit("depth_limit", setup.depthLimit);
+  visit("wear", setup.wear);
+  visit("shows_diameter", setup.showsDiameter);
+}
+template <class Setup>
+void visitGroups(Setup& setup, const auto& visit) {
+  visit("chuck", setup.chuck);
+  visit("tailstock", setup.tailstock);
+  visit("spindle", setup.spindle);
+}
+
+template <class Tool>
+requires std::same_as<std::remove_const_t<Tool>, LatheTool>
+void visitFields(Tool& tool, const auto& visit) {
+  visit("id", tool.id);
+  visit("designation", tool.designation);
+  visit("side", tool.side);
+  visit("nose_radius", tool.noseRadius);
+  visit("orientation", tool.orientation);
+  visit("entering_angle", tool.enteringAngle);
+  visit("rake", tool.rake);
+  visit("depth_per_turn", tool.depthPerTurn);
+  visit("least_roughness", tool.leastRoughness);
+}
+template <class Tool>
+void visitSections(Tool& tool, const auto& visit) {
+  visit("cutting", tool.cutting);
+  visit("holder", tool.holder);
+}
+
+template <class Value>
+json objectOf(const Value& value) {
+  json object = json::object();
+  visitFields(value, LatheFieldWriter(object));
+  return object;
+}
+
+template <class Value>
+void takeFields(const json& object, Value& value) {
+  visitFields(value, LatheFieldReader(object));
 }
 
 json sectionsJson(const std::vector<RoundedSection>& sections) {
   json list = json::array();
   for (const RoundedSection& section : sections) {
     json corners = json::array();
-    for (const ProfilePoint& p : section.corners()) corners.push_back(pointJson(p));
-    list.push_back({{"corners", std::move(corners)}, {"radius", section.radius()}});
+    for (const ProfilePoint& p : section.corners()) corners.push_back({p.x(), p.y()});
+    list.push_back({{kCornersKey, std::move(corners)}, {kRadiusKey, section.radius()}});
   }
   return list;
 }
@@ -64,15 +186,15 @@ json sectionsJson(const std::vector<RoundedSection>& sections) {
 Status takeSections(const json& list, const std::string& tool, std::vector<RoundedSection>& sections) {
   if (!list.is_array() || list.size() > LatheTool::kMostSections) return wrong(tool, "too many sections, or no list");
   for (const json& entry : list) {
-    const json& corners = memberOf(entry, "corners");
+    const json& corners = memberOf(entry, kCornersKey);
     std::vector<ProfilePoint> points;
     const double nan = std::nan("");
     for (std::size_t i = 0; corners.is_array() && i < std::min(corners.size(), RoundedSection::kMostCorners + 1); ++i) {
       points.emplace_back(nan, nan);
-      takeIf(json{{"at", corners[i]}}, "at", points.back());
+      LatheFieldReader{json{{kCornersKey, corners[i]}}}(kCornersKey, points.back());
     }
     double radius = 0.0;
-    takeIf(entry, "radius", radius);
+    LatheFieldReader{entry}(kRadiusKey, radius);
     const bool isNear = std::all_of(points.begin(), points.end(), [](const ProfilePoint& p) {
       return std::abs(p.x()) <= kLargestPlace && std::abs(p.y()) <= kLargestPlace;
     });
@@ -83,104 +205,20 @@ Status takeSections(const json& list, const std::string& tool, std::vector<Round
   return Done{};
 }
 
-constexpr const char* kAxisNames[kLatheAxes] = {"carriage", "cross", "compound", "quill"};
-constexpr const char* kFittingNames[] = {"none", "centre", "drill"};
-
-json dialJson(const LatheDial& dial) {
-  return {{"divisions", dial.divisions},
-          {"per_division", dial.perDivision},
-          {"backlash", dial.backlash},
-          {"least", dial.least},
-          {"largest", dial.largest}};
-}
-
-void takeDial(const json& value, LatheDial& dial) {
-  takeIf(value, "divisions", dial.divisions);
-  takeIf(value, "per_division", dial.perDivision);
-  takeIf(value, "backlash", dial.backlash);
-  takeIf(value, "least", dial.least);
-  takeIf(value, "largest", dial.largest);
-}
-
-json slotJson(const LatheSlot& slot) {
-  return {{"tool", slot.tool},
-          {"place", pointJson(slot.place)},
-          {"offset", pointJson(slot.offset)},
-          {"has_radius_offset", slot.hasOffset[0]},
-          {"has_z_offset", slot.hasOffset[1]}};
-}
-
-LatheSlot slotFrom(const json& value) {
-  LatheSlot slot;
-  takeIf(value, "tool", slot.tool);
-  takeIf(value, "place", slot.place);
-  takeIf(value, "offset", slot.offset);
-  takeIf(value, "has_radius_offset", slot.hasOffset[0]);
-  takeIf(value, "has_z_offset", slot.hasOffset[1]);
-  return slot;
-}
-
-void takeChuck(const json& value, LatheChuck& chuck) {
-  takeIf(value, "diameter", chuck.diameter);
-  takeIf(value, "length", chuck.length);
-  takeIf(value, "jaw_length", chuck.jawLength);
-  takeIf(value, "jaw_height", chuck.jawHeight);
-  takeIf(value, "jaw_width", chuck.jawWidth);
-  takeIf(value, "grip", chuck.grip);
-  takeIf(value, "grips_inside", chuck.gripsInside);
-}
-
-void takeTailstock(const json& value, LatheTailstock& tailstock) {
-  std::string fitting;
-  takeIf(value, "fitting", fitting);
-  for (std::size_t i = 0; i < std::size(kFittingNames); ++i) {
-    if (fitting == kFittingNames[i]) tailstock.fitting = static_cast<LatheFitting>(i);
-  }
-  takeIf(value, "drill", tailstock.drill);
-  takeIf(value, "place", tailstock.place);
-  takeIf(value, "quill_diameter", tailstock.quillDiameter);
-  takeIf(value, "body_radius", tailstock.bodyRadius);
-}
-
-void takeSpindle(const json& value, LatheSpindle& spindle) {
-  takeIf(value, "least_speed", spindle.leastSpeed);
-  takeIf(value, "largest_speed", spindle.largestSpeed);
-  takeIf(value, "speed", spindle.speed);
-  takeIf(value, "acceleration", spindle.acceleration);
-  takeIf(value, "power", spindle.power);
-  takeIf(value, "torque", spindle.torque);
-}
-
 }  // namespace
 
 json toJson(const LatheTool& tool) {
-  return {{"id", tool.id},
-          {"kind", idOf(tool.kind)},
-          {"designation", tool.designation},
-          {"side", tool.side == TurningSide::Bore ? "inside" : "outside"},
-          {"nose_radius", tool.noseRadius},
-          {"orientation", tool.orientation},
-          {"entering_angle", tool.enteringAngle},
-          {"rake", tool.rake},
-          {"depth_per_turn", tool.depthPerTurn},
-          {"least_roughness", tool.leastRoughness},
-          {"cutting", sectionsJson(tool.cutting)},
-          {"holder", sectionsJson(tool.holder)}};
+  json object = objectOf(tool);
+  object[kToolKindKey] = idOf(tool.kind);
+  visitSections(tool, [&](const char* key, const auto& sections) { object[key] = sectionsJson(sections); });
+  return object;
 }
 
 Result<LatheTool> latheToolFrom(const json& value) {
   LatheTool tool;
-  std::string kind, side;
-  takeIf(value, "id", tool.id);
-  takeIf(value, "kind", kind);
-  takeIf(value, "designation", tool.designation);
-  takeIf(value, "side", side);
-  takeIf(value, "nose_radius", tool.noseRadius);
-  takeIf(value, "orientation", tool.orientation);
-  takeIf(value, "entering_angle", tool.enteringAngle);
-  takeIf(value, "rake", tool.rake);
-  takeIf(value, "depth_per_turn", tool.depthPerTurn);
-  takeIf(value, "least_roughness", tool.leastRoughness);
+  std::string kind;
+  takeFields(value, tool);
+  LatheFieldReader{value}(kToolKindKey, kind);
   const std::string name = "tool " + tool.id;
   const auto found = latheToolKindNamed(kind);
   if (tool.id.empty()) return wrong("tool", "it has no id");
@@ -191,73 +229,40 @@ Result<LatheTool> latheToolFrom(const json& value) {
                           tool.leastRoughness >= 0.0 && tool.leastRoughness <= 1e3;
   if (!isPossible) return wrong(name, "one of its numbers is impossible");
   tool.kind = *found;
-  tool.side = side == "inside" ? TurningSide::Bore : TurningSide::Outside;
-  for (const auto& [key, sections] : {std::pair{"cutting", &tool.cutting}, std::pair{"holder", &tool.holder}}) {
-    const Status taken = takeSections(memberOf(value, key), name, *sections);
-    if (!taken) return taken.error();
-  }
+  Status taken = Done{};
+  visitSections(tool, [&](const char* key, auto& sections) {
+    if (taken) taken = takeSections(memberOf(value, key), name, sections);
+  });
+  if (!taken) return taken.error();
   if (tool.cutting.empty()) return wrong(name, "it has no cutting part");
   return tool;
 }
 
 json toJson(const LatheSetup& setup) {
-  json dials, slots = json::array();
-  for (std::size_t i = 0; i < kLatheAxes; ++i) dials[kAxisNames[i]] = dialJson(setup.dials[i]);
-  for (const LatheSlot& slot : setup.stations) slots.push_back(slotJson(slot));
-  const LatheChuck& chuck = setup.chuck;
-  return {{"chuck",
-           {{"diameter", chuck.diameter},
-            {"length", chuck.length},
-            {"jaw_length", chuck.jawLength},
-            {"jaw_height", chuck.jawHeight},
-            {"jaw_width", chuck.jawWidth},
-            {"grip", chuck.grip},
-            {"grips_inside", chuck.gripsInside}}},
-          {"tailstock",
-           {{"fitting", kFittingNames[static_cast<std::size_t>(setup.tailstock.fitting)]},
-            {"drill", setup.tailstock.drill},
-            {"place", setup.tailstock.place},
-            {"quill_diameter", setup.tailstock.quillDiameter},
-            {"body_radius", setup.tailstock.bodyRadius}}},
-          {"spindle",
-           {{"least_speed", setup.spindle.leastSpeed},
-            {"largest_speed", setup.spindle.largestSpeed},
-            {"speed", setup.spindle.speed},
-            {"acceleration", setup.spindle.acceleration},
-            {"power", setup.spindle.power},
-            {"torque", setup.spindle.torque}}},
-          {"dials", std::move(dials)},
-          {"slots", std::move(slots)},
-          {"compound_angle", setup.compoundAngle},
-          {"lead_screw_pitch", setup.leadScrewPitch},
-          {"rapid_speed", setup.rapidSpeed},
-          {"hand_speed", setup.handSpeed},
-          {"hand_feed", setup.handFeed},
-          {"depth_limit", setup.depthLimit},
-          {"wear", setup.wear},
-          {"shows_diameter", setup.showsDiameter}};
+  json object = objectOf(setup);
+  visitGroups(setup, [&](const char* key, const auto& group) { object[key] = objectOf(group); });
+  for (std::size_t i = 0; i < kLatheAxes; ++i) object[kDialsKey][kAxisNames[i]] = objectOf(setup.dials[i]);
+  object[kSlotsKey] = json::array();
+  for (const LatheSlot& slot : setup.stations) object[kSlotsKey].push_back(objectOf(slot));
+  if (!setup.allowed.empty()) object[kAllowedKey] = setup.allowed;
+  return object;
 }
 
 Result<LatheSetup> latheSetupFrom(const json& value) {
   if (!value.is_object()) return wrong("lathe", "it is no object");
   LatheSetup setup;
-  takeChuck(memberOf(value, "chuck"), setup.chuck);
-  takeTailstock(memberOf(value, "tailstock"), setup.tailstock);
-  takeSpindle(memberOf(value, "spindle"), setup.spindle);
+  takeFields(value, setup);
+  visitGroups(setup, [&](const char* key, auto& group) { takeFields(memberOf(value, key), group); });
   for (std::size_t i = 0; i < kLatheAxes; ++i)
-    takeDial(memberOf(memberOf(value, "dials"), kAxisNames[i]), setup.dials[i]);
-  if (const json& slots = memberOf(value, "slots"); slots.is_array()) {
+    takeFields(memberOf(memberOf(value, kDialsKey), kAxisNames[i]), setup.dials[i]);
+  if (const json& slots = memberOf(value, kSlotsKey); slots.is_array()) {
     for (std::size_t i = 0; i < std::min(slots.size(), LatheSetup::kMostSlots); ++i)
-      setup.stations.push_back(slotFrom(slots[i]));
+      takeFields(slots[i], setup.stations.emplace_back());
   }
-  takeIf(value, "compound_angle", setup.compoundAngle);
-  takeIf(value, "lead_screw_pitch", setup.leadScrewPitch);
-  takeIf(value, "rapid_speed", setup.rapidSpeed);
-  takeIf(value, "hand_speed", setup.handSpeed);
-  takeIf(value, "hand_feed", setup.handFeed);
-  takeIf(value, "depth_limit", setup.depthLimit);
-  takeIf(value, "wear", setup.wear);
-  takeIf(value, "shows_diameter", setup.showsDiameter);
+  if (const json& allowed = memberOf(value, kAllowedKey); allowed.is_array()) {
+    for (const json& id : allowed)
+      if (id.is_string()) setup.allowed.push_back(id.get<std::string>());
+  }
   if (!setup.isSound()) return wrong("lathe", "it has no tool, or one of its numbers is impossible");
   return setup;
 }

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheRun.h"
 
-#include "machining/force/CuttingFeel.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace handwheel {
 
 namespace {
-
-constexpr double kAtRest = 1.0;  // r/min
 
 // The largest outer, or least inner, radius between the jaws.
 double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck) {
@@ -59,6 +55,7 @@ LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, co
       m_material(std::move(material)) {
   m_gripped = grippedRadius(m_profile, m_machine.setup().chuck);
   m_within = largestRadius(m_profile);
+  m_tip = m_machine.tip();
   m_chuck = chuckSolids(m_machine.setup().chuck, m_gripped);
   for (const auto& tool : m_tools) m_solids.push_back(toolSolids(*tool));
 }
@@ -134,6 +131,21 @@ std::optional<LatheCollision> LatheRun::crashOf(const Try& tried) const {
   return contactWithWork(solids, tried.isQuill || tried.isIndexed ? tip : tried.from, tip, m_profile, m_within);
 }
 
+bool LatheRun::isClear() const {
+  const auto drilling = drill();
+  const ProfilePoint end(0.0, m_machine.quillTip());
+  const auto tail = tailstockSolids(m_machine.setup().tailstock, end.y(), drilling.get());
+  if (drilling && (previewCut(m_profile, *drilling, end, end).depth > kTouch ||
+                   contactWithWork(tail, {0.0, 0.0}, {0.0, 0.0}, m_profile, m_within)))
+    return false;
+  const auto inPost = tool();
+  if (!inPost) return true;
+  const std::vector<LatheSolid>& solids = m_solids[indexOf(inPost.get())];
+  const ProfilePoint tip = m_machine.tip();
+  return !(previewCut(m_profile, *inPost, tip, tip).depth > kTouch) && !contactBetween(solids, tip, m_chuck) &&
+         !contactBetween(solids, tip, tail) && !contactWithWork(solids, tip, tip, m_profile, m_within);
+}
+
 void LatheRun::crash(LatheStep& step, LatheCollision collision, const LatheState& before) {
   const double time = m_machine.state().time;
   LatheState stopped = before;
@@ -154,11 +166,13 @@ void LatheRun::crash(LatheStep& step, LatheCollision collision, const LatheState
 // edge that is pressed into it from outside.
 void LatheRun::cut(LatheStep& step, const Try& tried) {
   const LatheTool& tool = *tried.tool;
-  step.from = m_lastTool == tried.tool && !tried.isIndexed ? m_lastPlace : tried.from;
+  const bool goesOn = m_lastTool == tried.tool && !tried.isIndexed;
+  step.from = goesOn ? m_lastPlace : tried.from;
   step.to = tried.to;
   if (tool.isAbrasive()) {
     const double lift = std::max(0.0, tried.cut.depth - tool.depthPerTurn * tried.motion.turns);
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
+    if (!goesOn) step.from = step.to;  // its slide may be in the work already
   } else if (tool.side == TurningSide::Outside) {
     step.to.x() += m_compliance * m_load.forces.radial;
   }
@@ -169,59 +183,6 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
     step.cut = cutWithTool(m_profile, tool, step.from, step.to);
   m_lastTool = tried.tool;
   m_lastPlace = step.to;
-}
-
-bool LatheRun::isStalled(double speedBefore) const {
-  const LatheState& now = m_machine.state();
-  return now.direction != 0 && std::abs(speedBefore) >= kAtRest && std::abs(now.speed) < kAtRest &&
-         m_load.torque > spindleTorque(m_machine.setup().spindle, now.speed);
-}
-
-// The law says the force of the cut as it was over the last samples.
-void LatheRun::measure(const LatheStep& step, double dt) {
-  const double length = (step.to - step.from).norm();
-  m_meter.add({length, step.cut.area, step.cut.volume, step.turns, dt, step.cutsThread()}, m_profile.spacing());
-  const double speed = m_machine.state().speed;
-  LatheLoad load;
-  load.isCutting = m_meter.isCutting();
-  load.cut = m_meter.cut(speed);
-  load.radius = m_meter.radius();
-  const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
-  if (law) {
-    const LatheSpindle& spindle = m_machine.setup().spindle;
-    load.forces = worn(law->at(load.cut), m_machine.setup().wear);
-    load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
-    load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
-    load.isOutsideModel = !law->covers(load.cut);
-    load.isOverloaded = load.torque > spindleTorque(spindle, speed);
-  }
-  if (!law) m_compliance = m_chatter = 0.0;
-  load.chatter = m_chatter;
-  m_load = load;
-  m_sinceJudged += dt;
-  if (!law || m_sinceJudged < kJudged) return;
-  m_sinceJudged = 0.0;
-  judge();
-}
-
-// By the speed that the levers ask for: a spindle that has slowed down needs less power.
-void LatheRun::judge() {
-  const LatheSetup& setup = m_machine.setup();
-  SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_lastPlace.y());
-  beam.modulus = m_material->modulus;
-  beam.cut = 2.0 * m_load.radius;
-  constexpr double kOnCentre = 0.5;  // mm
-  beam.hasTailstock = setup.tailstock.fitting == LatheFitting::Centre &&
-                      m_machine.quillTip() <= setup.chuck.grip + beam.length + kOnCentre;
-  m_compliance = beam.place > 0.0 ? deflection(beam, 1.0) : 0.0;
-  CutConditions asked = m_load.cut;
-  asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
-  const auto broken = warningsFor(asked, m_load.forces, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
-  m_warnings.judge(broken, m_machine.state().time, m_lastTool->id);
-  m_chatter = 0.0;
-  for (const CutWarning& warning : broken) {
-    if (warning.rule == CutWarning::Rule::Chatter) m_chatter = std::min(1.0, warning.value / warning.limit - 1.0);
-  }
 }
 
 // The tool is at a height for each turn; turns are those of the work, against which the tool goes about it.
@@ -278,8 +239,7 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
   const auto centre = setup.tailstock.fitting == LatheFitting::Centre && tried.isQuill;
   const bool isOnCentre = centre && contactWithWork(tailstockSolids(setup.tailstock, m_machine.quillTip(), nullptr),
                                                     {0.0, 0.0}, {0.0, 0.0}, m_profile, m_within);
-  const bool isTooDeep = setup.depthLimit > 0.0 && tried.cut.depth > setup.depthLimit && !tried.isIndexed &&
-                         !(tried.tool && tried.tool->isAbrasive());
+  const bool isTooDeep = setup.depthLimit > 0.0 && tried.cut.depth > setup.depthLimit && !tried.isIndexed;
   if (isOnCentre || isTooDeep) {  // held, without a crash
     LatheState held = before;
     held.time = m_machine.state().time;
@@ -291,7 +251,9 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
     held.isNutClosed = false;
     m_machine.restore(held);
     step.isHeld = true;
-    return step;
+    if (isOnCentre || !tried.tool->isAbrasive()) return step;
+    tried.to = m_machine.tip();  // it is pressed on no harder, and goes on
+    tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
   }
   m_isBlocked = false;
   if (tried.tool) cut(step, tried);

@@ -38,6 +38,7 @@ struct LatheStep {
 class LatheRun {
  public:
   static constexpr double kTouch = 1e-3;                // mm: a cut that is less deep touches only
+  static constexpr double kAtRest = 1.0;                // r/min: a slower spindle cuts nothing
   static constexpr std::size_t kMostCollisions = 1000;  // that are recorded
   static constexpr double kJudged = 0.1;                // s, between two judgements by the rules
 
@@ -58,6 +59,8 @@ class LatheRun {
   std::shared_ptr<const LatheTool> tool() const;  // of the slot in use; null: none
   // The place in the list of tools of the one that cut last; the number of tools: none did.
   std::size_t cuttingTool() const { return indexOf(m_lastTool.get()); }
+  // Whether nothing is in the work, the chuck or the tailstock as the slides are: from here on they can move.
+  bool isClear() const;
   double gripped() const { return m_gripped; }  // mm, radius that the jaws are closed on
 
  private:
@@ -71,6 +74,7 @@ class LatheRun {
   void cut(LatheStep& step, const Try& tried);
   LatheStep move(double dt, std::span<const LatheCommand> commands);
   void measure(const LatheStep& step, double dt);
+  void press(LatheLoad& load, double dt);
   void judge();
   bool isStalled(double speedBefore) const;
   std::optional<ThreadCut> threadOf(const Try& tried) const;
@@ -90,6 +94,7 @@ class LatheRun {
   CutMeter m_meter;
   LatheLoad m_load;
   LatheWarnings m_warnings;
+  ProfilePoint m_tip{0.0, 0.0};    // mm, after the last step
   double m_sinceJudged = kJudged;  // s
   double m_compliance = 0.0;       // mm/N, of the work at the cut
   double m_chatter = 0.0;          // as in LatheLoad

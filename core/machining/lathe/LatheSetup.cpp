@@ -56,7 +56,7 @@ bool LatheSetup::isSound() const {
          isBetween(spindle.acceleration, 1.0, 1e6) && isBetween(compoundAngle, -90.0, 90.0) &&
          isBetween(leadScrewPitch, 0.1, 100.0) && isBetween(rapidSpeed, 0.1, 1e3) &&
          isBetween(wear, 0.0, CuttingFeel::kMostWear) && isBetween(handSpeed, 0.1, 1e3) && !stations.empty() &&
-         stations.size() <= kMostSlots;
+         stations.size() <= kMostSlots && allowed.size() <= kMostAllowed;
 }
 
 LatheSetup defaultLatheSetup(const StockCylinder& stock) {
@@ -66,7 +66,9 @@ LatheSetup defaultLatheSetup(const StockCylinder& stock) {
   setup.chuck.diameter = std::max(125.0, 2.0 * (radius + 30.0));
   setup.tailstock.place = stock.length + 150.0;
   const char* const tools[] = {"right-roughing", "right-finishing", "left-roughing", "parting-3",
-                               "threading-60",   "boring-12",       "form-radius-4", "grooving-2"};
+                               "threading-60",   "boring-12",       "form-radius-4", "grooving-2",
+                               "file-flat",      "paper-120",       "paper-400",     "disk-100"};
+  static_assert(std::size(tools) <= LatheSetup::kMostSlots);
   // The tips of the tools of a post are not in one place: that is what touching off is for.
   for (std::size_t i = 0; i < std::size(tools); ++i) {
     const double away = static_cast<double>(i);

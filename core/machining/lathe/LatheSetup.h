@@ -78,6 +78,7 @@ struct LatheSlot {
 // A manual lathe as it was set up for a part. A value; positions are in mm, z from the lower end of the part.
 struct LatheSetup {
   static constexpr std::size_t kMostSlots = 12;
+  static constexpr std::size_t kMostAllowed = 50;
   static constexpr double kLargest = 1e5;  // mm, r/min, kW: of every number
 
   LatheChuck chuck;
@@ -85,15 +86,16 @@ struct LatheSetup {
   LatheSpindle spindle;
   std::array<LatheDial, kLatheAxes> dials{LatheDial{100, 0.2}, LatheDial{100, 0.02}, LatheDial{50, 0.02},
                                           LatheDial{50, 0.1, 0.0, 0.0, 120.0}};
-  std::vector<LatheSlot> stations;  // at least one
-  double compoundAngle = 0.0;       // degrees between the compound slide and the axis; positive: r grows with z
-  double leadScrewPitch = 6.0;      // mm
-  double rapidSpeed = 60.0;         // mm/s
-  double handSpeed = 80.0;          // mm/s, the fastest that a hand turns a wheel
-  double handFeed = 0.5;            // mm in a turn of the spindle, the most that a hand pushes into material
-  double depthLimit = 0.0;          // mm in r: a cut that would be deeper is not made; 0: none
-  double wear = 0.0;                // mm, of the flanks of the tools (VB)
-  bool showsDiameter = true;        // the read-out
+  std::vector<LatheSlot> stations;   // at least one
+  double compoundAngle = 0.0;        // degrees between the compound slide and the axis; positive: r grows with z
+  double leadScrewPitch = 6.0;       // mm
+  double rapidSpeed = 60.0;          // mm/s
+  double handSpeed = 80.0;           // mm/s, the fastest that a hand turns a wheel
+  double handFeed = 0.5;             // mm in a turn of the spindle, the most that a hand pushes into material
+  double depthLimit = 0.0;           // mm in r: a cut that would be deeper is not made; 0: none
+  double wear = 0.0;                 // mm, of the flanks of the tools (VB)
+  bool showsDiameter = true;         // the read-out
+  std::vector<std::string> allowed;  // ids of the tools that may be mounted; empty: any
 
   bool isSound() const;  // finite, within limits, no size negative, at least one slot
   bool operator==(const LatheSetup&) const = default;

@@ -33,7 +33,8 @@ std::string roughnessGrade(double ra) {
 double idealRoughness(double feed, double noseRadius) {
   constexpr double kMicrometres = 1e3;  // a mm
   if (feed == 0.0) return 0.0;
-  if (!(noseRadius > 0.0)) return std::numeric_limits<double>::infinity();
+  const bool hasCusps = feed <= 2.0 * noseRadius;  // else the nose leaves a ridge of the surface before
+  if (!(noseRadius > 0.0 && hasCusps)) return std::numeric_limits<double>::infinity();
   return kMicrometres * feed * feed / (32.0 * noseRadius);
 }
 

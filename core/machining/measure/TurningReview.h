@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machining/TurningPass.h"
-#include "machining/measure/ProfileMeasure.h"
+#include "machining/finish/SurfaceFinish.h"
 
 #include <memory>
 #include <span>
@@ -36,18 +36,7 @@ struct CutMoment {
   double speed = 0.0;  // m/min at the largest radius that was cut
 };
 
-// How the surface of a side was left at a sample.
-struct SampleFinish {
-  double roughness = 0.0;  // µm Ra; infinite of a tool without a nose radius
-  bool isCut = false;
-};
-
-// The roughness Ra of a range, by the geometry of feed and nose alone, µm. A sixth of the range, 16 %, may be rougher
-// than what is read: the rule of ISO 4288 for a limit on the drawing.
-struct FinishReading {
-  double roughness = 0.0, largest = 0.0;
-  double largestAt = 0.0;  // mm, height
-};
+class FinishMeter;
 
 // What the passes of a part tell about the work: finish, crashes, cuts, time. It repeats them on the bar.
 // Deterministic.
@@ -69,21 +58,21 @@ class TurningReview {
   double pathLength() const { return m_pathLength; }          // mm
   const std::vector<CrashMoment>& crashes() const { return m_crashes; }
   const std::vector<CutMoment>& moments() const { return m_moments; }  // by time
-  // None where a sample of the range was not cut, or the range has none.
-  std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
+  // Of the part after the last pass.
+  const SurfaceFinish& finish() const { return m_finish; }
 
  private:
   explicit TurningReview(const TurnedProfile& bar);
   struct Way;
-  void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, Progress progress);
-  void leave(const TurningPass& pass, TurnedProfile::Range changed, double feed);
+  void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, FinishMeter& meter,
+              Progress progress);
   void take(Way& way, TurningSide side, TurnedProfile::Range changed);
   void endWay(Way& way);
   void thinMoments();
 
   TurnedProfile m_profile;
   std::vector<double> m_outerRadii, m_boreRadii;  // mm, before the present move
-  std::vector<SampleFinish> m_outer, m_bore;
+  SurfaceFinish m_finish;
   std::vector<CrashMoment> m_crashes;
   std::vector<CutMoment> m_moments;
   double m_seconds = 0.0, m_pathLength = 0.0;

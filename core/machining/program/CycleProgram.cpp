@@ -9,6 +9,8 @@
 #include "machining/program/ProgramWriter.h"
 #include "machining/target/TargetDeviation.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -43,7 +45,9 @@ Status checkCycles(const std::string& text, const CycleTask& task, const Program
 
 Result<std::string> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
                                  Progress progress) {
-  Result<std::vector<ToolMove>> moves = roughAndFinish(task.target, 0.5 * task.stock.diameter, settings);
+  CycleSettings limited = settings;
+  limited.room = std::min(settings.room, task.target.lowerEnd() - task.base);
+  Result<std::vector<ToolMove>> moves = roughAndFinish(task.target, 0.5 * task.stock.diameter, limited);
   if (!moves) return moves.error();
   const double front = task.target.upperEnd() - (task.base + task.part.length());
   for (ToolMove& move : moves.value())

@@ -91,11 +91,18 @@ void ProgramSimulation::judge(const ToolMove& move, double deepest, double nose)
                        "diameter of the drill."});
 }
 
+// From the point that the program controls to the centre of the nose.
+ProfilePoint ProgramSimulation::toCentre(const ToolMove& move, double nose) const {
+  ProfilePoint way = -nose * tipDirection(m_setup.dialect, m_setup.toolOf(move).orientation);
+  if (m_isDrilling) way.x() = 0.0;  // a drill turns about its own axis
+  return way;
+}
+
 bool ProgramSimulation::reachesChuck(const ToolMove& move, double nose) const {
   const double face = m_setup.grip - m_part.length() - kTouch;
-  const double lowest = std::min(move.from.y(), move.to.y()) - nose;
+  const ProfilePoint low = move.from.cwiseMin(move.to) + toCentre(move, nose) - ProfilePoint(nose, nose);
   const double reach = m_largest + std::max(m_largest, 40.0);  // mm: jaws and body
-  return lowest < face && std::min(move.from.x(), move.to.x()) - nose < reach;
+  return low.y() < face && low.x() < reach;
 }
 
 void ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& move) {
@@ -179,17 +186,14 @@ bool ProgramSimulation::step() {
   if (isLeaving) return true;
   const TurningPass shape = shapeOf(move);
   if (reachesChuck(move, shape.noseRadius)) collide(ProgramCollision::Kind::Chuck, move);
-  const ProgramTool& tool = m_setup.toolOf(move);
-  ProfilePoint toCentre = -shape.noseRadius * tipDirection(m_setup.dialect, tool.orientation);
-  if (m_isDrilling) toCentre.x() = 0.0;  // a drill turns about its own axis
-  const ProfilePoint up(0.0, m_part.length());
+  const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, m_part.length());
   const double reach = m_largest + shape.noseRadius;
   const int pieces = piecesOf(move);
   const double length = lengthOf(move) / pieces, seconds = move.time / pieces;
   double deepest = 0.0;
   for (int i = 0; i < pieces; ++i) {
-    const ProfilePoint a = pointOn(move, static_cast<double>(i) / pieces) + toCentre + up;
-    const ProfilePoint b = pointOn(move, static_cast<double>(i + 1) / pieces) + toCentre + up;
+    const ProfilePoint a = pointOn(move, static_cast<double>(i) / pieces) + toPart;
+    const ProfilePoint b = pointOn(move, static_cast<double>(i + 1) / pieces) + toPart;
     Removal removal;
     deepest = std::max(deepest, deepestOf(a, b, shape));
     if (std::min(a.x(), b.x()) <= reach && !samplesBelow(a, b, shape.noseRadius).isEmpty())

@@ -86,6 +86,7 @@ class ProgramSimulation {
   void cutThread(const ToolMove& move);
   void meetThread(const ToolMove& move, const ThreadGroove& groove);
   bool leavesThread(const ToolMove& move) const;
+  ProfilePoint toCentre(const ToolMove& move, double nose) const;
   bool reachesChuck(const ToolMove& move, double nose) const;
 
   TurnedProfile m_part;

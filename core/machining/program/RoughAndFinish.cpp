@@ -14,9 +14,10 @@ namespace handwheel {
 namespace {
 
 constexpr double kSameHeight = 1e-9;
-constexpr double kEscape = 0.5;       // mm, away from the wall at the end of a level
-constexpr double kRoughChord = 0.01;  // mm, of the contour that levels end at
-constexpr double kBesideLevel = 0.3;  // mm, above a level where feeding begins in a pocket
+constexpr double kEscape = 0.5;        // mm, away from the wall at the end of a level
+constexpr double kRoughChord = 0.01;   // mm, of the contour that levels end at
+constexpr double kBesideLevel = 0.3;   // mm, above a level where feeding begins in a pocket
+constexpr double kBesideChuck = 0.01;  // mm, between the tip and the chuck
 constexpr int kMostRoughLevels = 10'000;
 
 using Contour = std::vector<ProfileSegment>;
@@ -58,8 +59,17 @@ ToolMove moveAlong(const ProfileSegment& segment) {
   return move;
 }
 
-// The path of the centre of a nose that goes along a contour on its outside, with the way in and the overrun.
-std::vector<ToolMove> offsetPath(const Contour& contour, double nose, double clearance, double overrun) {
+// Whether a contour goes out to the surface of the bar at its lower end. What is as thick as the bar there is taken
+// off.
+bool isOpenBelow(Contour& contour, double barRadius) {
+  const auto isOfBar = [barRadius](const ProfilePoint& p) { return p.x() > barRadius - 1e-6; };
+  while (contour.size() > 1 && isOfBar(contour.back().from) && isOfBar(contour.back().to)) contour.pop_back();
+  return isOfBar(contour.back().to) && contour.back().direction(1.0).x() > 0.01;
+}
+
+// The path of the centre of a nose that goes along a contour on its outside, with the way in. At the end it goes on
+// straight by the tail (mm) out of the bar or down.
+std::vector<ToolMove> offsetPath(const Contour& contour, double nose, double clearance, const ProfilePoint& tail) {
   std::vector<ToolMove> path;
   const ProfilePoint first = contour.front().from, last = contour.back().to;
   const ProfilePoint start = first - (nose + clearance) * contour.front().direction(0.0);
@@ -77,7 +87,7 @@ std::vector<ToolMove> offsetPath(const Contour& contour, double nose, double cle
   };
   add(moveAlong({start, first, 0.0}));
   for (const ProfileSegment& segment : contour) add(moveAlong(segment));
-  if (last.x() > nose) add(moveAlong({last, {last.x(), last.y() - nose - overrun}, 0.0}));
+  if (!tail.isZero()) add(moveAlong({last, last + tail, 0.0}));
   compensation.end();
   // Compensation comes in from the contour; here the nose is beside it from the first.
   if (!path.empty()) path.front().from = path.front().to - (nose + clearance) * contour.front().direction(0.0);
@@ -191,6 +201,15 @@ void alongContour(CyclePath& path, const std::vector<ToolMove>& contour, double 
   path.feed({above, path.at().y()});
 }
 
+// mm, beyond the lower end of the target. The nose goes that far with its centre, and has its radius below it.
+double overrunOf(const CycleSettings& s) {
+  const double overrun = std::min(s.overrun, s.room - 2.0 * s.nose - s.allowance - kBesideChuck);
+  if (overrun < 0.0)
+    refuse({}, "bar", "the tool would run into the chuck at the lower end of the target",
+           "Take a bar that is at least " + roundedText(-overrun, 2) + " mm longer.");
+  return overrun;
+}
+
 }  // namespace
 
 Result<std::vector<ToolMove>> roughAndFinish(const TargetProfile& target, double barRadius, const CycleSettings& s) {
@@ -200,9 +219,17 @@ Result<std::vector<ToolMove>> roughAndFinish(const TargetProfile& target, double
     if (target.largestRadius() > barRadius + 1e-6)
       refuse({}, "target", "it is thicker than the bar",
              "Take a bar of at least " + roundedText(2.0 * target.largestRadius()) + " mm.");
-    const Contour contour = outsideOf(target);
-    const std::vector<ToolMove> rough = offsetPath(contour, s.nose + s.allowance, s.clearance, s.overrun);
-    const std::vector<ToolMove> finish = offsetPath(contour, s.nose, s.clearance, s.overrun);
+    Contour contour = outsideOf(target);
+    const bool isOpen = isOpenBelow(contour, barRadius);
+    const auto pathBeside = [&](double nose) {
+      ProfilePoint tail(0.0, 0.0);  // none on the axis
+      if (isOpen)
+        tail = (nose + s.clearance) * contour.back().direction(1.0);
+      else if (contour.back().to.x() > nose)
+        tail.y() = -nose - overrunOf(s);
+      return offsetPath(contour, nose, s.clearance, tail);
+    };
+    const std::vector<ToolMove> rough = pathBeside(s.nose + s.allowance), finish = pathBeside(s.nose);
     CyclePath path(s);
     path.tool(s.roughTool, s.roughFeed);
     path.rapid({barRadius + s.nose + s.clearance, s.nose + s.clearance});

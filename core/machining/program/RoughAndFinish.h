@@ -18,14 +18,16 @@ struct CycleSettings {
   double speed = 150.0;       // m/min, of the surface
   double mostSpindle = 2000;  // r/min
   double clearance = 2.0;     // between moves and material
-  double overrun = 2.0;       // cut beyond the lower end of the target, for parting off
+  double overrun = 2.0;       // cut beyond the lower end of the target, for parting off, if the room allows it
+  double room = 1e9;          // of the bar below the target; the chuck is beyond it
   int roughTool = 1, finishTool = 2;
 };
 
 // The path of the tip that makes the outside of a target from a bar: levels from the bar inward, pockets by going down
 // at their right side; once along the contour with the allowance, then along the contour itself. The upper end of the
-// target is z = 0. The path of the nose is computed from lines and arcs, without samples (NoseCompensation).
-// Errors: Refused, where the nose does not fit or the target has an undercut.
+// target is z = 0. The path of the nose is computed from lines and arcs, without samples (NoseCompensation). What is as
+// thick as the bar at the lower end is left as it is, so a chuck may hold it there.
+// Errors: Refused, where the nose does not fit, the target has an undercut, or the chuck is in the way.
 Result<std::vector<ToolMove>> roughAndFinish(const TargetProfile& target, double barRadius,
                                              const CycleSettings& settings);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "base/Result.h"
 #include "machining/target/TargetProfile.h"
 
@@ -27,7 +28,7 @@ struct Drawing {
 // Curves are joined where their ends are within kGap; those along the axis are left out, and those that are there twice
 // count once. Two open outlines, of outside and bore, are joined by flat faces. z is x, and the axis is at y = 0 where
 // none is marked. Errors: those of TargetProfile::make(), TargetError::NoProfile, SeveralProfiles, CrossesItself.
-Result<TargetProfile> targetIn(const Drawing& drawing);
+Result<TargetProfile> targetIn(const Drawing& drawing, Progress progress = {});
 inline constexpr double kDrawingGap = 1e-3;  // mm
 
 // A target as a drawing, as it is written to files: z to the right, the radius up, the axis at y = 0.

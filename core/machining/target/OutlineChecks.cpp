@@ -138,8 +138,9 @@ void turnLeft(Segments& segments, bool isClockwise) {
   for (ProfileSegment& s : segments) s = s.reversed();
 }
 
-// Where it crosses itself. Error: TooIntricate.
-Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool isClosed) {
+// Where it crosses itself. Errors: TooIntricate, Cancelled.
+Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool isClosed, Progress progress) {
+  constexpr std::size_t kPairsPerPoll = 4096;
   constexpr std::size_t kPairsOfEach = 100, kLeastPairs = 1'000'000;  // whose boxes meet: a second or two
   const std::size_t most = std::max(kLeastPairs, kPairsOfEach * segments.size());
   std::size_t pairs = 0;
@@ -147,11 +148,14 @@ Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool i
   const std::size_t n = segments.size();
   const ProfilePoint slack(kJoin, kJoin);
   std::optional<ProfilePoint> found;
-  for (std::size_t i = 0; i < n && !found && pairs <= most; ++i) {
+  bool isCancelled = progress.cancelled();
+  for (std::size_t i = 0; i < n && !found && pairs <= most && !isCancelled; ++i) {
+    if (i % kPairsPerPoll == 0) progress.set(static_cast<double>(i) / static_cast<double>(n));
     ProfileBox box = segments[i].box();
     box = ProfileBox(box.min() - slack, box.max() + slack);
     tree.meeting(box, [&](std::size_t k) {
-      if (++pairs > most) return false;
+      if (++pairs > most || isCancelled) return false;
+      if (pairs % kPairsPerPoll == 0) isCancelled = progress.cancelled();
       if (k <= i) return true;
       const bool isNext = k == i + 1, isBefore = isClosed && i == 0 && k + 1 == n;
       if (isNext && isBefore) return true;  // two arcs that are a whole ring
@@ -161,13 +165,14 @@ Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool i
       return !found;
     });
   }
+  if (isCancelled) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (!found && pairs > most) return Error{TargetError::TooIntricate, {}, {}, {}};
   return found;
 }
 
 }  // namespace
 
-Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments) {
+Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments, Progress progress) {
   if (const Status sound = checkNumbers(segments); !sound) return sound.error();
   if (const Status joined = join(segments); !joined) return joined.error();
   if (const Status onOneSide = checkSides(segments); !onOneSide) return onOneSide.error();
@@ -180,7 +185,7 @@ Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments) {
   const double area = signedArea(segments);
   if (!(std::abs(area) > kJoin * kJoin)) return Error{TargetError::NoArea, {}, {}, {}};
   turnLeft(segments, area < 0.0);
-  const auto crossing = ownCrossing(segments, outline.isClosed);
+  const auto crossing = ownCrossing(segments, outline.isClosed, progress);
   if (!crossing) return crossing.error();
   if (*crossing) return errorAt(TargetError::CrossesItself, **crossing);
   outline.segments = std::move(segments);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "base/Result.h"
 #include "machining/target/ProfileSegment.h"
 
@@ -16,6 +17,6 @@ struct CheckedOutline {
 };
 
 // Brings the segments of a half section into order: see TargetProfile::make().
-Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments);
+Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments, Progress progress = {});
 
 }  // namespace handwheel

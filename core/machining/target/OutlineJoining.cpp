@@ -67,10 +67,13 @@ Error crossingAt(const ProfilePoint& p) {
 }
 
 // The segments as edges, none of them twice. Error: CrossesItself, where more than two go between the same places.
-Result<std::vector<Edge>> edgesOf(const Segments& segments, Places& places, double gap) {
+Result<std::vector<Edge>> edgesOf(const Segments& segments, Places& places, double gap, Progress progress) {
+  constexpr std::size_t kPerPoll = 1024;
+  std::size_t count = 0;
   std::vector<Edge> edges;
   std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> known;
   for (const ProfileSegment& s : segments) {
+    if (count++ % kPerPoll == 0 && progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!(s.length() > gap)) continue;
     Edge edge{s, {places.of(s.from), places.of(s.to)}, false};
     if (edge.ends[0] == edge.ends[1]) continue;
@@ -158,9 +161,9 @@ bool joinByFaces(std::vector<Segments>& chains, double gap) {
 
 }  // namespace
 
-Result<std::vector<ProfileSegment>> joinedOutline(std::vector<ProfileSegment> segments, double gap) {
+Result<std::vector<ProfileSegment>> joinedOutline(std::vector<ProfileSegment> segments, double gap, Progress progress) {
   Places places(gap);
-  Result<std::vector<Edge>> joined = edgesOf(segments, places, gap);
+  Result<std::vector<Edge>> joined = edgesOf(segments, places, gap, progress);
   if (!joined) return joined.error();
   std::vector<Edge>& edges = joined.value();
   if (edges.empty()) return Error{TargetError::NoProfile, {}, {}, {}};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "base/Result.h"
 #include "machining/target/ProfileSegment.h"
 
@@ -11,7 +12,8 @@ namespace handwheel {
 
 // Puts the segments of one outline, which come in any order and direction, into order. gap: mm, ends nearer than this
 // are joined. What is there twice counts once. Two open outlines whose ends are at the same heights are joined by
-// flat faces. O(n log n). Errors: TargetError::SeveralProfiles, CrossesItself where more than two ends meet.
-Result<std::vector<ProfileSegment>> joinedOutline(std::vector<ProfileSegment> segments, double gap);
+// flat faces. O(n log n). Errors: TargetError::SeveralProfiles, CrossesItself where more than two ends meet, Cancelled.
+Result<std::vector<ProfileSegment>> joinedOutline(std::vector<ProfileSegment> segments, double gap,
+                                                  Progress progress = {});
 
 }  // namespace handwheel

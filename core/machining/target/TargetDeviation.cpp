@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/target/TargetDeviation.h"
 
+#include "machining/target/TargetSides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,39 +20,73 @@ void note(TargetDeviation& deviation, double distance, const ProfilePoint& at) {
   if (distance < deviation.largestUnder.distance) deviation.largestUnder = {distance, at};
 }
 
+// Where the surfaces of a part are to be.
+class Measured {
+ public:
+  explicit Measured(const TargetProfile& target) : m_target(target), m_sides(sidesOf(target)) {}
+
+  double outside(const ProfilePoint& p) const { return m_sides ? m_sides->outside.distance(p) : m_target.distance(p); }
+  double bore(const ProfilePoint& p) const {
+    if (!m_sides) return m_target.distance(p);
+    double beyond = p.x();  // of the axis, where no bore is to be
+    for (const TargetProfile& bore : m_sides->bores) beyond = std::min(beyond, bore.distance(p));
+    return -beyond;
+  }
+  // How deep within the material of the target the furthest point at a height is; not above zero.
+  double deepest(double z, double base) const {
+    constexpr int kPlaces = 16;
+    const auto extent = m_target.extentAt(base + z);
+    double least = 0.0;
+    for (int k = 0; extent && k <= kPlaces; ++k) {
+      const double r = std::lerp(extent->inner, extent->outer, static_cast<double>(k) / kPlaces);
+      least = std::min(least, m_target.distance({r, base + z}));
+    }
+    return least;
+  }
+
+ private:
+  const TargetProfile& m_target;
+  Result<TargetSides> m_sides;
+};
+
 }  // namespace
 
-TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& part, double base, Progress progress) {
+TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& part, double base, Progress progress,
+                              AxisRange range) {
+  constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+  const Measured wanted(target);
   TargetDeviation deviation;
-  deviation.outer.resize(part.size());
-  deviation.inner.assign(part.size(), std::numeric_limits<double>::quiet_NaN());
-  const auto measure = [&](double r, double z) {
-    const ProfilePoint at(r, base + z);
-    const double distance = target.distance(at);
-    note(deviation, distance, at);
+  deviation.outer.assign(part.size(), kNotMeasured);
+  deviation.inner.assign(part.size(), kNotMeasured);
+  const auto take = [&](double distance, double r, double z) {
+    note(deviation, distance, {r, base + z});
     return distance;
   };
-  const auto measureAxis = [&](double z) {
-    const ProfilePoint at(0.0, base + z);
-    note(deviation, std::max(target.distance(at), 0.0), at);
-  };
+  const auto isWithin = [&](double z) { return z >= range.from && z <= range.to; };
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (i % kPlacesPerPoll == 0) {
       if (progress.cancelled()) return deviation;
       progress.set(static_cast<double>(i) / static_cast<double>(part.size()));
     }
-    deviation.outer[i] = measure(part.radius(i), part.z(i));
+    const double r = part.radius(i), bore = part.inner(i), z = part.z(i);
+    if (!isWithin(z)) continue;
+    if (!part.hasMaterial(i)) {
+      if (const double missing = wanted.deepest(z, base); missing < 0.0) deviation.outer[i] = take(missing, r, z);
+      continue;
+    }
+    deviation.outer[i] = take(wanted.outside({r, base + z}), r, z);
     // Where there is no bore, the axis tells whether there should be one.
-    if (part.inner(i) > 0.0) {
-      deviation.inner[i] = measure(part.inner(i), part.z(i));
-    } else if (part.radius(i) > 0.0) {
-      measureAxis(part.z(i));
+    if (bore > 0.0) {
+      deviation.inner[i] = take(wanted.bore({bore, base + z}), bore, z);
+    } else {
+      take(std::max(wanted.bore({0.0, base + z}), 0.0), 0.0, z);
     }
   }
   for (const std::size_t end : {std::size_t{0}, part.size() - 1}) {
+    if (!isWithin(part.z(end)) || !part.hasMaterial(end)) continue;
     for (int k = 0; k <= kFacePoints; ++k) {
-      const double t = static_cast<double>(k) / kFacePoints;
-      measure((1.0 - t) * part.inner(end) + t * part.radius(end), part.z(end));
+      const double r = std::lerp(part.inner(end), part.radius(end), static_cast<double>(k) / kFacePoints);
+      take(target.distance({r, base + part.z(end)}), r, part.z(end));
     }
   }
   return deviation;

@@ -60,8 +60,8 @@ TargetProfile::TargetProfile(std::vector<ProfileSegment> sound, bool isClosed) {
   m_outline = std::make_shared<const Outline>(Outline{std::move(sound), isClosed, box, volume, std::move(tree)});
 }
 
-Result<TargetProfile> TargetProfile::make(std::vector<ProfileSegment> segments) {
-  Result<CheckedOutline> outline = checkedOutline(std::move(segments));
+Result<TargetProfile> TargetProfile::make(std::vector<ProfileSegment> segments, Progress progress) {
+  Result<CheckedOutline> outline = checkedOutline(std::move(segments), progress);
   if (!outline) return outline.error();
   return TargetProfile(std::move(outline->segments), outline->isClosed);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "base/Result.h"
 #include "machining/target/SegmentTree.h"
 
@@ -26,8 +27,8 @@ class TargetProfile {
   // From segments in order, in either direction; pieces on the axis may be among them. Open ends off the axis are
   // joined to it by flat faces, or to each other where they are at the same height. O(n log n + p), p pairs of
   // segments whose boxes meet; too many are refused. Errors: FileTooLarge {segments}, ValueOutOfRange {coordinate}, and
-  // TargetError: NotJoined, CrossesAxis, TouchesAxis, CrossesItself, TooIntricate, NoArea.
-  static Result<TargetProfile> make(std::vector<ProfileSegment> segments);
+  // TargetError: NotJoined, CrossesAxis, TouchesAxis, CrossesItself, TooIntricate, NoArea; Cancelled.
+  static Result<TargetProfile> make(std::vector<ProfileSegment> segments, Progress progress = {});
 
   std::span<const ProfileSegment> segments() const { return m_outline->segments; }
   bool isClosed() const { return m_outline->isClosed; }
@@ -42,7 +43,7 @@ class TargetProfile {
   double distance(const ProfilePoint& p) const;
 
   // The least and the largest radius of the material at a height; inner is 0 where the axis is in it. At a flat face,
-  // of both sides together. Grooves between the two are not told. None above and below the part. O(log n).
+  // of both sides together. Grooves between the two are not represented. None above and below the part. O(log n).
   struct Extent {
     double inner = 0.0, outer = 0.0;  // mm
   };

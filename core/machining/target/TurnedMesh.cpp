@@ -166,9 +166,9 @@ Result<TurnedMesh> turnedMeshIn(const TriangleSoup& soup, Progress progress) {
       tolerance = allowed;
     }
     if (!(rings.deviation() <= allowed)) continue;
-    Result<std::vector<ProfileSegment>> outline = joinedOutline(linesBetween(soup, rings), kRingGap);
+    Result<std::vector<ProfileSegment>> outline = joinedOutline(linesBetween(soup, rings), kRingGap, progress);
     if (!outline) return outline.error();
-    Result<TargetProfile> target = TargetProfile::make(std::move(outline.value()));
+    Result<TargetProfile> target = TargetProfile::make(std::move(outline.value()), progress);
     if (!target) return target.error();
     return TurnedMesh{std::move(target.value()), rings.deviation()};
   }

@@ -94,20 +94,20 @@ bool addMeridian(Answer& answer, std::size_t& left, std::vector<ProfileSegment>&
 }
 
 // Left out: what is on the axis.
-Result<TargetProfile> joined(std::vector<ProfileSegment> all) {
+Result<TargetProfile> joined(std::vector<ProfileSegment> all, Progress progress) {
   for (ProfileSegment& s : all) {
     for (ProfilePoint* p : {&s.from, &s.to})
       if (std::abs(p->x()) <= kEdgeGap) p->x() = 0.0;
   }
   std::erase_if(all, [](const ProfileSegment& s) { return !s.isArc() && s.from.x() == 0.0 && s.to.x() == 0.0; });
-  Result<std::vector<ProfileSegment>> outline = joinedOutline(std::move(all), kEdgeGap);
+  Result<std::vector<ProfileSegment>> outline = joinedOutline(std::move(all), kEdgeGap, progress.part(0.0, 0.5));
   if (!outline) return outline.error();
-  return TargetProfile::make(std::move(outline.value()));
+  return TargetProfile::make(std::move(outline.value()), progress.part(0.5, 1.0));
 }
 
 }  // namespace
 
-Result<TurnedStep> turnedStepIn(std::string_view text) {
+Result<TurnedStep> turnedStepIn(std::string_view text, Progress progress) {
   Answer answer(text);
   const std::string_view word = answer.word();
   std::size_t count = 0;
@@ -117,9 +117,11 @@ Result<TurnedStep> turnedStepIn(std::string_view text) {
   if (word != "turned" || !answer.count(count)) return nonsense();
   std::vector<ProfileSegment> all;
   std::size_t left = kMostPoints;
-  while (!answer.isAtEnd())
+  while (!answer.isAtEnd()) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!addMeridian(answer, left, all)) return nonsense();
-  Result<TargetProfile> target = joined(std::move(all));
+  }
+  Result<TargetProfile> target = joined(std::move(all), progress);
   if (!target) return target.error();
   return TurnedStep{std::move(target.value()), count};
 }
@@ -130,7 +132,7 @@ Result<TurnedStep> readTurnedStep(std::string_view bytes, UnturnedFaces others, 
   reader.limits.mostOutput = std::size_t{64} << 20;
   const Result<std::string> answer = readIsolated(reader, {option}, bytes, progress.part(0.0, 0.95));
   if (!answer) return answer.error();
-  return turnedStepIn(*answer);
+  return turnedStepIn(*answer, progress.part(0.95, 1.0));
 }
 
 }  // namespace handwheel

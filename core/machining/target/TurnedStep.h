@@ -26,6 +26,6 @@ Result<TurnedStep> readTurnedStep(std::string_view bytes, UnturnedFaces others, 
 
 // The target in the answer of that process, which may be anything. Errors: the same; LibraryFailed for what is no
 // answer.
-Result<TurnedStep> turnedStepIn(std::string_view answer);
+Result<TurnedStep> turnedStepIn(std::string_view answer, Progress progress = {});
 
 }  // namespace handwheel

@@ -4,255 +4,16 @@
 
 #include "mesh/defects/NonManifoldEdges.h"
 #include "mesh/defects/NonManifoldVertices.h"
-#include "mesh/search/IncrementalHierarchy.h"
-#include "mesh/structure/CancelPolling.h"
-#include "mesh/structure/EdgeOperations.h"
+#include "mesh/repair/FanSeparator.h"
 #include "mesh/structure/PositionTriangles.h"
-#include "proximity/TriangleHierarchy.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <tuple>
-#include <unordered_map>
 #include <unordered_set>
 
 namespace handwheel {
 namespace {
-
-// Steps tried, in units of the last place at the vertex; 2^14 of single precision is 1e-3 of the coordinate, too
-// visible.
-constexpr int kSmallestStep = 1;
-constexpr int kLargestStep = 1 << 9;
-
-double unitInTheLastPlace(const Vec3& p, NumberType numbers) {
-  const double largest = p.cwiseAbs().maxCoeff();
-  if (numbers == NumberType::Float64) return std::nextafter(largest, 1e300) - largest;
-  const float f = static_cast<float>(largest);
-  return static_cast<double>(std::nextafter(f, std::numeric_limits<float>::max())) - static_cast<double>(f);
-}
-
-struct PositionHash {
-  std::size_t operator()(const std::array<double, 3>& p) const {
-    std::size_t h = 0;
-    for (double x : p) h = h * 0x9e3779b97f4a7c15ull + std::hash<double>()(x);
-    return h;
-  }
-};
-
-// What takes as long as one step of Effort.
-constexpr std::size_t kBoxesPerStep = 256;
-constexpr std::size_t kTestsPerStep = 8;  // of two triangles
-
-class Parter {
- public:
-  // Of no use once cancelled. watched: while vertices are moved.
-  Parter(HalfEdgeMesh& mesh, NumberType numbers, Progress progress, Progress watched)
-      : m_mesh(mesh), m_numbers(numbers), m_watched(watched) {
-    for (Face f = 0; f < mesh.faceSlots(); ++f) {
-      if (!pollProgress(f, mesh.faceSlots(), progress, kSearchesPerPoll)) return;
-      if (!mesh.isLive(f)) continue;
-      for (Vertex v : mesh.triangle(f)) m_positions.insert(key(mesh.position(v)));
-      if (!isDegenerate(mesh.points(f))) m_faces.push_back(f);
-    }
-    std::vector<Vec3> points(mesh.vertexSlots());
-    for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-    std::vector<Triangle> triangles;
-    for (Face f : m_faces) triangles.push_back(mesh.triangle(f));
-    m_hierarchy = TriangleHierarchy(points, triangles);
-  }
-
-  // Moves the fan's vertex off its position; false when every step would harm.
-  bool part(const std::vector<HalfEdge>& fan) {
-    const Surroundings around = surroundings(facesOf(fan), longestMove(fan));
-    return part(fan, around, intersections(around));
-  }
-
-  // So many crossings may now be made in all.
-  void mayCross(std::size_t n) { m_spare = n; }
-
-  // Gives an edge that another pair of faces has too a vertex of its own in the middle. The new vertex; kNone, and
-  // nothing changed, when that would harm.
-  Vertex partEdge(HalfEdge h) {
-    const HalfEdgeMesh before = m_mesh;
-    const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(m_mesh.opposite(h));
-    const std::size_t allowed = intersections(surroundings({f, g}, 0.0));
-    const Vec3 middle =
-        rounded(Vec3(0.5 * (m_mesh.position(m_mesh.from(h)) + m_mesh.position(m_mesh.to(h)))), m_numbers);
-    const auto firstNew = static_cast<Face>(m_mesh.faceSlots());
-    const HalfEdge spoke = splitEdge(m_mesh, h, middle);
-    addHalf(f, firstNew);
-    addHalf(g, firstNew + 1);
-    const std::vector<HalfEdge> fan = m_mesh.fan(spoke);
-    if (part(fan, surroundings(facesOf(fan), longestMove(fan)), allowed)) return m_mesh.from(spoke);
-    m_halves[m_whole.at(firstNew)].pop_back();
-    m_halves[m_whole.at(firstNew + 1)].pop_back();
-    m_mesh = before;
-    return kNone;
-  }
-
- private:
-  struct Near {
-    Face face;
-    Box box;
-  };
-  // Faces, and what else may meet one of them.
-  struct Surroundings {
-    std::vector<Face> faces;
-    std::vector<Near> near;
-  };
-
-  // What may meet these faces while a corner of them moves by so much, mm, along each axis. Not all once cancelled.
-  Surroundings surroundings(std::vector<Face> faces, double move) {
-    Surroundings around{std::move(faces), {}};
-    m_seenIn.resize(m_mesh.faceSlots(), 0);
-    ++m_search;
-    for (const Face f : around.faces) m_seenIn[f] = m_search;
-    for (const Face f : around.faces) {
-      if (m_watched.cancelled()) break;
-      const std::size_t before = around.near.size();
-      std::size_t seen = 0;
-      const auto add = [&](Face other) {
-        ++seen;
-        if (m_seenIn[other] == m_search) return;
-        m_seenIn[other] = m_search;
-        const TrianglePoints points = m_mesh.points(other);
-        if (!isDegenerate(points)) around.near.push_back({other, boxOf(points)});
-      };
-      // The hierarchy holds the places before anything was moved, and split faces whole.
-      const Box box = boxOf(m_mesh.points(f));
-      const Vec3 slack = Vec3::Constant(m_reach + move);
-      m_hierarchy.forEachInBox(Box(box.min() - slack, box.max() + slack), [&](std::uint32_t i) {
-        add(m_faces[i]);
-        const auto halves = m_halves.find(m_faces[i]);
-        if (halves != m_halves.end()) std::for_each(halves->second.begin(), halves->second.end(), add);
-        return true;
-      });
-      spend(around.near.size() - before, seen);
-    }
-    return around;
-  }
-
-  void spend(std::size_t tests, std::size_t boxes) {
-    m_uncounted += boxes + tests * (kBoxesPerStep / kTestsPerStep);
-    m_watched.spend(m_uncounted / kBoxesPerStep);
-    m_uncounted %= kBoxesPerStep;
-  }
-
-  // At least, along each axis.
-  double longestMove(const std::vector<HalfEdge>& fan) const {
-    return 2.0 * kLargestStep * unitInTheLastPlace(m_mesh.position(m_mesh.from(fan.front())), m_numbers);
-  }
-
-  void addHalf(Face of, Face half) {
-    const auto at = m_whole.find(of);
-    const Face whole = at == m_whole.end() ? of : at->second;
-    m_whole[half] = whole;
-    m_halves[whole].push_back(half);
-  }
-
-  bool part(const std::vector<HalfEdge>& fan, const Surroundings& around, std::size_t allowed) {
-    const Vertex v = m_mesh.from(fan.front());
-    const Vec3 home = m_mesh.position(v);
-    const double unit = unitInTheLastPlace(home, m_numbers);
-    const std::vector<Vec3> directions = waysOut(fan);
-    std::size_t fewest = allowed + m_spare + 1;
-    Vec3 best = home;
-    for (int step = kSmallestStep; step <= kLargestStep && fewest > allowed; step *= 2) {
-      for (const Vec3& d : directions) {
-        if (m_watched.cancelled()) break;
-        const Vec3 p = rounded(Vec3(home + step * unit * d), m_numbers);
-        if (p == home || m_positions.contains(key(p))) continue;
-        m_mesh.setPosition(v, p);
-        m_reach = std::max(m_reach, (p - home).norm());
-        if (hasFlatFace(around.faces)) continue;
-        const std::size_t n = intersections(around, fewest);
-        if (n >= fewest || m_watched.cancelled()) continue;
-        fewest = n;
-        best = p;
-        if (n <= allowed) break;
-      }
-    }
-    m_mesh.setPosition(v, best);
-    if (best == home) return false;
-    m_positions.insert(key(best));
-    m_spare -= fewest > allowed ? fewest - allowed : 0;
-    return true;
-  }
-
-  static std::array<double, 3> key(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-  // Into the solid, out of it, and towards and away from the middle of the fan; scaled so that the largest component
-  // is 1.
-  std::vector<Vec3> waysOut(const std::vector<HalfEdge>& fan) const {
-    const Vec3 home = m_mesh.position(m_mesh.from(fan.front()));
-    Vec3 normal = Vec3::Zero(), middle = Vec3::Zero();
-    for (HalfEdge h : fan) {
-      const TrianglePoints p = m_mesh.points(HalfEdgeMesh::face(h));
-      normal += (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
-      middle += ((p[0] + p[1] + p[2]) / 3.0 - home).stableNormalized();
-    }
-    std::vector<Vec3> ways;
-    const Vec3 n = normal.stableNormalized(), m = middle.stableNormalized();
-    for (const Vec3& d : {Vec3(-n), m, Vec3(m - n), n, Vec3(m + n), Vec3(-m), Vec3(-m - n), Vec3(n - m)}) {
-      const double largest = d.cwiseAbs().maxCoeff();
-      if (largest > 1e-6) ways.push_back(d / largest);
-    }
-    return ways;
-  }
-
-  static std::vector<Face> facesOf(const std::vector<HalfEdge>& fan) {
-    std::vector<Face> faces;
-    for (HalfEdge h : fan) faces.push_back(HalfEdgeMesh::face(h));
-    return faces;
-  }
-
-  bool hasFlatFace(const std::vector<Face>& faces) const {
-    return std::any_of(faces.begin(), faces.end(), [&](Face f) { return isDegenerate(m_mesh.points(f)); });
-  }
-
-  // Pairs in which one of the faces takes part, counted up to so many. Too few once cancelled.
-  std::size_t intersections(const Surroundings& around, std::size_t most = ~std::size_t{0}) {
-    std::vector<std::pair<Box, TrianglePoints>> ours;
-    for (const Face f : around.faces) {
-      const TrianglePoints points = m_mesh.points(f);
-      if (!isDegenerate(points)) ours.emplace_back(boxOf(points), points);
-    }
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < ours.size() && n < most && !m_watched.cancelled(); ++i) {
-      const auto& [box, t] = ours[i];
-      std::size_t tests = 0;
-      for (std::size_t k = i + 1; k < ours.size() && n < most; ++k) {
-        if (!ours[k].first.intersects(box)) continue;
-        ++tests;
-        n += trianglesMeet(t, ours[k].second);
-      }
-      for (std::size_t k = 0; k < around.near.size() && n < most; ++k) {
-        if (!around.near[k].box.intersects(box)) continue;
-        ++tests;
-        n += trianglesMeet(t, m_mesh.points(around.near[k].face));
-      }
-      spend(tests, ours.size() - i - 1 + around.near.size());
-    }
-    return std::min(n, most);
-  }
-
-  HalfEdgeMesh& m_mesh;
-  NumberType m_numbers;
-  Progress m_watched;
-  std::vector<Face> m_faces;  // of the hierarchy's triangles
-  TriangleHierarchy m_hierarchy;
-  std::unordered_map<Face, std::vector<Face>> m_halves;                 // what was split off a face of the hierarchy
-  std::unordered_map<Face, Face> m_whole;                               // the reverse
-  std::unordered_set<std::array<double, 3>, PositionHash> m_positions;  // that the file will hold
-  std::vector<std::uint32_t> m_seenIn;                                  // by face: the last search that came upon it
-  std::uint32_t m_search = 0;
-  std::size_t m_uncounted = 0;  // boxes
-  std::size_t m_spare = 0;
-  double m_reach = 0.0;  // no vertex is farther from where the hierarchy has it
-};
 
 bool isKept(const HalfEdgeMesh& mesh, const std::vector<HalfEdge>& fan, const SeparationLimits& limits) {
   return limits.kept && !mesh.hasOpposite(fan.front()) &&
@@ -260,14 +21,14 @@ bool isKept(const HalfEdgeMesh& mesh, const std::vector<HalfEdge>& fan, const Se
 }
 
 // Moves fans off their common position until one is left: new ones first, then small ones.
-void partFans(Parter& parter, const HalfEdgeMesh& mesh, Fans& fans, const SeparationLimits& limits,
+void partFans(FanSeparator& separator, const HalfEdgeMesh& mesh, Fans& fans, const SeparationLimits& limits,
               std::vector<Vertex>& moved) {
   std::vector<std::tuple<bool, std::size_t, Vertex>> order;
   for (const auto& [v, fan] : fans) order.emplace_back(v < limits.firstNew, fan.size(), v);
   std::sort(order.begin(), order.end());
   for (const auto& [isOld, size, v] : order) {
     if (fans.size() == 1) return;
-    if (isKept(mesh, fans[v], limits) || !parter.part(fans[v])) continue;
+    if (isKept(mesh, fans[v], limits) || !separator.separate(fans[v])) continue;
     moved.push_back(v);
     fans.erase(v);
   }
@@ -283,7 +44,7 @@ bool isMeant(const HalfEdgeMesh& mesh, HalfEdge h, const Places& only) {
 
 // Edges between vertices that have one fan each: the same fan passes twice. An edge whose face was split waits for the
 // next pass, because its half-edge may have moved into the new face.
-void partEdges(Parter& parter, const HalfEdgeMesh& mesh, const Places& only, std::vector<Vertex>& added,
+void partEdges(FanSeparator& separator, const HalfEdgeMesh& mesh, const Places& only, std::vector<Vertex>& added,
                Progress progress) {
   for (bool again = true; again;) {
     again = false;
@@ -292,7 +53,7 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, const Places& only, std
       if (progress.cancelled()) return;
       const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(mesh.opposite(h));
       if (split.contains(f) || split.contains(g) || !isMeant(mesh, h, only)) continue;
-      const Vertex middle = parter.partEdge(h);
+      const Vertex middle = separator.separateEdge(h);
       if (middle == kNone) continue;
       added.push_back(middle);
       split.insert({f, g});
@@ -301,17 +62,17 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, const Places& only, std
   }
 }
 
-void partAll(Parter& parter, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& found, const Places& only,
-             const SeparationLimits& limits, std::vector<Vertex>& moved, Progress progress) {
+void partAll(FanSeparator& separator, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& found,
+             const Places& only, const SeparationLimits& limits, std::vector<Vertex>& moved, Progress progress) {
   // What cannot move at first may once its neighbours along the edge have.
   for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
     before = moved.size();
     for (auto& [c, fans] : found) {
       if (progress.cancelled()) return;
-      partFans(parter, mesh, fans, limits, moved);
+      partFans(separator, mesh, fans, limits, moved);
     }
   }
-  partEdges(parter, mesh, only, moved, progress);
+  partEdges(separator, mesh, only, moved, progress);
 }
 
 }  // namespace
@@ -324,14 +85,14 @@ std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType nu
   const auto fans = [&](Progress now) { return at.empty() ? nonManifoldFans(mesh, now) : fansAt(mesh, at, now); };
   std::map<std::uint32_t, Fans> found = fans(progress.part(0.0, 0.5));
   if (found.empty() && at.empty()) return {};
-  Parter parter(mesh, numbers, progress.part(0.5, 0.8), progress.part(0.8, 0.8));
+  FanSeparator separator(mesh, numbers, progress.part(0.5, 0.8), progress.part(0.8, 0.8));
   std::vector<Vertex> moved;
-  partAll(parter, mesh, found, only, limits, moved, progress.part(0.8, 0.9));
+  partAll(separator, mesh, found, only, limits, moved, progress.part(0.8, 0.9));
   if (!spareCrossings || progress.cancelled()) return moved;
   found = fans(progress.part(0.9, 0.95));
   if (found.empty()) return moved;
-  parter.mayCross(spareCrossings());
-  partAll(parter, mesh, found, only, limits, moved, progress.part(0.95, 1.0));
+  separator.mayCross(spareCrossings());
+  partAll(separator, mesh, found, only, limits, moved, progress.part(0.95, 1.0));
   return moved;
 }
 

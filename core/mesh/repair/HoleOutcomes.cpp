@@ -33,6 +33,7 @@ void HoleOutcomes::replace(const LoopResult& result, const std::set<int>& owners
 
 void HoleOutcomes::recordOpen(const HalfEdgeMesh& mesh, const ReasonToLeave& reasonToLeave, Progress progress) {
   std::erase_if(m_laidOpen, [](const LoopResult& r) { return r.outcome != LoopOutcome::Filled; });
+  m_left.clear();
   std::map<int, FillFailure> reasons;
   for (const auto& [id, result] : m_results) {
     if (result.outcome == LoopOutcome::Failed) reasons[id] = result.reason;
@@ -48,6 +49,7 @@ void HoleOutcomes::recordOpen(const HalfEdgeMesh& mesh, const ReasonToLeave& rea
       const auto known = owners.empty() ? reasons.end() : reasons.find(*owners.begin());
       result.reason = known == reasons.end() ? FillFailure::SelfIntersecting : known->second;
     }
+    m_left.push_back({{keyOf(mesh, loop), result.outcome, result.reason}, owners});
     record(result, owners);
   }
 }

@@ -30,6 +30,12 @@ class HoleOutcomes {
   // The results of all loops, by id, then of those that the repair opened; what is open in the mesh counts as open,
   // whatever was tried before.
   std::vector<LoopResult> conclude(const HalfEdgeMesh& mesh, const ReasonToLeave& reasonToLeave, Progress progress);
+  // The loops of that mesh, with the input loops along which they run.
+  struct Left {
+    OpenLoop loop;
+    std::set<int> owners;
+  };
+  const std::vector<Left>& left() const { return m_left; }
 
  private:
   void recordOpen(const HalfEdgeMesh& mesh, const ReasonToLeave& reasonToLeave, Progress progress);
@@ -38,6 +44,7 @@ class HoleOutcomes {
   BoundaryOwners m_owners;
   std::map<int, LoopResult> m_results;
   std::vector<LoopResult> m_laidOpen;
+  std::vector<Left> m_left;
 };
 
 }  // namespace handwheel

@@ -4,9 +4,10 @@
 
 #include "base/Tolerance.h"
 #include "mesh/boundary/BoundaryOwners.h"
+#include "mesh/repair/ConePatch.h"
+#include "mesh/repair/PatchTrial.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
 #include "mesh/repair/SheetClosing.h"
-#include "mesh/repair/Submesh.h"
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/PositionTriangles.h"
@@ -47,14 +48,6 @@ std::vector<BoundaryLoop> numbered(std::span<const ObstructedHole> holes) {
     loops.back().id = static_cast<int>(loops.size()) - 1;
   }
   return loops;
-}
-
-// Not so where numbers at the end of their range overflow.
-bool areFinite(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
-  return std::all_of(faces.begin(), faces.end(), [&](Face f) {
-    const TrianglePoints p = mesh.points(f);
-    return p[0].allFinite() && p[1].allFinite() && p[2].allFinite();
-  });
 }
 
 class Closer {
@@ -144,11 +137,13 @@ class Closer {
   // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
   std::optional<Trial> tryNearby(std::span<const std::size_t> some) {
     std::vector<const Proposal*> chosen;
+    std::vector<PatchAtLoop> patches;
     Box box;
     for (const Proposal& p : m_proposals) {
       if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
       if (!p.patch) return std::nullopt;
       chosen.push_back(&p);
+      patches.push_back({&p.loop, &*p.patch});
       for (const Vec3& point : p.patch->points) box.extend(point);
     }
     if (chosen.empty()) return Trial::Done;
@@ -156,9 +151,8 @@ class Closer {
       const Submesh part(m_mesh, box);
       m_progress.spend(m_mesh.faceSlots() / kScanWork);
       if (part.faceCount() > m_mesh.faceSlots() / 2) return std::nullopt;
-      NearbyTrial trial;
       WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
-      tryIn(part, chosen, trial, m_progress.within(effort));
+      const PatchTrial trial = tryPatches(part, m_mesh, patches, m_options.numbers, m_progress.within(effort));
       if (trial.isOutside) return std::nullopt;
       if (box.contains(trial.reach)) {
         if (trial.isSound) keep(part, trial, chosen);
@@ -169,49 +163,7 @@ class Closer {
     return std::nullopt;
   }
 
-  struct NearbyTrial {
-    bool isOutside = false;  // the part does not hold the holes as they are
-    bool isSound = false;
-    Box reach;  // of what crosses the patches, and of what was changed
-    HalfEdgeMesh changed;
-    std::size_t cutFaces = 0;
-    std::size_t fewerCrossings = 0;
-    std::size_t fewerBadEdges = 0;
-  };
-
-  void tryIn(const Submesh& part, const std::vector<const Proposal*>& chosen, NearbyTrial& trial,
-             const Progress& now) const {
-    trial.changed = part.mesh();
-    std::vector<Face> newFaces;
-    for (const Proposal* p : chosen) {
-      BoundaryLoop loop = p->loop;
-      for (HalfEdge& h : loop.halfEdges) {
-        h = part.halfEdgeOf(m_mesh, h);
-        if (h == kNone || part.mesh().hasOpposite(h)) trial.isOutside = true;
-      }
-      if (trial.isOutside) return;
-      for (std::size_t i = 0; i < p->patch->triangles.size(); ++i)
-        newFaces.push_back(static_cast<Face>(trial.changed.faceSlots() + i));
-      insertPatch(trial.changed, loop, *p->patch);
-    }
-    if (!areFinite(trial.changed, newFaces)) return;
-    for (const Face f : intersectionCluster(trial.changed, newFaces, m_options.numbers, now))
-      trial.reach.extend(boxOf(trial.changed.points(f)));
-    const std::size_t crossings = countSelfIntersections(part.mesh(), m_options.numbers, now);
-    const IntersectionRemoval report =
-        removeSelfIntersections(trial.changed, newFaces, m_options.numbers, crossings, now);
-    now.spend(part.faceCount());
-    if (report.intersectionsAfter > crossings) return;
-    const std::size_t before = countBadEdges(part.mesh(), now), after = countBadEdges(trial.changed, now);
-    if (now.cancelled() || after >= before) return;
-    trial.reach.extend(part.changesIn(trial.changed));
-    trial.cutFaces = report.changed ? report.cutFaces : 0;
-    trial.fewerCrossings = crossings - report.intersectionsAfter;
-    trial.fewerBadEdges = before - after;
-    trial.isSound = true;
-  }
-
-  void keep(const Submesh& part, const NearbyTrial& trial, const std::vector<const Proposal*>& chosen) {
+  void keep(const Submesh& part, const PatchTrial& trial, const std::vector<const Proposal*>& chosen) {
     m_crossings -= trial.fewerCrossings;
     m_badEdges -= trial.fewerBadEdges;
     m_result.cutFaces += trial.cutFaces;
@@ -236,7 +188,8 @@ class Closer {
         continue;
       }
       if (m_way.method == FillMethod::Cone) {
-        if (loop.halfEdges.size() <= kConeEdges) m_proposals.push_back({hole, loop, cone(loop)});
+        if (loop.halfEdges.size() <= kConeEdges)
+          m_proposals.push_back({hole, loop, conePatch(m_mesh, loop, m_way.height, m_options.numbers)});
         continue;
       }
       FillAttempt attempt = filler.propose(loop, m_options, m_progress);
@@ -251,26 +204,6 @@ class Closer {
       if (!m_result.holes[static_cast<std::size_t>(id)].closed) return static_cast<std::size_t>(id);
     }
     return kNobody;
-  }
-
-  Patch cone(const BoundaryLoop& loop) const {
-    Patch patch;
-    patch.method = FillMethod::Cone;
-    patch.points = loopPoints(m_mesh, loop);
-    const auto n = static_cast<std::uint32_t>(patch.points.size());
-    patch.loopSize = n;
-    Vec3 middle = Vec3::Zero(), area = Vec3::Zero();
-    double shortest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const Vec3 &a = patch.points[i], &b = patch.points[(i + 1) % n];
-      middle += a / n;
-      area += (b - loop.centre).cross(a - loop.centre);  // the patch runs against the loop
-      shortest = std::min(shortest, (b - a).norm());
-      patch.triangles.push_back({(i + 1) % n, i, n});
-    }
-    patch.points.push_back(
-        rounded(Vec3(middle + m_way.height * shortest * area.stableNormalized()), m_options.numbers));
-    return patch;
   }
 
   // Backs are tried once, and for what is no sheet last. They close all loops of the sheet.

@@ -10,23 +10,20 @@
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/FoldedRegionRemoval.h"
-#include "mesh/repair/HoleOutcomes.h"
 #include "mesh/repair/IntersectionClusters.h"
+#include "mesh/repair/LoopReasons.h"
 #include "mesh/repair/NonOrientableSurfaces.h"
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
-#include "mesh/structure/BitRange.h"
-#include "mesh/structure/CancelPolling.h"
+#include "mesh/repair/TouchedVertices.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/Shells.h"
-#include "mesh/structure/Weld.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 namespace handwheel {
@@ -54,16 +51,11 @@ class Repairer {
         m_options(options),
         m_results(input, progress),
         m_thickness(options.thickness > 0.0 ? options.thickness : defaultSheetThickness(input)),
-        m_fillEffort(repairBudget(input.liveFaceCount())),
-        m_slowness(std::max(1.0, std::pow(static_cast<double>(bitsOf(input)) / tolerance::kCutBits, 2))),
-        m_closeEffort(most(1.0, m_fillEffort.left())),
-        m_hardEffort(most(tolerance::kObstructedHoleShare, tolerance::kObstructedHoleBudget), m_closeEffort),
-        m_separationBudget(most(tolerance::kSeparationShare, tolerance::kObstructedHoleBudget), m_closeEffort),
-        m_tangleEffort(most(tolerance::kFoldedRegionShare, tolerance::kFoldedRegionBudget), m_closeEffort) {
+        m_efforts(input) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       const FillFailure reason = reasonToLeave(loop, {loop.id});
       // What folds around a hole is replaced although a sheet that nobody marked is part of it.
-      if (mayClose(reason) || reason == FillFailure::Rim) continue;
+      if (m_reasons.mayClose(reason) || reason == FillFailure::Rim) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
     }
   }
@@ -81,9 +73,9 @@ class Repairer {
       if (MeshDelta::isEmptyBetween(before, m_mesh)) break;
     }
     if (!progress.cancelled()) finish(progress.part(kRounds, 1.0));
-    m_report.isSeparationIncomplete = m_separationBudget.isSpent();
-    m_report.effort = m_fillEffort.spent() + m_closeEffort.spent();
-    m_report.countedEffort = m_fillEffort.counted() + m_closeEffort.counted();
+    m_report.isSeparationIncomplete = m_efforts.separation.isSpent();
+    m_report.effort = m_efforts.fill.spent() + m_efforts.close.spent();
+    m_report.countedEffort = m_efforts.fill.counted() + m_efforts.close.counted();
     m_report.cancelled = progress.cancelled();
     return std::move(m_report);
   }
@@ -95,7 +87,7 @@ class Repairer {
     clean(progress.part(0.0, 0.3));
     if (!progress.cancelled()) {
       const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
-      WorkBudget effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
+      WorkBudget effort(m_efforts.hard.left() / 2, m_efforts.hard);  // the rest is for holes
       m_report.nonOrientableCuts +=
           closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
     }
@@ -103,7 +95,7 @@ class Repairer {
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
     if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
     if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.97));
-    if (!progress.cancelled()) separateTouching(progress.part(0.97, 0.975).within(m_separationBudget));
+    if (!progress.cancelled()) separateTouching(progress.part(0.97, 0.975).within(m_efforts.separation));
     if (!progress.cancelled()) m_report.removedDebris += removeNewDebris(m_mesh, m_input, progress.part(0.975, 0.98));
     if (progress.cancelled()) return;
     const std::vector<std::vector<Face>> insideOut = findInsideOutShells(m_mesh, progress.part(0.98, 1.0));
@@ -122,10 +114,6 @@ class Repairer {
           stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
     }
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
-  }
-
-  std::size_t most(double share, std::size_t fixed) const {
-    return repairBudget(m_input.liveFaceCount(), share / m_slowness, fixed);
   }
 
   // False when there was nothing to part.
@@ -179,7 +167,7 @@ class Repairer {
     }
     const HalfEdgeMesh before = m_mesh;
     const std::vector<HoleFill> fills =
-        fillHoles(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_fillEffort));
+        fillHoles(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_efforts.fill));
     for (std::size_t i = 0; i < fills.size(); ++i) {
       LoopResult result;
       result.edges = loops[i].borderEdges;
@@ -201,10 +189,10 @@ class Repairer {
 
   // What is cut and parted may leave slits, which the next round closes. What touches is parted, whatever else may be.
   void closeHard(Progress progress) {
-    const Progress now = progress.measuredBy(m_hardEffort);
+    const Progress now = progress.measuredBy(m_efforts.hard);
     for (int round = 0; round < kHardRounds; ++round) {
       const bool closed = !now.cancelled() && closeHardOnce(now);
-      const bool parted = !progress.cancelled() && part(now.within(m_separationBudget));
+      const bool parted = !progress.cancelled() && part(now.within(m_efforts.separation));
       if (!closed && !parted) return;
     }
   }
@@ -217,7 +205,7 @@ class Repairer {
       std::set<int> of = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, of);
       const bool back = reason == FillFailure::Rim;
-      if (!mayClose(reason)) continue;
+      if (!m_reasons.mayClose(reason)) continue;
       holes.push_back({loop, back});
       owners.push_back(std::move(of));
     }
@@ -229,12 +217,11 @@ class Repairer {
     m_touchedHomes.insert(m_touchedHomes.end(), closings.separated.begin(), closings.separated.end());
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
-    m_cutShort.clear();
-    m_sheetFailures.clear();
+    m_reasons.forget();
     for (std::size_t i = 0; i < closings.holes.size(); ++i) {
-      if (closings.holes[i].isCutShort) noteCutShort(owners[i]);
+      if (closings.holes[i].isCutShort) m_reasons.noteCutShort(owners[i]);
       if (!closings.holes[i].closed) {
-        if (holes[i].back) noteSheet(owners[i], closings.holes[i].failure);
+        if (holes[i].back) m_reasons.noteSheet(owners[i], closings.holes[i].failure);
         continue;
       }
       any = true;
@@ -249,18 +236,6 @@ class Repairer {
     return any;
   }
 
-  static constexpr int kLaidOpen = LoopResult().id;
-
-  void noteCutShort(const std::set<int>& owners) {
-    m_cutShort.insert(owners.begin(), owners.end());
-    if (owners.empty()) m_cutShort.insert(kLaidOpen);
-  }
-
-  void noteSheet(const std::set<int>& owners, FillFailure failure) {
-    for (const int id : owners) m_sheetFailures[id] = failure;
-    if (owners.empty()) m_sheetFailures[kLaidOpen] = failure;
-  }
-
   // Loose leftovers of cuts too.
   void replaceFolded(Progress progress) {
     std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.05));
@@ -270,13 +245,13 @@ class Repairer {
       return reason != FillFailure::None && (reason != FillFailure::Rim || !owners.empty());
     });
     const std::size_t replaced =
-        replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_tangleEffort));
+        replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_efforts.tangle));
     m_report.replacedFaces += replaced;
-    if (replaced > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_separationBudget));
+    if (replaced > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_efforts.separation));
   }
 
   void cutCrossings(Progress progress) {
-    WorkBudget effort(most(1.0, tolerance::kObstructedHoleBudget), m_fillEffort);
+    WorkBudget effort(m_efforts.most(1.0, tolerance::kObstructedHoleBudget), m_efforts.fill);
     const Progress now = progress.within(effort);
     // A round that was cut short stays so unless a later one leaves nothing to cut.
     const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
@@ -287,103 +262,26 @@ class Repairer {
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort || (wasCutShort && !pairs->empty());
   }
 
-  // Filled holes change the shape of a sheet, which may be none any more. Its outer edge remains one until they are
-  // done; then it is what anyone finds who looks at the result.
-  bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
-    if (m_round > 0) return loop.rim;
-    const auto was = [&](int id) { return m_results.inputLoops()[static_cast<std::size_t>(id)].rim; };
-    return loop.rim || std::any_of(owners.begin(), owners.end(), was);
-  }
-
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
-    const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
-    if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
-    if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners)) return FillFailure::Rim;
-    if (m_options.maxEdges > 0 && loop.borderEdges > m_options.maxEdges) return FillFailure::TooLong;
-    return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
-  }
-
-  // By a patch, or by a back.
-  bool mayClose(FillFailure reasonToLeave) const {
-    return reasonToLeave == FillFailure::None ||
-           (reasonToLeave == FillFailure::Rim && m_options.rims == RimHandling::Thicken);
-  }
-
-  // For want of effort the loop was not tried in every way.
-  bool isCutShort(int id) const {
-    return m_cutShort.contains(id) || m_hardEffort.isSpent() || m_tangleEffort.isSpent();
+    return m_reasons.beforeTrying(loop, owners, m_round == 0);
   }
 
   void finish(Progress progress) {
-    const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
-      const FillFailure known = reasonToLeave(loop, owners);
-      if (known != FillFailure::Rim || m_options.rims != RimHandling::Thicken) return known;
-      const auto isKept = [&](int id) {
-        const auto failure = m_sheetFailures.find(id);
-        return failure != m_sheetFailures.end() && failure->second == FillFailure::SheetKeptOpen;
-      };
-      return std::any_of(owners.begin(), owners.end(), isKept) ? FillFailure::SheetKeptOpen : FillFailure::None;
-    };
-    m_report.loops = m_results.conclude(m_mesh, reason, progress.part(0.0, 0.1));
-    for (LoopResult& loop : m_report.loops) {
-      if (loop.outcome == LoopOutcome::Failed) {
-        const auto sheet = m_sheetFailures.find(loop.id);
-        if (sheet != m_sheetFailures.end() && loop.id != kLaidOpen) {
-          loop.reason = sheet->second;
-        } else if (isCutShort(loop.id)) {
-          loop.reason = FillFailure::TooMuchEffort;
-        }
-      }
-      if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
-        m_report.lostLoops.push_back(loop.id);
-    }
-    compareWithInput(progress);
-  }
-
-  void compareWithInput(Progress progress) {
-    for (Face f = 0; f < m_input.faceSlots(); ++f) {
-      if (!pollProgress(f, m_input.faceSlots(), progress.part(0.0, 0.4))) return;
-      if (m_input.isLive(f) && m_mesh.isLive(f))
-        m_report.reversedFaces += isTurned(m_input.points(f), m_mesh.points(f));
-    }
-    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
-      if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));
-    }
-    m_report.touchedVertices = verticesAt(m_touchedHomes, progress.part(0.4, 1.0));
-  }
-
-  // The vertices of the input at these positions, sorted. Once cancelled, none.
-  std::vector<Vertex> verticesAt(const std::vector<Vec3>& places, Progress progress) const {
-    if (places.empty()) return {};
-    std::vector<Vec3> points = places;
-    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) points.push_back(m_input.position(v));
-    const PointClasses classes = classifyPoints(points, progress);
-    if (progress.cancelled()) return {};
-    std::vector<Vertex> vertices;
-    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
-      if (classes.representative[classes.classOf[places.size() + v]] < places.size()) vertices.push_back(v);
-    }
-    return vertices;
-  }
-
-  static bool isTurned(const TrianglePoints& was, const TrianglePoints& is) {
-    return was[0] == is[0] && was[1] == is[2] && was[2] == is[1] && was != is;
+    const bool isSpent = m_efforts.hard.isSpent() || m_efforts.tangle.isSpent();
+    m_reasons.conclude(m_results, m_mesh, {m_round == 0, isSpent}, m_report, progress.part(0.0, 0.1));
+    m_report.reversedFaces += countReversedFaces(m_input, m_mesh, progress.part(0.1, 0.4));
+    m_report.touchedVertices = touchedVertices(m_input, m_mesh, std::move(m_touchedHomes), progress.part(0.4, 1.0));
   }
 
   const HalfEdgeMesh m_input;
   HalfEdgeMesh m_mesh;
   RepairOptions m_options;  // with the corners of what stays open
   HoleOutcomes m_results;
+  LoopReasons m_reasons{m_options, m_results.inputLoops()};
   int m_round = 0;
   double m_thickness;                // mm
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
-  WorkBudget m_fillEffort;
-  // Exact tests take the square of what coordinates have more bits than those of parts have: fewer are made then.
-  double m_slowness;
-  WorkBudget m_closeEffort;
-  WorkBudget m_hardEffort, m_separationBudget, m_tangleEffort;  // shares of that for closing, each its own
-  std::set<int> m_cutShort;  // loops of the input, or kLaidOpen for any other, of which a trial was cut short at last
-  std::map<int, FillFailure> m_sheetFailures;  // of the same, the outer edges of sheets that were not thickened at last
+  RepairEfforts m_efforts;
   RepairReport m_report;
 };
 

@@ -46,9 +46,17 @@ struct LoopResult {
   PatchComparison shape = {};  // of a patch of its own
 };
 
+// A boundary loop that a repair leaves, with its own reason: a loop of the input may be left in pieces.
+struct OpenLoop {
+  Vertex key = kNone;                           // keyOf() in the result
+  LoopOutcome outcome = LoopOutcome::KeptOpen;  // or Failed
+  FillFailure reason = FillFailure::None;
+};
+
 // The report of a repair.
 struct RepairReport {
   std::vector<LoopResult> loops;      // every loop of the input, by id; then those that the repair opened
+  std::vector<OpenLoop> openLoops;    // every loop of the result
   std::vector<int> lostLoops;         // of keepOpen: gone with faces that were removed or stitched
   std::size_t removedDegenerate = 0;  // faces
   std::size_t removedDuplicates = 0;

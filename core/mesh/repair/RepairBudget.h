@@ -3,6 +3,8 @@
 #pragma once
 
 #include "base/Tolerance.h"
+#include "base/WorkBudget.h"
+#include "mesh/structure/HalfEdgeMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,5 +24,20 @@ inline std::size_t repairBudget(std::size_t faces, double share, std::size_t fix
   return std::min(static_cast<std::size_t>(share * static_cast<double>(repairBudget(faces))),
                   fixed + tolerance::kPassBudget * faces);
 }
+
+// What one repair may take.
+struct RepairEfforts {
+  explicit RepairEfforts(const HalfEdgeMesh& input);
+
+  // What one kind of work may take: as repairBudget(), but less where exact tests are slow. Those take the square of
+  // what coordinates have more bits than those of parts have.
+  std::size_t most(double share, std::size_t fixed) const;
+
+  std::size_t faces;
+  double slowness;
+  WorkBudget fill;
+  WorkBudget close;
+  WorkBudget hard, separation, tangle;  // shares of that for closing, each its own
+};
 
 }  // namespace handwheel

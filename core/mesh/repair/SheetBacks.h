@@ -32,7 +32,8 @@ class SheetBacks {
   bool add(const OpenSheet& sheet);
 
   const std::vector<Face>& faces() const { return m_faces; }
-  // Pairs of a back and its face in the sheet.
+  // Pairs of a back and its face in the sheet. Side faces, faces of a split back and those between the parts of a
+  // divided one are in no pair: no face is in front of them. Where one is turned over it intersects others.
   const std::vector<std::pair<Face, Face>>& facePairs() const { return m_facePairs; }
   // Null for a vertex of a sheet.
   const SheetOffset* offsetOf(Vertex v) const;

@@ -81,6 +81,7 @@ void countSheets(const HalfEdgeMesh& before, std::span<const ObstructedHole> hol
     if (hole.isCutShort) hole.failure = FillFailure::TooMuchEffort;
     const std::vector<Face> sheet = isCounted[seed] ? std::vector<Face>() : sheetOf(before, seed);
     if (!hole.closed && hasCornerAmong(before, sheet, keptCorners)) hole.failure = FillFailure::SheetKeptOpen;
+    if (!hole.closed) closings.sheets.leftLoops[keyOf(before, holes[i].loop)] = hole.failure;
     if (sheet.empty()) continue;
     for (const Face f : sheet) isCounted[f] = true;
     if (hole.closed)

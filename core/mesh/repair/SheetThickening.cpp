@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace handwheel {
@@ -44,7 +45,11 @@ std::unordered_set<Vertex> pinchedVertices(const HalfEdgeMesh& mesh) {
 class BackWithdrawal {
  public:
   BackWithdrawal(HalfEdgeMesh& mesh, SheetBacks& backs, NumberType numbers)
-      : m_mesh(mesh), m_backs(backs), m_numbers(numbers), m_added(backs.faces().begin(), backs.faces().end()) {}
+      : m_mesh(mesh),
+        m_backs(backs),
+        m_numbers(numbers),
+        m_added(backs.faces().begin(), backs.faces().end()),
+        m_frontOf(backs.facePairs().begin(), backs.facePairs().end()) {}
 
   // Halves the offset wherever a new face intersects anything or is turned over, until none is. Where a face is so
   // small that its back lies on it all the same, neither is needed. Returns the vertices of outlines from which side
@@ -64,6 +69,12 @@ class BackWithdrawal {
   }
 
  private:
+  // The back of another face may lie on a face, too: without its front that one's own back would be alone.
+  bool isFaceWithItsBack(Face a, Face b) const {
+    const auto found = m_frontOf.find(m_added.contains(a) ? a : b);
+    return found != m_frontOf.end() && found->second == (found->first == a ? b : a);
+  }
+
   bool haveSameCorners(Face a, Face b) const {
     const auto sorted = [&](Face f) {
       const TrianglePoints p = m_mesh.points(f);
@@ -77,7 +88,7 @@ class BackWithdrawal {
     std::set<Vertex> crossing;
     for (const auto& [a, b] : selfIntersectingPairs(m_mesh, m_numbers, progress)) {
       if (!m_mesh.isLive(a) || !m_mesh.isLive(b)) continue;  // removed with the other side of an earlier pair
-      if (m_added.contains(a) != m_added.contains(b) && haveSameCorners(a, b)) {
+      if (m_added.contains(a) != m_added.contains(b) && haveSameCorners(a, b) && isFaceWithItsBack(a, b)) {
         m_mesh.removeFace(a);
         m_mesh.removeFace(b);
       }
@@ -113,6 +124,7 @@ class BackWithdrawal {
   SheetBacks& m_backs;
   NumberType m_numbers;
   std::unordered_set<Face> m_added;
+  std::unordered_map<Face, Face> m_frontOf;  // by the back
 };
 
 std::vector<Face> liveFaces(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
@@ -138,6 +150,7 @@ std::size_t SheetOutcomes::leftCount() const {
 void SheetOutcomes::extend(const SheetOutcomes& later) {
   thickened += later.thickened;
   left = later.left;
+  leftLoops = later.leftLoops;
   thickness.extend(later.thickness);
 }
 

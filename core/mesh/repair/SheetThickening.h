@@ -24,6 +24,7 @@ struct SheetThickness {
 struct SheetOutcomes {
   std::size_t thickened = 0;
   std::map<FillFailure, std::size_t> left;  // open, by the reason
+  std::map<Vertex, FillFailure> leftLoops;  // the loops of these by keyOf(), each with the reason
   SheetThickness thickness;                 // of the thickened ones
 
   std::size_t leftCount() const;

@@ -4,7 +4,7 @@
 
 namespace handwheel {
 
-// Suppresses CGAL's error messages on stderr during its lifetime. CGAL reports broken preconditions there unless told
+// Suppresses CGAL's error messages on stderr during its lifetime. CGAL reports broken preconditions there by default
 // not to; here they are ordinary refusals, thrown and caught.
 class QuietCgal {
  public:

@@ -25,14 +25,16 @@ struct LatheTouch {
 
 // The force of a manual lathe. A plane through the axis, y = 0, attracts the hand; the tool that it holds in a gesture
 // is on a spring, since the slides go as fast as the machine lets them only; and while it cuts, the force of the
-// cutting law pushes it along with the work, back and away from the axis; and the slides that it moves have friction
-// and drag. The tick allocates nothing and takes no lock.
+// cutting law, or the press of what grinds, pushes it along with the work, back and away from the axis; and the slides
+// that it moves have friction and drag. A hand that holds no tool feels the part from outside, and the grooves of its
+// threads while it does not turn. The tick allocates nothing and takes no lock.
 class LatheForce : public ForceSource {
  public:
   // material: of the simulation's tools; never null. base: mm, z of the part's lower end in the scene.
   LatheForce(std::shared_ptr<LatheChannel> channel, std::shared_ptr<const LatheMaterial> material,
              const LatheTouch& touch, double base);
 
+  void follow(const ForceSource& previous) noexcept override;
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
 
@@ -40,6 +42,7 @@ class LatheForce : public ForceSource {
   const CutForces& cut() const { return m_cut; }
 
  private:
+  void touch(const TipState& tip, ForceOut& out) noexcept;
   double planeForce(double y) const noexcept;
   Vec3 cutForce(double period) const noexcept;
 
@@ -49,8 +52,14 @@ class LatheForce : public ForceSource {
   double m_base;
   LathePatch m_patch;
   CutForces m_cut;
-  Vec3 m_tool = Vec3::Zero();  // mm: where the tool is
+  ProfilePoint m_press{0.0, 0.0};  // N, in (r, z)
+  Vec3 m_tool = Vec3::Zero();      // mm: where the tool is
   bool m_isHeld = false;
+  TurningContact m_contact;        // of a hand that holds no tool
+  Vec3 m_outward = Vec3::UnitX();  // from the axis to that hand
+  Vec3 m_surface = Vec3::Zero();   // mm: where the part holds it
+  bool m_isTouching = false;
+  bool m_wasFree = false;  // the hand held no tool in the tick before
 };
 
 }  // namespace handwheel

@@ -29,13 +29,15 @@ bool isStraightOn(const std::vector<ProfilePoint>& path, const ProfilePoint& nex
 }  // namespace
 
 LatheSimulation::LatheSimulation(LatheRun run, TurnedSurface surface, double base,
-                                 std::shared_ptr<LatheChannel> channel)
+                                 std::shared_ptr<LatheChannel> channel, SurfaceFinish finish, std::size_t passesBefore)
     : m_run(std::move(run)),
       m_surface(std::move(surface)),
       m_base(base),
       m_channel(std::move(channel)),
+      m_finish(m_run.profile(), std::move(finish)),
+      m_passesBefore(passesBefore),
+      m_number(++m_channel->simulations),
       m_now(m_run.profile(), m_surface) {
-  ++m_channel->simulations;
   m_recording.setup = m_run.machine().setup();
   m_recording.start = m_run.machine().state();
   m_recording.part = std::make_shared<const TurnedProfile>(m_run.profile());
@@ -92,6 +94,8 @@ void LatheSimulation::record(const LatheStep& step) {
   pass.times.push_back(step.time - m_begin);
   pass.speeds.push_back(60.0 * step.turns / m_recording.dt);
   if (pass.thread) m_threaded.extend(samplesBeside(step));
+  m_finish.add(pass, pass.path.size() - 1, static_cast<std::uint32_t>(m_passesBefore + m_passes.size() - 1),
+               m_run.profile(), step.cut.changed);
 }
 
 // Those whose triangles a step of a thread may change: with its run-out, and half a groove on both sides.
@@ -101,6 +105,18 @@ TurnedProfile::Range LatheSimulation::samplesBeside(const LatheStep& step) const
   const double last = static_cast<double>(m_run.profile().size());
   return {static_cast<std::size_t>(std::clamp((low - reach) / spacing, 0.0, last)),
           static_cast<std::size_t>(std::clamp((high + reach) / spacing, 0.0, last))};
+}
+
+// The hand is outside of the part, which is felt as it is shown: its threads do not turn. While the spindle turns they
+// are felt as their envelope: no hand could follow a helix.
+ProfilePatch LatheSimulation::patchAt(const SimulationInput& input) const {
+  const Vec3& hand = input.tip.position;
+  if (!hand.allFinite()) return {};
+  PatchThreads threads;
+  if (m_run.machine().state().speed == 0.0) threads = {m_surface.threads().get(), std::atan2(hand.y(), hand.x())};
+  ProfilePatch patch = patchAround(m_run.profile(), hand.z() - m_base, kFinger, TurningSide::Outside, threads);
+  patch.simulation = m_number;
+  return patch;
 }
 
 void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
@@ -129,10 +145,14 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   patch.velocity = (patch.tip - m_now.tip) / dt;
   patch.time = inputs.empty() ? 0.0 : inputs.back().tip.time;
   patch.cut = m_now.load.cut;
+  patch.press = m_now.load.press;
+  if (!patch.press.isZero(0.0)) patch.rub = m_now.load.forces.cutting;
   patch.wear = machine.setup().wear;
   patch.tool = static_cast<std::uint32_t>(m_run.cuttingTool());
   patch.spindleSpeed = machine.state().speed;
   patch.angle = machine.state().turns;
+  if (!inputs.empty()) m_part = patchAt(inputs.back());
+  patch.part = m_part;
   m_channel->patch.write(patch);
   m_now.tip = patch.tip;
 
@@ -153,6 +173,7 @@ void LatheSimulation::publish() {
   }
   m_threaded = {};
   m_now.profile = m_run.profile();
+  m_now.finish = m_finish.finish();
   m_now.surface = m_surface;
   m_now.machine = m_run.machine().state();
   m_now.tip = m_run.machine().tip();

@@ -4,8 +4,10 @@
 
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPass.h"
+#include "machining/finish/FinishMeter.h"
 #include "machining/lathe/LatheRecording.h"
 #include "simulation/Simulation.h"
+#include "simulation/turning/TurningContact.h"
 
 namespace handwheel {
 
@@ -15,10 +17,13 @@ struct LathePatch {
   ProfilePoint velocity{0.0, 0.0};  // mm/s
   double time = 0.0;                // s, of the input that it follows
   CutConditions cut;                // of no depth: nothing is cut
+  ProfilePoint press{0.0, 0.0};     // N, on what grinds, in (r, z)
+  double rub = 0.0;                 // N, on it along the way of the surface
   double wear = 0.0;                // mm, of the flank
   std::uint32_t tool = 0;           // that cuts, as its place in the list of tools
   double spindleSpeed = 0.0;        // r/min, signed
   double angle = 0.0;               // turns of the spindle
+  ProfilePatch part;                // near the hand, with the threads of a part that does not turn
 };
 
 // What a lathe exchanges with the servo loop and the window. Neither waits.
@@ -32,6 +37,7 @@ struct LatheMoment : SimulationState {
   LatheMoment(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
   TurnedProfile profile;
   TurnedSurface surface;
+  SurfaceFinish finish;  // of the profile
   LatheState machine;
   std::shared_ptr<const LatheTool> tool;  // in use; null: none
   ProfilePoint tip{0.0, 0.0};             // mm, true place
@@ -51,9 +57,12 @@ struct LatheMoment : SimulationState {
 class LatheSimulation : public Simulation {
  public:
   static constexpr double kShownRate = 125.0;  // changes of the shown part in a second, at most
+  static constexpr double kFinger = 0.5;       // mm, radius of what feels the part while no tool is held
 
-  // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time.
-  LatheSimulation(LatheRun run, TurnedSurface surface, double base, std::shared_ptr<LatheChannel> channel);
+  // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time. finish: of the part,
+  // which has had this number of passes.
+  LatheSimulation(LatheRun run, TurnedSurface surface, double base, std::shared_ptr<LatheChannel> channel,
+                  SurfaceFinish finish = SurfaceFinish(), std::size_t passesBefore = 0);
 
   // A device that acts places the tip; it lets go when its gesture ends. The hand is in the plane through the axis.
   void step(double dt, std::span<const SimulationInput> inputs) override;
@@ -68,6 +77,7 @@ class LatheSimulation : public Simulation {
  private:
   void takeCommands(std::span<const SimulationInput> inputs);
   void record(const LatheStep& step);
+  ProfilePatch patchAt(const SimulationInput& input) const;
   TurnedProfile::Range samplesBeside(const LatheStep& step) const;
   void publish();
 
@@ -78,12 +88,16 @@ class LatheSimulation : public Simulation {
   LatheRecording m_recording;
   std::vector<LatheCommand> m_commands;
   std::vector<TurningPass> m_passes;
+  FinishMeter m_finish;
+  std::size_t m_passesBefore;
   double m_begin = 0.0;  // s, of the first point of the last pass
   TurnedProfile::Range m_changed;
   TurnedProfile::Range m_threaded;  // whose triangles miss the last part of a thread
   std::size_t m_shownPasses = 0;    // whose threads are shown whole
   double m_sincePublished = 0.0;    // s
   bool m_isPlacing = false;         // a device acts
+  ProfilePatch m_part;              // of the last input
+  std::uint32_t m_number;           // in the channel
   std::uint64_t m_warned = 0;       // changes of the warnings that are in m_now
   LatheMoment m_now;
   std::shared_ptr<const LatheMoment> m_state;

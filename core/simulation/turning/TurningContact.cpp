@@ -29,8 +29,15 @@ double ProfilePatch::penetration(const ProfilePoint& centre, double radius) cons
   return deepest;
 }
 
-ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius, TurningSide side) {
+ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius, TurningSide side,
+                         const PatchThreads& threads) {
   const bool isBore = side == TurningSide::Bore;
+  const auto surface = [&](std::size_t i) {
+    const double own = isBore ? profile.inner(i) : profile.radius(i);
+    if (!threads.threads) return own;
+    const double other = isBore ? profile.radius(i) : profile.inner(i);
+    return threads.threads->radius(side, own, other, profile.z(i), threads.angle);
+  };
   const double last = static_cast<double>(profile.size() - 1);
   const double half = 2.0 * noseRadius / profile.spacing() + 1.0, middle = z / profile.spacing();
   const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(middle - half), 0.0, last));
@@ -44,7 +51,7 @@ ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadi
   for (std::size_t i = begin; i <= end; i += stride) {
     double highest = -std::numeric_limits<double>::infinity();
     for (std::size_t j = i; j <= std::min(i + stride - 1, end); ++j) {
-      highest = std::max(highest, isBore ? -profile.inner(j) : profile.radius(j));
+      highest = std::max(highest, sideways(side, surface(j)));
       farSide = std::min(farSide, isBore ? -profile.radius(j) : profile.inner(j));
     }
     patch.radii[patch.count++] = highest;

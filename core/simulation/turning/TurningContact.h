@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "machining/TurningPass.h"
+#include "machining/thread/PartThreads.h"
 
 #include <array>
 
@@ -36,10 +36,17 @@ inline double sideways(TurningSide side, double r) {
   return side == TurningSide::Bore ? -r : r;
 }
 
+// The half plane of a part in which the hand is: its threads as grooves there, which rise with the angle as their
+// helix.
+struct PatchThreads {
+  const PartThreads* threads = nullptr;  // null: none
+  double angle = 0.0;                    // about the axis, from +x
+};
+
 // The profile around z, so far that a nose of this radius can move by as much again. Where that has too many samples,
 // the highest surface of several that follow one another is taken.
 ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius,
-                         TurningSide side = TurningSide::Outside);
+                         TurningSide side = TurningSide::Outside, const PatchThreads& threads = {});
 
 // The settings of a cutting tool on a lathe. Stiffness and damping are those in the scene.
 struct TurningTool {

@@ -36,7 +36,9 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
     m_state = std::move(state);
   }
   if (inputs.empty()) return;
-  ProfilePatch patch = patchAround(m_profile, inputs.back().tip.position.z() - m_base, m_pass.noseRadius, m_pass.side);
+  const Vec3& hand = inputs.back().tip.position;
+  const PatchThreads threads{m_state->surface.threads().get(), std::atan2(hand.y(), hand.x())};
+  ProfilePatch patch = patchAround(m_profile, hand.z() - m_base, m_pass.noseRadius, m_pass.side, threads);
   patch.simulation = m_number;
   m_channel->patch.write(patch);
 }

@@ -15,8 +15,8 @@ namespace handwheel {
 // Why defects may remain, as MeshChange::reason.
 inline constexpr const char* kPlateSides =
     QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed");
-inline constexpr const char* kClosesNothing = QT_TRANSLATE_NOOP(
-    "Tool", "merging them would make edges with more than two triangles, or change a boundary that is to stay open");
+inline constexpr const char* kCrowdsEdges =
+    QT_TRANSLATE_NOOP("Tool", "merging them would make edges with more than two triangles");
 inline constexpr const char* kNotSeparable =
     QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself");
 inline constexpr const char* kNoCleanCut =
@@ -47,10 +47,5 @@ MeshChange allDebrisFix();
 MeshChange insideOutFix();
 // Reverses the shells that contain one of these faces. The faces of a shell always agree, so it is reversed as a whole.
 MeshChange reverseChange(const FaceSelection& faces);
-// Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()). thickness:
-// mm; 0: defaultSheetThickness().
-MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, double thickness = 0.0);
-// Closes a loop although every patch would intersect the part. The patch is cut apart where it crosses.
-MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options);
 
 }  // namespace handwheel

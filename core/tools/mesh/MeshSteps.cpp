@@ -8,6 +8,7 @@
 #include "document/mesh/MeshEdit.h"
 #include "mesh/structure/Shells.h"
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/HoleFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"

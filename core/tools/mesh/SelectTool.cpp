@@ -116,7 +116,7 @@ ToolReply SelectTool::hover(const PointerEvent& event) {
   return ToolReply::Used;
 }
 
-// What a click there would select, as far as it is soon told.
+// What a click there would select, as far as it is quickly known.
 FaceSelection SelectTool::regionOf(Face seed) const {
   const GrowthLimit limit{kMostHovered, {}};
   std::optional<FaceSelection> region;

@@ -28,6 +28,7 @@ void setBacklash(LatheSetup& lathe, double backlash) {
 std::vector<Property> ManualLatheTool::settings() const {
   const LatheSetup lathe = setup();
   return {switchSetting("shows_diameter", QT_TRANSLATE_NOOP("Property", "Read-out in diameter"), lathe.showsDiameter),
+          switchSetting("chips", QT_TRANSLATE_NOOP("Property", "Chips are shown"), m_showsChips),
           numberSetting("depth_limit", QT_TRANSLATE_NOOP("Property", "Depth limit (0: none)"), lathe.depthLimit,
                         Quantity::Length, kDepthLimits),
           numberSetting("power", QT_TRANSLATE_NOOP("Property", "Motor power, kW (0: no limit)"), lathe.spindle.power,
@@ -52,6 +53,10 @@ std::vector<Property> ManualLatheTool::settings() const {
 }
 
 void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value) {
+  if (id == "chips") {
+    assignSwitch(m_showsChips, value);
+    return;
+  }
   LatheSetup lathe = setup();
   double backlash = lathe.dials[1].backlash;
   bool isSet = false;

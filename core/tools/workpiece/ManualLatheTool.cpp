@@ -4,7 +4,7 @@
 
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
-#include "tools/ToolProperty.h"
+#include "tools/workpiece/LatheChips.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -15,28 +15,6 @@ namespace handwheel {
 namespace {
 
 using LatheKind = LatheCommand::Kind;
-
-// What a key does with a wheel. Keys with the same hint share one in the hint bar.
-struct WheelKey {
-  const char* action;
-  LatheAxis axis;
-  double divisions;
-  const char* hint;
-};
-constexpr const char* kCarriageHint = QT_TRANSLATE_NOOP("Tool", "move the carriage");
-constexpr const char* kCrossHint = QT_TRANSLATE_NOOP("Tool", "move the cross slide");
-constexpr const char* kCompoundHint = QT_TRANSLATE_NOOP("Tool", "move the compound slide");
-constexpr const char* kFarHint = QT_TRANSLATE_NOOP("Tool", "by ten divisions");
-constexpr WheelKey kWheelKeys[] = {{"carriage-left", LatheAxis::Carriage, -1.0, kCarriageHint},
-                                   {"carriage-right", LatheAxis::Carriage, 1.0, kCarriageHint},
-                                   {"cross-in", LatheAxis::Cross, -1.0, kCrossHint},
-                                   {"cross-out", LatheAxis::Cross, 1.0, kCrossHint},
-                                   {"carriage-far-left", LatheAxis::Carriage, -10.0, kFarHint},
-                                   {"carriage-far-right", LatheAxis::Carriage, 10.0, kFarHint},
-                                   {"cross-far-in", LatheAxis::Cross, -10.0, kFarHint},
-                                   {"cross-far-out", LatheAxis::Cross, 10.0, kFarHint},
-                                   {"compound-in", LatheAxis::Compound, -1.0, kCompoundHint},
-                                   {"compound-out", LatheAxis::Compound, 1.0, kCompoundHint}};
 
 // The plane through the axis that faces the viewer; seen along the axis there is none. The tool is on the side of +x.
 std::optional<Vec3> inPlaneOfAxis(const Ray& ray) {
@@ -51,7 +29,7 @@ std::optional<Vec3> inPlaneOfAxis(const Ray& ray) {
 }
 
 std::shared_ptr<const LatheMaterial> materialCalled(const std::string& name, ForceLaw law, const LatheTools& tools) {
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   return std::make_shared<const LatheMaterial>(latheMaterial(materials.called(name), law, tools));
 }
 
@@ -71,8 +49,11 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_law(law),
       m_materialName(document.workpiece().material),
       m_material(materialCalled(m_materialName, law, m_tools)),
+      m_part(document.workpiece().part),
+      m_crashesBefore(m_part ? m_part->crashes : nullptr),
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {
-  documentChanged();
+  showLathe(setup());
+  m_places.note(m_part, moment()->machine);
 }
 
 std::unique_ptr<Simulation> ManualLatheTool::simulation() const {
@@ -80,7 +61,7 @@ std::unique_ptr<Simulation> ManualLatheTool::simulation() const {
   const LatheSetup lathe = setup();
   const LatheState state = m_machine.value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
   return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material), part.surface,
-                                           base(), m_channel);
+                                           base(), m_channel, part.finish, part.passes.size());
 }
 
 void ManualLatheTool::renewMaterial() {
@@ -117,14 +98,18 @@ ProfilePoint ManualLatheTool::readout() const {
   return shown;
 }
 
+std::optional<double> ManualLatheTool::roughnessHere() const {
+  const auto now = moment();
+  const double sample = std::round(now->tip.y() / now->profile.spacing());
+  if (!(sample >= 0.0 && sample < static_cast<double>(now->profile.size()))) return std::nullopt;
+  const TurningSide side = now->tool ? now->tool->side : TurningSide::Outside;
+  const FinishMark mark = now->finish.at(side, static_cast<std::size_t>(sample));
+  return mark.isKnown() ? std::optional<double>(mark.roughness) : std::nullopt;
+}
+
 void ManualLatheTool::command(const LatheCommand& command) {
   m_channel->commands.push(command);
   reportUpdated();
-}
-
-void ManualLatheTool::turn(LatheAxis axis, double divisions) {
-  const double by = divisions * setup().dials[static_cast<std::size_t>(axis)].perDivision;
-  command({LatheKind::Turn, axis, by});
 }
 
 void ManualLatheTool::touchOff(bool isX, double value) {
@@ -135,6 +120,19 @@ void ManualLatheTool::touchOff(bool isX, double value) {
   setUp(lathe, QCoreApplication::translate("Tool", isX ? "Touch off X" : "Touch off Z"));
 }
 
+std::optional<MountRefusal> ManualLatheTool::mount(std::size_t station, const std::string& id) {
+  const LatheSetup lathe = setup();
+  const auto now = moment();
+  if (auto refusal = refusalToMount(lathe, m_tools, station, id, now->profile, now->machine)) return refusal;
+  const auto tool = toolNamed(m_tools, id);
+  const QString what = tool ? QCoreApplication::translate("LatheTool", titleOf(tool->kind)) + QLatin1Char(' ') +
+                                  QString::fromStdString(tool->designation)
+                            : QString();
+  setUp(mounted(lathe, m_tools, station, id), tool ? QCoreApplication::translate("Tool", "Mount %1").arg(what)
+                                                   : QCoreApplication::translate("Tool", "Take the tool off"));
+  return std::nullopt;
+}
+
 bool ManualLatheTool::setUp(const LatheSetup& lathe, const QString& text) {
   if (!lathe.isSound()) return false;
   if (lathe == setup()) return true;
@@ -143,49 +141,76 @@ bool ManualLatheTool::setUp(const LatheSetup& lathe, const QString& text) {
   return true;
 }
 
-void ManualLatheTool::keep(const LatheMoment& moment) {
-  m_machine = moment.machine;
-  m_collisions.insert(m_collisions.end(), moment.collisions->begin(), moment.collisions->end());
-  m_warnings.insert(m_warnings.end(), moment.warnings->begin(), moment.warnings->end());
+// Ends the simulation, and goes on with the lathe as it leaves it.
+std::unique_ptr<LatheSimulation> ManualLatheTool::endSimulation() {
+  std::unique_ptr<LatheSimulation> ended(static_cast<LatheSimulation*>(m_gesture.end().release()));
+  ended->finish();
+  const auto last = std::static_pointer_cast<const LatheMoment>(ended->state());
+  m_machine = last->machine;
+  m_collisions.insert(m_collisions.end(), last->collisions->begin(), last->collisions->end());
+  m_warnings.insert(m_warnings.end(), last->warnings->begin(), last->warnings->end());
+  return ended;
 }
 
-// The edit comes back as documentChanged(), and the next simulation begins there, with the lathe as it is.
 bool ManualLatheTool::endPass(bool isAtOnce) {
   m_gesture.rethrow();
   const auto now = moment();
   const bool isDue = isAtOnce || now->isFull || now->sinceCut >= kIdle;
   if (!now->isCut || m_isDragging || !isDue) return false;
-  const std::unique_ptr<Simulation> ended = m_gesture.end();
-  auto& lathe = static_cast<LatheSimulation&>(*ended);
-  lathe.finish();
-  const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
-  keep(*last);
+  const std::unique_ptr<LatheSimulation> lathe = endSimulation();
+  const auto last = std::static_pointer_cast<const LatheMoment>(lathe->state());
   TurnedPart part = partOf(m_document.workpiece(), m_spacing);
   part.profile = last->profile;
   part.surface = last->surface;
-  for (const TurningPass& pass : lathe.passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
+  part.finish = last->finish;
+  for (const TurningPass& pass : lathe->passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
+  if (!m_collisions.empty()) part.crashes = recordedCrashes();
   const QString text = passesText(part.passes.size(), last->removed);
   m_isCommitting = true;
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::make_shared<const TurnedPart>(std::move(part))));
   m_isCommitting = false;
-  documentChanged();
+  m_part = m_document.workpiece().part;
+  m_places.note(m_part, *m_machine);
+  m_gesture.restart();
   return true;
 }
 
-// What was cut and is not in the document yet is dropped with a change from elsewhere.
+// Those that the part had already, and all since: what is undone takes none back.
+std::shared_ptr<const std::vector<LatheCollision>> ManualLatheTool::recordedCrashes() const {
+  auto all = m_crashesBefore ? std::make_shared<std::vector<LatheCollision>>(*m_crashesBefore)
+                             : std::make_shared<std::vector<LatheCollision>>();
+  all->insert(all->end(), m_collisions.begin(), m_collisions.end());
+  return all;
+}
+
+// With another part, as by undo, the lathe is where it had made that one, and at rest: elsewhere its tool may be in
+// material that comes back. What was cut and is not in the document yet is dropped.
 void ManualLatheTool::documentChanged() {
   if (m_isCommitting) return;
   m_isDragging = false;
   renewMaterial();
   const LatheSetup lathe = setup();
-  if (!m_displayed || *m_displayed != lathe) {
-    m_displayed = std::make_shared<const LatheSetup>(lathe);
-    const TurnedPart part = partOf(m_document.workpiece(), m_spacing);
-    const LatheRun run(lathe, m_tools, part.profile, LatheMachine::initialState(lathe, m_document.workpiece().stock));
-    m_display = std::make_shared<const LatheDisplay>(lathe, m_tools, run.gripped(), base());
+  showLathe(lathe);
+  const bool isDropped = moment()->isCut;
+  endSimulation();
+  const auto before = std::exchange(m_part, m_document.workpiece().part);
+  const bool isSame = before == m_part || (before && m_part && before->profile == m_part->profile);
+  if (!isSame || isDropped) {
+    LatheState place = m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
+    place.time = m_machine->time;
+    LatheMachine rested(lathe, place);
+    rested.stop();
+    m_machine = rested.state();
   }
-  if (moment()->isCut || m_machine != moment()->machine) keep(*moment());
   m_gesture.restart();
+}
+
+void ManualLatheTool::showLathe(const LatheSetup& lathe) {
+  if (m_displayed && *m_displayed == lathe) return;
+  m_displayed = std::make_shared<const LatheSetup>(lathe);
+  const TurnedPart part = partOf(m_document.workpiece(), m_spacing);
+  const LatheRun run(lathe, m_tools, part.profile, LatheMachine::initialState(lathe, m_document.workpiece().stock));
+  m_display = std::make_shared<const LatheDisplay>(lathe, m_tools, run.gripped(), base());
 }
 
 std::optional<Vec3> ManualLatheTool::placeOf(const PointerEvent& event) const {
@@ -212,7 +237,7 @@ ToolReply ManualLatheTool::press(const PointerEvent& event) {
 ToolReply ManualLatheTool::release(bool isDevice) {
   if (isDevice && m_gesture.isOn()) {  // the gesture ends with its simulation
     if (!endPass(true)) {
-      keep(*moment());
+      endSimulation();
       m_gesture.restart();
     }
     return ToolReply::Used;
@@ -243,60 +268,6 @@ ToolReply ManualLatheTool::pointer(const PointerEvent& event) {
   }
 }
 
-std::span<const ToolKey> ManualLatheTool::keys() {
-  static const ToolKey kKeys[] = {
-      {"carriage-left", "Left", QT_TRANSLATE_NOOP("Tool", "carriage to the chuck")},
-      {"carriage-right", "Right", QT_TRANSLATE_NOOP("Tool", "carriage away")},
-      {"carriage-far-left", "Shift+Left", QT_TRANSLATE_NOOP("Tool", "carriage by ten divisions to the chuck")},
-      {"carriage-far-right", "Shift+Right", QT_TRANSLATE_NOOP("Tool", "carriage by ten divisions away")},
-      {"cross-in", "Up", QT_TRANSLATE_NOOP("Tool", "cross slide in")},
-      {"cross-out", "Down", QT_TRANSLATE_NOOP("Tool", "cross slide out")},
-      {"cross-far-in", "Shift+Up", QT_TRANSLATE_NOOP("Tool", "cross slide by ten divisions in")},
-      {"cross-far-out", "Shift+Down", QT_TRANSLATE_NOOP("Tool", "cross slide by ten divisions out")},
-      {"compound-in", "PgUp", QT_TRANSLATE_NOOP("Tool", "compound slide in")},
-      {"compound-out", "PgDown", QT_TRANSLATE_NOOP("Tool", "compound slide out")},
-      {"spindle", "Space", QT_TRANSLATE_NOOP("Tool", "start or stop the spindle")},
-      {"next-tool", "Shift+T", QT_TRANSLATE_NOOP("Tool", "turn the tool post")},
-      {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "stop the lathe")}};
-  return kKeys;
-}
-
-ToolReply ManualLatheTool::perform(std::string_view action) {
-  const auto now = moment();
-  for (const WheelKey& key : kWheelKeys) {
-    if (action != key.action) continue;
-    turn(key.axis, key.divisions);
-    return ToolReply::Used;
-  }
-  if (action == "spindle") {
-    command({LatheKind::Spindle, LatheAxis::Carriage, now->machine.direction == 0 ? 1.0 : 0.0});
-    return ToolReply::Used;
-  }
-  if (action == "next-tool") {
-    const std::size_t count = setup().stations.size();
-    command({LatheKind::Tool, LatheAxis::Carriage, static_cast<double>((now->machine.tool + 1) % count)});
-    return ToolReply::Used;
-  }
-  if (action != "revert") return ToolReply::Ignored;
-  for (const LatheCommand& stop : {LatheCommand{LatheKind::Spindle}, LatheCommand{LatheKind::Feed},
-                                   LatheCommand{LatheKind::HalfNut}, LatheCommand{LatheKind::Release}})
-    command(stop);
-  m_isDragging = false;
-  endPass(true);
-  return ToolReply::Used;
-}
-
-std::vector<ToolAction> ManualLatheTool::actions() const {
-  std::vector<ToolAction> all{{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the tool")}};
-  for (const char* const action : {"spindle", "next-tool"}) all.push_back(actionOf(keys(), action));
-  all.push_back(actionOf(keys(), "revert", isLive()));
-  for (const WheelKey& key : kWheelKeys) {  // the panel has their wheels
-    all.push_back(actionOf(keys(), key.action, true, key.hint));
-    all.back().isKeyOnly = true;
-  }
-  return all;
-}
-
 bool ManualLatheTool::isLive() const {
   const auto now = moment();
   const LatheState& machine = now->machine;
@@ -310,10 +281,15 @@ ToolPreview ManualLatheTool::preview() const {
   ToolPreview preview;
   const auto now = moment();
   auto shown = std::make_shared<DisplayModel>(displayOf(now->surface, base()));
+  showFinish(*shown, now->profile, now->finish);
   const std::vector<DisplayPart> lathe = m_display->parts(now->machine.turns, now->tip, now->tool.get(), now->quillTip);
   shown->parts.insert(shown->parts.end(), lathe.begin(), lathe.end());
   preview.replaced = std::move(shown);
   if (now->tool) preview.lines = m_display->outline(*now->tool, now->tip);
+  if (m_showsChips) {
+    for (auto& curl : chipCurl(now->load, {now->tip.x(), 0.0, now->tip.y() + base()}, now->machine.turns))
+      preview.lines.push_back(std::move(curl));
+  }
   const ProfilePoint read = readout();
   preview.label = ToolLabel{Vec3(now->tip.x(), 0.0, now->tip.y() + base()),
                             {{setup().showsDiameter ? "⌀" : "R", read.x()}, {"Z", read.y()}}};

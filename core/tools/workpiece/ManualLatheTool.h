@@ -5,15 +5,18 @@
 #include "document/workpiece/LatheDisplay.h"
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "machining/lathe/LatheMounting.h"
 #include "simulation/SimulatedGesture.h"
 #include "simulation/turning/LatheSimulation.h"
 #include "tools/ToolKey.h"
+#include "tools/workpiece/LathePlaces.h"
 
 namespace handwheel {
 
 // Tool that works a part on a manual lathe. Keys and commands turn the handwheels and work the levers; the mouse drags
 // the tool in the plane through the axis, a haptic device holds it. What is cut until the tool has been clear for
-// kIdle is one undo step. A crash stops the lathe and is listed.
+// kIdle is one undo step; undo stops the lathe and takes its tool back, too. A crash stops the lathe, is listed, and
+// recorded in the part that is cut next.
 class ManualLatheTool : public Tool {
  public:
   static constexpr double kRate = 500.0;  // steps of the simulation a second
@@ -40,10 +43,19 @@ class ManualLatheTool : public Tool {
   // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
   ProfilePoint readout() const;
 
+  // The roughness Ra of the part where the tip is, µm; none: it is not known, or there is no part. Of a file, paper or
+  // disk: at the middle of its width.
+  std::optional<double> roughnessHere() const;
+
   // Works a lever or a wheel.
   void command(const LatheCommand& command);
+  // Ends the power traverse that an action began, as when its key is released.
+  void stopRapids();
   // Touches off: the read-out shows this value for the tool in use, X as diameter or radius; one undo step.
   void touchOff(bool isX, double value);
+  // Mounts a tool on a side of the post, or a drill in the tailstock; an empty id takes the tool off. One undo step.
+  // Returns why it was not done.
+  std::optional<MountRefusal> mount(std::size_t station, const std::string& id);
   // Sets the lathe up anew; one undo step. False: such a setup is impossible, and nothing was changed.
   bool setUp(const LatheSetup& setup, const QString& text);
   // Ends the pass if the tool has been clear for kIdle, or at once. Returns whether there was one. To be called now and
@@ -54,6 +66,7 @@ class ManualLatheTool : public Tool {
   std::string id() const override { return "lathe"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;
+  ToolReply undo() override;
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   bool isLive() const override;
@@ -67,10 +80,13 @@ class ManualLatheTool : public Tool {
   std::unique_ptr<Simulation> simulation() const;
   void renewMaterial();
   void turn(LatheAxis axis, double divisions);
+  void stop();
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release(bool isDevice);
-  void keep(const LatheMoment& moment);
+  std::unique_ptr<LatheSimulation> endSimulation();
+  std::shared_ptr<const std::vector<LatheCollision>> recordedCrashes() const;
+  void showLathe(const LatheSetup& setup);
 
   WorkpieceDocument& m_document;
   double m_spacing;
@@ -79,11 +95,16 @@ class ManualLatheTool : public Tool {
   std::string m_materialName;  // as the document says it, of m_material
   std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
-  std::optional<LatheState> m_machine;       // with which the next simulation begins; none: at the beginning
-  std::vector<LatheCollision> m_collisions;  // of simulations before
-  std::vector<LatheWarning> m_warnings;      // likewise
+  std::shared_ptr<const TurnedPart> m_part;  // of the document; null: nothing was cut yet
+  LathePlaces m_places;
+  std::optional<LatheState> m_machine;  // with which the next simulation begins; none: at the beginning
+  std::shared_ptr<const std::vector<LatheCollision>> m_crashesBefore;  // of the part when the tool began; may be null
+  std::vector<LatheCollision> m_collisions;                            // of simulations before
+  std::vector<LatheWarning> m_warnings;                                // likewise
   bool m_isCommitting = false;
-  bool m_isDragging = false;   // by the mouse
+  bool m_isDragging = false;  // by the mouse
+  bool m_isRapid = false;     // an action began a power traverse
+  bool m_showsChips = true;
   Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip, in its drag
   std::shared_ptr<const LatheDisplay> m_display;
   std::shared_ptr<const LatheSetup> m_displayed;  // the setup that m_display is of

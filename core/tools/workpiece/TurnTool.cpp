@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/workpiece/TurnTool.h"
 
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "machining/finish/FinishMeter.h"
 #include "tools/ToolProperty.h"
 
 #include <QCoreApplication>
@@ -155,10 +157,14 @@ ToolReply TurnTool::release() {
   }
   TurnedPart before = partOf(m_document.workpiece(), m_start.spacing);
   const double removed = before.profile.volume() - cut->profile.volume();
+  TurningPass pass = static_cast<const TurningSimulation&>(*ended).pass();
+  pass.speeds.assign(pass.path.size(), latheOf(m_document.workpiece()).spindle.speed);
+  FinishMeter meter(before.profile, before.finish);
+  handwheel::cut(before.profile, pass, static_cast<std::uint32_t>(before.passes.size()), meter);
   auto passes = std::move(before.passes);
-  passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
-  auto turned =
-      std::make_shared<const TurnedPart>(TurnedPart{cut->profile, cut->surface, std::move(passes), before.crashes});
+  passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  auto turned = std::make_shared<const TurnedPart>(
+      TurnedPart{cut->profile, cut->surface, std::move(passes), before.crashes, meter.finish()});
   const QString text = passText(*turned, removed);
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;
@@ -200,7 +206,9 @@ ToolPreview TurnTool::preview() const {
   if (m_place) preview.lines.push_back(noseOutline(*m_place, m_tool.noseRadius));
   if (const auto now = state(); now != m_shownState) {
     m_shownState = now;
-    m_shown = std::make_shared<const DisplayModel>(displayOf(now->surface, base()));
+    DisplayModel model = displayOf(now->surface, base());
+    if (const auto& part = m_document.workpiece().part) showFinish(model, now->profile, part->finish);
+    m_shown = std::make_shared<const DisplayModel>(std::move(model));
   }
   preview.label = label();
   preview.replaced = m_shown;  // from the start on, so that the blocks are built when the first pass begins

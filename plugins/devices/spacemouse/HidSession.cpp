@@ -9,7 +9,7 @@ namespace handwheel::spacemouse {
 namespace {
 
 constexpr double kReportTime = 0.016;  // s from one report to the next
-constexpr int kMostAtOnce = 16;        // reports that are read before the state is told
+constexpr int kMostAtOnce = 16;        // reports that are read before the state is reported
 constexpr std::uint8_t kLamp = 4;
 
 }  // namespace

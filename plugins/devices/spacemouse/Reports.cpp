@@ -65,7 +65,7 @@ void Reports::takeBitmap(std::span<const std::uint8_t> bitmap) {
 }
 
 // The numbers of the buttons that are held. 0 is an empty place; whether the menu button, number 0 in the bitmap, can
-// be told from it is not known.
+// be read from it is not known.
 void Reports::takeNumbers(std::span<const std::uint8_t> numbers) {
   m_buttons = 0;
   for (std::size_t at = 0; at + 1 < numbers.size(); at += 2) {

@@ -111,7 +111,7 @@ void ServiceTest::removedServiceStops() {
   QCOMPARE(r.calls, std::string("+-+"));
 }
 
-// A scene that declares one need: from the counters it can be told that nothing else ever ran.
+// A scene that declares one need: from the counters it can be seen that nothing else ever ran.
 void ServiceTest::onlyWhatIsNeededTicks() {
   Service contact("contact"), physics("physics");
   ServiceRegistry needs;

@@ -15,7 +15,7 @@ using namespace handwheel;
 using namespace handwheel::test;
 
 // A child edits, autosaves and saves; it is killed at a random moment; what is on the disk is judged by what it had
-// told. HANDWHEEL_CRASHES: how often.
+// reported. HANDWHEEL_CRASHES: how often.
 
 namespace {
 
@@ -101,7 +101,7 @@ struct Tally {
 
 // What the events say of the moment of the crash.
 struct Story {
-  std::int64_t saved = 0;     // edits in the last save that was told to be done
+  std::int64_t saved = 0;     // edits in the last save that was reported as done
   std::int64_t saving = -1;   // in one that was under way
   std::int64_t stored = -1;   // in the last autosave that was done, when no later save made it void
   std::int64_t storing = -1;  // in one that was under way
@@ -193,7 +193,7 @@ class CrashTest : public QObject {
       QVERIFY2(!QTest::currentTestFailed(), qPrintable(QString("crash %1").arg(i)));
       QVERIFY(OrphanedAutosaves(root.toStdString()).found().empty());
     }
-    // How promptly is told, not judged: the machine may be busy.
+    // How promptly is printed, not judged: the machine may be busy.
     qInfo(
         "%d crashes, %d while saving, %d while autosaving; %d recovered; longest loss %.1f ms, longest autosave %.1f "
         "ms, "

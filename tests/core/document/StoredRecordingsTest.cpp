@@ -202,7 +202,7 @@ class StoredRecordingsTest : public QObject {
     }));
   }
 
-  // A foreign file has no place for them, and the user is told.
+  // A foreign file has no place for them, and the user is informed.
   void aForeignFileLacksThem() {
     Bench bench;
     const std::filesystem::path stl = bench.folder.filePath("part.stl").toStdString();

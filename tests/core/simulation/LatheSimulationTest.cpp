@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "haptics/scene/SceneForces.h"
+#include "machining/finish/FinishMeter.h"
 #include "machining/force/TrainedForceModel.h"
 #include "machining/lathe/LatheJson.h"
 #include "simulation/SimulationLoop.h"
@@ -22,6 +23,7 @@ using LatheDo = LatheCommand::Kind;
 
 constexpr StockCylinder kRod{40.0, 100.0, 0.0};
 constexpr double kLower = 7.0, kServoTick = 0.001;
+constexpr std::size_t kPassesBefore = 3;
 
 // A law with numbers that a test can calculate with.
 class PlainLaw : public CuttingForceModel {
@@ -48,13 +50,14 @@ struct LatheBench {
   LatheSetup setup = defaultLatheSetup(kRod);
   LatheTools tools = shippedLatheTools();
   std::shared_ptr<const LatheMaterial> material = materialWith(PlainLaw());
+  std::shared_ptr<const PartThreads> threads;
   SimulationLoop loop{make(), 1000.0, channel->inputs, clock, service};
 
   std::unique_ptr<Simulation> make() {
     for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
     return std::make_unique<LatheSimulation>(
-        LatheRun(setup, tools, rod, LatheMachine::initialState(setup, kRod), material), TurnedSurface(rod, 0.05),
-        kLower, channel);
+        LatheRun(setup, tools, rod, LatheMachine::initialState(setup, kRod), material),
+        TurnedSurface(rod, 0.05, threads), kLower, channel, SurfaceFinish(rod.size()), kPassesBefore);
   }
   void send(LatheDo kind, double value, double other = 0.0, LatheAxis axis = LatheAxis::Carriage) {
     channel->commands.push({kind, axis, value, other});
@@ -110,6 +113,57 @@ class LatheSimulationTest : public QObject {
     QVERIFY(again.machine().state() == lathe.run().machine().state());
     // The volume that was counted is that of the parts.
     QVERIFY(std::abs((bench.rod.volume() - last.profile.volume()) / last.removed - 1.0) < 0.005);
+  }
+
+  // The feed of the lever and the nose of the tool in the post, then paper on a part of it; and whoever repeats the
+  // passes finds the same, bit for bit.
+  void theFinishIsKept() {
+    LatheBench bench;
+    LatheSetup setup = bench.setup;
+    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    setup.stations[0].tool = "right-finishing";
+    setup.stations[1].tool = "paper-240";
+    const auto paper = toolNamed(bench.tools, "paper-240");
+    bench.loop.replace(std::make_unique<LatheSimulation>(
+        LatheRun(setup, bench.tools, bench.rod, LatheMachine::initialState(setup, kRod), bench.material),
+        TurnedSurface(bench.rod, 0.05), kLower, bench.channel, SurfaceFinish(bench.rod.size()), kPassesBefore));
+    const auto at = [&](double z) {
+      return bench.moment().finish.at(TurningSide::Outside, static_cast<std::size_t>(std::lround(z / 0.05)));
+    };
+    bench.send(LatheDo::Spindle, 1.0);
+    bench.send(LatheDo::Place, 19.8, 102.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Feed, -0.2);
+    bench.run(20.0);  // to 62 mm
+    const double turned = 1e3 * 0.04 / (32.0 * 0.4);
+    QVERIFY2(std::abs(at(90.0).roughness / turned - 1.0) < 0.02, qPrintable(QString::number(at(90.0).roughness)));
+    QVERIFY(at(90.0).pass == kPassesBefore && std::abs(at(90.0).feed - 0.2) < 0.002);
+    QVERIFY(!at(50.0).isKnown());
+    bench.send(LatheDo::Feed, 0.0);
+    bench.send(LatheDo::Place, 40.0, 130.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Tool, 1.0);
+    bench.send(LatheDo::Place, 20.5, 80.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Place, 19.0, 80.0);
+    bench.run(1.0);
+    const double rubbed = at(80.0).roughness;
+    QVERIFY(rubbed < turned && rubbed > paper->leastRoughness);
+    bench.run(10.0);
+    QVERIFY(std::abs(at(80.0).roughness - paper->leastRoughness) < 1e-6);
+    QVERIFY(std::abs(at(95.0).roughness / turned - 1.0) < 0.02);  // beside it
+
+    const auto taken = bench.loop.take();
+    auto& lathe = static_cast<LatheSimulation&>(*taken);
+    lathe.finish();
+    const auto& last = static_cast<const LatheMoment&>(*lathe.state());
+    QVERIFY(last.collisions->empty());
+    TurnedProfile part = bench.rod;
+    FinishMeter again(part, SurfaceFinish(part.size()));
+    for (std::size_t i = 0; i < lathe.passes().size(); ++i)
+      cut(part, lathe.passes()[i], static_cast<std::uint32_t>(kPassesBefore + i), again);
+    QVERIFY(part == last.profile);
+    QVERIFY(again.finish() == last.finish);
   }
 
   void saysWhatIsCut() {
@@ -192,6 +246,44 @@ class LatheSimulationTest : public QObject {
     QVERIFY(bench.moment().tip.allFinite());
   }
 
+  // What grinds pushes back along the normal, harder the deeper it is pressed, and along the way of the surface while
+  // that turns (He 2008, 5-3, 5-4).
+  void whatGrindsPushesBack() {
+    LatheBench bench;
+    LatheSetup setup = bench.setup;
+    setup.stations[0].tool = "disk-100";
+    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    bench.loop.replace(std::make_unique<LatheSimulation>(
+        LatheRun(setup, bench.tools, bench.rod, LatheMachine::initialState(setup, kRod), nullptr),
+        TurnedSurface(bench.rod, 0.05), kLower, bench.channel));
+    bench.send(LatheDo::Spindle, 1.0);
+    bench.send(LatheDo::Place, 20.5, 60.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Place, 19.9, 60.0);
+    bench.run(0.1);
+    bench.channel->inputs->setDeviceGesture(1);
+    LatheMaterial lawless;
+    lawless.laws.assign(bench.tools.size(), nullptr);
+    LatheForce force(bench.channel, std::make_shared<const LatheMaterial>(lawless), {}, kLower);
+    TipState tip;
+    tip.isRestart = false;
+    tip.buttons = 1u;
+    const auto felt = [&] {
+      const LathePatch patch = bench.channel->patch.read();
+      tip.position = Vec3(patch.tip.x(), 0.0, patch.tip.y() + kLower);
+      ForceOut out;
+      force.advance(tip, out);
+      return out.isContact ? force.force(tip, 1.0, 1.0) : Vec3(Vec3::Zero());
+    };
+    const Vec3 deep = felt();
+    QVERIFY(deep.x() > 0.0 && deep.y() > 0.0 && std::abs(deep.z()) < 1e-9);
+    const LatheLoad& load = bench.moment().load;
+    QVERIFY(std::abs(load.forces.cutting - 0.4 * load.forces.radial) < 1e-9 && load.forces.radial > 1.0);
+    QVERIFY(load.torque > 0.0 && load.power > 0.0);
+    bench.run(5.0);  // ground away: less and less is left under it
+    QVERIFY(felt().x() < 0.5 * deep.x());
+  }
+
   // A free slide resists by friction and drag, against the hand; the work plane has none.
   void slidesResist() {
     LatheBench bench;
@@ -216,6 +308,56 @@ class LatheSimulationTest : public QObject {
       QVERIFY(std::abs(expected) <= bounds.damping * std::abs(speed) + 1e-12);
       QCOMPARE(force.force(tip, 1.0, 0.0).z(), 0.0);
     }
+  }
+
+  // A finger that slides over a part at rest feels the crests of its thread, and nothing over its grooves, along the
+  // helix; and never more than the envelope pushes it. Of a part that turns it feels the envelope.
+  void threadsAreFelt() {
+    constexpr double kPitch = 2.5, kIn = 0.1;  // mm: so deep is the finger in the envelope
+    LatheBench bench;
+    TurningPass pass;
+    pass.noseRadius = isoMetricNose(kPitch);
+    pass.thread = ThreadCut{.pitch = kPitch};
+    const double r = 20.0 - isoMetricDepth(kPitch) + pass.noseRadius;
+    pass.path = {{r, 90.0}, {r, 30.0}};
+    pass.times = {0.0, 10.0};
+    bench.threads = PartThreads::with(nullptr, pass);
+    bench.loop.replace(bench.make());
+    LatheTouch touch;
+    touch.plane = 0.0;
+    LatheForce force(bench.channel, bench.material, touch, kLower);
+    TipState tip;
+    const auto feel = [&](double distance, double angle, double z) {
+      tip.position = Vec3(distance * std::cos(angle), distance * std::sin(angle), z + kLower);
+      Vec3 felt = Vec3::Zero();
+      for (int i = 0; i < 2; ++i) {  // what the hand feels is what the simulation knew in the tick before
+        ForceOut out;
+        force.advance(tip, out);
+        felt = force.force(tip, 1.0, 1.0);
+        tip.isRestart = false;
+        tip.time += kServoTick;
+        bench.loop.runSteps(1);
+      }
+      return felt;
+    };
+    const double at = 20.0 + LatheSimulation::kFinger - kIn, full = touch.stiffness * kIn;
+    QCOMPARE(feel(at + 5.0, 0.0, 60.0).norm(), 0.0);
+    constexpr double kGroove = 24 * kPitch, kCrest = kGroove + 0.5 * kPitch, kFifth = 0.4 * M_PI;
+    QCOMPARE(feel(at, 0.0, kGroove).norm(), 0.0);
+    QVERIFY((feel(at, 0.0, kCrest) - Vec3(full, 0.0, 0.0)).norm() < 1e-9);
+    QCOMPARE(feel(at, kFifth, kGroove + 0.2 * kPitch).norm(), 0.0);
+    const Vec3 outward(std::cos(kFifth), std::sin(kFifth), 0.0);
+    QVERIFY((feel(at, kFifth, kCrest + 0.2 * kPitch) - full * outward).norm() < 1e-9);
+    double before = feel(at, 0.0, 55.0).x();
+    for (double z = 55.0; z < 65.0; z += 0.01) {
+      const double now = feel(at, 0.0, z).x();
+      QVERIFY(now >= 0.0 && now <= full + 1e-9);
+      QVERIFY(std::abs(now - before) <= touch.stiffness * std::sqrt(3.0) * bench.rod.spacing());  // flanks of 60°
+      before = now;
+    }
+    bench.send(LatheDo::Spindle, 1.0);
+    bench.run(1.0);
+    QVERIFY((feel(at, 0.0, kGroove) - Vec3(full, 0.0, 0.0)).norm() < 1e-9);
   }
 
   // The bar of the tick with the network that ships: 20 µs, here with room for a slow machine.

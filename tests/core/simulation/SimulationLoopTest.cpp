@@ -6,6 +6,7 @@
 #include "TestClass.h"
 
 #include <QtTest>
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <string>
@@ -71,6 +72,21 @@ class Failing : public Summing {
 
  private:
   int m_steps = 0;
+};
+
+// Its sum is the number of inputs that act.
+class Acting : public Simulation {
+ public:
+  void step(double, std::span<const SimulationInput> inputs) override {
+    auto next = std::make_shared<Sum>(*m_state);
+    for (const SimulationInput& input : inputs) next->sum += input.gesture != 0 ? 1.0 : 0.0;
+    next->inputs += inputs.size();
+    m_state = std::move(next);
+  }
+  std::shared_ptr<const SimulationState> state() const override { return m_state; }
+
+ private:
+  std::shared_ptr<const Sum> m_state = std::make_shared<const Sum>();
 };
 
 SimulationInput at(double x) {
@@ -195,8 +211,8 @@ class SimulationLoopTest : public QObject {
     QCOMPARE(service.counters().dropped, 5u);
   }
 
-  // The hand acts while the button is held, once the window has told a gesture; each gesture ends for good with the
-  // button.
+  // The hand acts while the button is held, once the window has announced a gesture; each gesture ends for good with
+  // the button.
   void aGestureIsOfOneButtonPress() {
     SimulationInputs inputs(4);
     using Gestures = std::vector<std::uint32_t>;
@@ -236,6 +252,30 @@ class SimulationLoopTest : public QObject {
     QCOMPARE(seen, (std::vector<std::uint32_t>{0, 0, 2}));
   }
 
+  // A gesture begins at any moment of a step: its first input acts.
+  void aGestureThatBeginsDuringAStepActs() {
+    constexpr std::uint32_t kGestures = 1'000;
+    VirtualClock clock;
+    Service service("simulation");
+    const auto inputs = std::make_shared<SimulationInputs>(8);
+    SimulationLoop loop(std::make_unique<Acting>(), 100.0, inputs, clock, service);
+    std::atomic<bool> isDone = false;
+    std::thread steps([&] {
+      while (!isDone) loop.runSteps(1);
+    });
+    const auto arrived = [&loop] { return sumOf(loop.state()).inputs; };
+    for (std::uint32_t gesture = 1; gesture <= kGestures; ++gesture) {
+      loop.setGesture(gesture);
+      SimulationInput input = at(1.0);
+      input.gesture = gesture;
+      inputs->pushFromWindow(input);
+      while (arrived() < gesture) std::this_thread::yield();
+    }
+    isDone = true;
+    steps.join();
+    QCOMPARE(sumOf(loop.state()).sum, static_cast<double>(kGestures));
+  }
+
   // A simulation is exchanged while the thread runs, and its steps are late all the time: nobody starves.
   void isExchangedWhileItRuns() {
     MonotonicClock clock;
@@ -253,7 +293,7 @@ class SimulationLoopTest : public QObject {
     }
   }
 
-  // A step that throws ends the simulation, not the program; the owner is told.
+  // A step that throws ends the simulation, not the program; the owner is informed.
   void aStepThatThrows() {
     MonotonicClock clock;
     Service service("simulation");

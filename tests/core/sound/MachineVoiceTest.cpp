@@ -235,7 +235,7 @@ void MachineVoiceTest::lowSampleRates() {
   QCOMPARE(MachineVoice(1e9).sampleRate(), MachineVoice::kLargestRate);
 }
 
-// Each crash is heard once, however often it is told, and rings out; those before the voice began are not.
+// Each crash is heard once, however often it is reported, and rings out; those before the voice began are not.
 void MachineVoiceTest::aCrashIsABlow() {
   const auto level = [](const std::vector<double>& samples) {
     double sum = 0.0;

@@ -45,7 +45,7 @@ void edit(MeshDocument& document, Face f) {
   document.commit("Edit", inspected(mesh));
 }
 
-// Notes what it is told, and does what the test wants.
+// Notes what it receives, and does what the test wants.
 class Probe : public Tool {
  public:
   struct Notes {

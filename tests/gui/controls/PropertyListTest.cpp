@@ -29,7 +29,7 @@ struct Edit {
   bool operator==(const Edit&) const = default;
 };
 
-// A list in a window that writes down what it is told.
+// A list in a window that writes down what it receives.
 struct PropertyListBench {
   PropertyListBench() {
     list.setProperties(sampleProperties());
@@ -67,6 +67,7 @@ class PropertyListTest : public QObject {
 
  private slots:
   void editsOfEachKind();
+  void numbersInTexts();
   void sliderDrags();
   void valuesChangeInPlace();
   void rowsSurviveAChangeOfTheSet();
@@ -96,6 +97,24 @@ void PropertyListTest::editsOfEachKind() {
                                             {"coolant", false, false},
                                             {"note", std::string("first try!"), false},
                                             {"material", 2.0, false}}));
+}
+
+// A text of numbers is shown and typed with the decimal separator of the user, and told with points.
+void PropertyListTest::numbersInTexts() {
+  PropertyListBench bench;
+  bench.list.setLocale(QLocale(QLocale::German));
+  std::vector<Property> properties = sampleProperties();
+  named(properties, "note").value = std::string("±0.05");
+  named(properties, "note").isNumbers = true;
+  bench.list.setProperties(properties);
+  auto* note = bench.find<QLineEdit>("note", "propertyText");
+  QCOMPARE(note->text(), QString("±0,05"));
+  note->setFocus();
+  for (const char* typed : {"0,25", "0.25"}) {
+    note->selectAll();
+    QTest::keyClicks(note, QLatin1String(typed) + "\r");
+    QVERIFY(!bench.edits.empty() && bench.edits.back() == (Edit{"note", std::string("0.25"), false}));
+  }
 }
 
 void PropertyListTest::sliderDrags() {

@@ -24,6 +24,7 @@ class QuantityTextTest : public QObject {
   void numbersAsShort();
   void numbersAreNearEnoughAndNoLonger();
   void quantities();
+  void numbersInTexts();
 };
 
 void QuantityTextTest::numbersAsShort_data() {
@@ -71,6 +72,17 @@ void QuantityTextTest::numbersAreNearEnoughAndNoLonger() {
     }
     RC_ASSERT(numberText(value, kQuantityTextGerman) == QString(text).replace('.', ','));
   }));
+}
+
+// What a German types for limits and tolerances; a point is taken alike, and files have points.
+void QuantityTextTest::numbersInTexts() {
+  QCOMPARE(withLocalNumbers("±0.05", kQuantityTextGerman), QString("±0,05"));
+  QCOMPARE(withLocalNumbers("1.5; 2; -0.25", kQuantityTextGerman), QString("1,5; 2; -0,25"));
+  QCOMPARE(withLocalNumbers("h10", kQuantityTextGerman), QString("h10"));
+  for (const char* typed : {"±0,05", "±0.05"}) QCOMPARE(withPoints(typed, kQuantityTextGerman), QString("±0.05"));
+  QCOMPARE(withPoints("1,5; 2,25;,5", kQuantityTextGerman), QString("1.5; 2.25;.5"));
+  QCOMPARE(withPoints("35,95", QLocale::c()), QString("35.95"));  // as in all other fields
+  QCOMPARE(withLocalNumbers("1.5", QLocale::c()), QString("1.5"));
 }
 
 void QuantityTextTest::quantities() {

@@ -91,13 +91,13 @@ class ErrorTextTest : public QObject {
     report.cutClusters = 3;
     const QStringList summary = repairSummary(report);
     QCOMPARE(summary.size(), 11);
-    report.sheets = {1, {}, {0.01, 0.05}};
+    report.sheets = {1, {}, {}, {0.01, 0.05}};
     QVERIFY(repairSummary(report).contains("sheets thickened by 0.0100 to 0.0500 mm"));
     report.sheets.thickness = {0.01, 0.05, 200, 30};
     QVERIFY(repairSummary(report).contains(
         "sheets thickened by 0.0100 to 0.0500 mm, thinner than requested at 30 of 200 vertices"));
     report.sheets.thickness = {0.5, 0.5};
-    QCOMPARE(sheetsText({3, {{FillFailure::SheetTooThin, 1}}, {0.5, 0.5}}, LengthUnit::Millimetre),
+    QCOMPARE(sheetsText({3, {{FillFailure::SheetTooThin, 1}}, {}, {0.5, 0.5}}, LengthUnit::Millimetre),
              QString("3 of 4 thickened by 0.500 mm; 1 sheet left open: the numbers of the file cannot show such a "
                      "thickness"));
     QVERIFY(repairSummary(report, LengthUnit::Centimetre).contains("sheets thickened by 0.0500 cm"));

@@ -226,8 +226,8 @@ class FidelityWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("frameUse").contains("of 16.7 ms"), kPatienceMs);
     QTest::qWait(1000);  // the text is made twice a second
     const auto [least, most] = std::minmax_element(frames.begin(), frames.end());
-    const double told = driver.text("frameUse").section(": ", 1).section(' ', 0, 0).toDouble();
-    QVERIFY(told >= *least - 0.05 && told <= *most + 0.05 && told > 0.0);
+    const double shown = driver.text("frameUse").section(": ", 1).section(' ', 0, 0).toDouble();
+    QVERIFY(shown >= *least - 0.05 && shown <= *most + 0.05 && shown > 0.0);
     const auto& choice = *driver.window().findChild<FidelityChoice*>();
     const auto tellsPrediction = [&] {
       double sum = 0.0;

@@ -13,7 +13,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What a file of another program cannot hold of a document is told when it is saved.
+// What a file of another program cannot hold of a document is reported when it is saved.
 class IncompleteSaveTest : public QObject {
   Q_OBJECT
 

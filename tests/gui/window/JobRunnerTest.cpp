@@ -57,7 +57,7 @@ class JobRunnerTest : public QObject {
     QVERIFY(!delivered);
   }
 
-  // One job of several: the others go on. What runs and what waits is told.
+  // One job of several: the others go on. What runs and what waits is listed.
   void jobsAreCancelledOneByOne() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Queue, pool);

@@ -96,17 +96,17 @@ class JobsWindowTest : public QObject {
   // Each job is in the list, and can be cancelled there. Nobody has to read the log to know what was not saved.
   void aCancelledSaveIsTold() {
     WindowDriver driver;
-    const QString path = openHalfRepaired(driver, "told.stl");
+    const QString path = openHalfRepaired(driver, "list.stl");
     driver.hold();
     driver.choose("repairAll");
     driver.choose("saveFile");
     driver.click("jobMore");
     QCOMPARE(shownJobs(driver).size(), 2);
-    QVERIFY2(shownJobs(driver)[1].contains("told.stl"), qPrintable(shownJobs(driver).join('\n')));
+    QVERIFY2(shownJobs(driver)[1].contains("list.stl"), qPrintable(shownJobs(driver).join('\n')));
     driver.click("jobCancel/1");
     driver.release();
     QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
-    QVERIFY2(driver.text("messageText").contains("told.stl"), qPrintable(driver.text("messageText")));
+    QVERIFY2(driver.text("messageText").contains("list.stl"), qPrintable(driver.text("messageText")));
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);  // the repair went on
     QVERIFY(driver.settle());
     QVERIFY(driver.window().isWindowModified());

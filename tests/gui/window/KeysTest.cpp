@@ -153,7 +153,7 @@ class KeysTest : public QObject {
     auto* page = driver.find<QWidget>("keysPage");
     QVERIFY(page->findChild<QLabel*>()->text().contains("Ctrl+F5"));
     page->close();
-    QVERIFY(driver.open(fileWithHoles("told.stl")));
+    QVERIFY(driver.open(fileWithHoles("list.stl")));
     driver.find<QAction>("closeDocument")->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_F6));
     QVERIFY(driver.find<QToolButton>("closeTab")->toolTip().contains("Ctrl+F6"));
     QVERIFY(driver.settle());

@@ -100,7 +100,7 @@ class RepairFlowTest : public QObject {
     driver.click("repairAllButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
     QVERIFY(driver.settle());
-    QVERIFY2(driver.text("nextStepDetail").startsWith("3 of 3 holes closed."),
+    QVERIFY2(driver.text("nextStepDetail").startsWith("3 of 3 holes filled."),
              qPrintable(driver.text("nextStepDetail")));
     const auto before = [&](DefectKind kind) {
       return driver.defects().groupIndex(kind).data(DefectModel::BeforeRole).toInt();
@@ -257,6 +257,56 @@ class RepairFlowTest : public QObject {
     QCOMPARE(driver.count(DefectKind::InsideOut), 1);
     driver.click("nextStep/repairAll");
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
+  }
+
+  // In the numbers of an STL file, the lower side of the small box lies on the upper side of the large one.
+  void afterSavingTheStateIsThatOfTheFile() {
+    const QString path = m_folder.filePath("near.obj");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    int first = 1;
+    for (const auto& [low, high] : {std::pair<Vec3, Vec3>{{0, 0, 0}, {1000, 1000, 1000}},
+                                    std::pair<Vec3, Vec3>{{400, 400, 1000.000001}, {500, 500, 1010}}}) {
+      for (int corner = 0; corner < 8; ++corner) {
+        const double x = corner & 1 ? high.x() : low.x(), y = corner & 2 ? high.y() : low.y(),
+                     z = corner & 4 ? high.z() : low.z();
+        file.write(QStringLiteral("v %1 %2 %3\n").arg(x, 0, 'g', 17).arg(y, 0, 'g', 17).arg(z, 0, 'g', 17).toLatin1());
+      }
+      for (const auto& side : {std::array{1, 3, 4, 2}, std::array{5, 6, 8, 7}, std::array{1, 2, 6, 5},
+                               std::array{3, 7, 8, 4}, std::array{1, 5, 7, 3}, std::array{2, 4, 8, 6}}) {
+        const auto at = [&](std::size_t i) { return side[i] + first - 1; };
+        file.write(QStringLiteral("f %1 %2 %3\nf %1 %3 %4\n").arg(at(0)).arg(at(1)).arg(at(2)).arg(at(3)).toLatin1());
+      }
+      first += 8;
+    }
+    file.close();
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("near.stl")));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().windowTitle().startsWith("near.stl"), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Self-intersecting", kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
+    QVERIFY(driver.find<QAbstractButton>("nextStep/resolveIntersections")->isEnabled());
+  }
+
+  // What stands out may be pressed by habit.
+  void noButtonThatStandsOutDeletes() {
+    std::vector<Corners> triangles = quadTorus(48, 24, {});
+    const Corner a{100, 0, 0}, b{101, 0, 0}, c{100, 1, 0}, d{100, 0, 1};
+    for (const Corners& flake : {Corners{a, c, b}, Corners{a, b, d}, Corners{a, d, c}, Corners{b, c, d}})
+      triangles.push_back(flake);
+    const QString path = m_folder.filePath("flake.stl");
+    writeStl(path, triangles);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Debris), 1);
+    QVERIFY(driver.find<QAbstractButton>("nextStep/removeDebris")->isEnabled());
+    QVERIFY(!driver.find<QAbstractButton>("nextStep/removeDebris")->property("primary").toBool());
   }
 
   void aDismissedCardStaysAway() {

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairJobs.h"
 
+#include "HoleShapes.h"
 #include "MeshDocuments.h"
-#include "MeshShapes.h"
 #include "WindowTestMain.h"
 #include "mesh/defects/Defects.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "panels/defects/RepairAccount.h"
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/HoleFixes.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/kinds/KindUi.h"
@@ -47,7 +48,7 @@ class RepairJobsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What, why, and what to do; the document is as it was. Nobody is told of what he cancelled himself.
+  // What, why, and what to do; the document is as it was. Nobody hears of a job that he cancelled himself.
   void aFailureIsTold() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Queue, pool);
@@ -56,8 +57,8 @@ class RepairJobsTest : public QObject {
     FidelityChoice fidelity;
     HiddenUi ui;
     RepairJobs jobs(tabs, runner, log, fidelity);
-    QList<Message> told;
-    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
+    QList<Message> messages;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { messages << message; });
     tabs.add(ui.open(test::meshDocument(test::icosphere(1))));
     auto* document = static_cast<MeshTab*>(tabs.current());
     const auto fail = [&](const char* text, std::function<void()> raise) {
@@ -65,14 +66,14 @@ class RepairJobsTest : public QObject {
       QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     };
     fail("Swell", [] { throw std::bad_alloc(); });
-    QCOMPARE(told.size(), 1);
-    QCOMPARE(told[0].weight, Message::Weight::Error);
-    QVERIFY2(told[0].title.contains("Swell"), qPrintable(told[0].title));
-    QVERIFY2(told[0].detail.contains("memory"), qPrintable(told[0].detail));
-    QVERIFY2(told[0].advice.contains("as it was before"), qPrintable(told[0].advice));
+    QCOMPARE(messages.size(), 1);
+    QCOMPARE(messages[0].weight, Message::Weight::Error);
+    QVERIFY2(messages[0].title.contains("Swell"), qPrintable(messages[0].title));
+    QVERIFY2(messages[0].detail.contains("memory"), qPrintable(messages[0].detail));
+    QVERIFY2(messages[0].advice.contains("as it was before"), qPrintable(messages[0].advice));
     fail("Shrink", [] { throw std::logic_error("a mishap"); });
-    QCOMPARE(told.size(), 2);
-    QVERIFY2(told[1].detail.contains("a mishap"), qPrintable(told[1].detail));
+    QCOMPARE(messages.size(), 2);
+    QVERIFY2(messages[1].detail.contains("a mishap"), qPrintable(messages[1].detail));
     QVERIFY(!document->document.isModified());
 
     jobs.change(document, {"Wait", [](HalfEdgeMesh&, Progress progress) {
@@ -80,7 +81,7 @@ class RepairJobsTest : public QObject {
                            }});
     runner.cancelAll();
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QCOMPARE(told.size(), 2);
+    QCOMPARE(messages.size(), 2);
   }
 
   // Message, log and list have the same figures of a fix, and log and list those of a repair.
@@ -92,10 +93,10 @@ class RepairJobsTest : public QObject {
     FidelityChoice fidelity;
     HiddenUi ui;
     RepairJobs jobs(tabs, runner, log, fidelity);
-    QList<Message> told;
-    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
+    QList<Message> messages;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { messages << message; });
     TriangleSoup soup = test::cube();
-    test::append(soup, test::cube(1.0, {0.41, 0.27, 0.33}));
+    test::append(soup, test::cube(1.0, {0.40625, 0.28125, 0.34375}));
     soup.triangles.pop_back();
     tabs.add(ui.open(test::meshDocument(soup)));
     auto* document = static_cast<MeshTab*>(tabs.current());
@@ -109,14 +110,14 @@ class RepairJobsTest : public QObject {
       return false;
     };
 
-    jobs.change(document, intersectionFix(NumberType::Float64, *pairs));
+    jobs.change(document, intersectionFix(document->document.fileNumbers(), *pairs));
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(inspection.count(DefectKind::SelfIntersection), std::size_t{0});
     QCOMPARE(*inspection.countBefore(DefectKind::SelfIntersection), pairs->size());
     const QString account = repairAccount(inspection).join(", ");
     QVERIFY2(account.contains(QString("%1 of %1").arg(pairs->size())), qPrintable(account));
-    QCOMPARE(told.size(), 1);
-    QVERIFY2(told[0].detail.contains(account), qPrintable(told[0].detail));
+    QCOMPARE(messages.size(), 1);
+    QVERIFY2(messages[0].detail.contains(account), qPrintable(messages[0].detail));
     QVERIFY(isLogged(account));
 
     jobs.repairAll(document);
@@ -176,9 +177,65 @@ class RepairJobsTest : public QObject {
     jobs.repairAll(document);
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(why.size(), 1);
-    QVERIFY2(document->inspection.reason(DefectKind::Duplicate).contains("two sides of a plate"),
-             qPrintable(document->inspection.reason(DefectKind::Duplicate)));
-    QVERIFY(document->inspection.reason(DefectKind::NonManifoldEdge).isEmpty());
+    QVERIFY2(document->inspection.reason(DefectKind::Duplicate, 0).contains("two sides of a plate"),
+             qPrintable(document->inspection.reason(DefectKind::Duplicate, 0)));
+    QVERIFY(document->inspection.reason(DefectKind::NonManifoldEdge, 0).isEmpty());
+  }
+
+  // Merging near vertices closes one hole and splits the other: there are two before and two after.
+  void holesAreCountedByOutcome() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QList<Message> told;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
+    tabs.add(ui.open(test::meshDocument(test::torusWithSlits(1e-5), "/scans/part.stl", NumberType::Float64)));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    Inspection& inspection = document->inspection;
+    QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{2});
+    QCOMPARE(inspection.count(DefectKind::NearVertex), std::size_t{3});
+    jobs.change(document, nearVertexFix(tolerance::kNearWeld), DefectRow{DefectKind::NearVertex, -1});
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{2});
+    const QString account = repairAccount(inspection).join(", ");
+    QCOMPARE(account, QString("1 of 2 holes filled, 3 of 3 pairs of near vertices removed"));
+    QCOMPARE(told.size(), 1);
+    QCOMPARE(told[0].detail, account + '.');
+    QVERIFY(log.index(0, 1).data().toString().contains(account));
+  }
+
+  // A fix that can do nothing for its row leaves the reason there, and only there.
+  void aRowKeepsItsReason() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    TriangleSoup soup = test::cube();
+    soup.triangles.push_back(soup.triangles[3]);
+    test::append(soup, test::moved(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, {3, 0, 0}));
+    tabs.add(ui.open(test::meshDocument(soup)));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    const Inspection& inspection = document->inspection;
+    const std::vector<Face> faces = document->document.defects().duplicateFaces;
+    QCOMPARE(faces.size(), std::size_t{2});
+    QSignalSpy noted(&inspection, &Inspection::reasonsChanged);
+    jobs.change(document, duplicateFix({faces[1]}), DefectRow{DefectKind::Duplicate, 1});
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(noted.size(), 1);
+    QVERIFY(inspection.reason(DefectKind::Duplicate, 1).contains("two sides of a plate"));
+    QVERIFY(inspection.reason(DefectKind::Duplicate, 0).isEmpty());
+    // The other one goes, and with it the row.
+    jobs.change(document, duplicateFix({faces[0]}), DefectRow{DefectKind::Duplicate, 0});
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(inspection.count(DefectKind::Duplicate), std::size_t{1});
+    QVERIFY(inspection.reason(DefectKind::Duplicate, 0).isEmpty());
   }
 };
 

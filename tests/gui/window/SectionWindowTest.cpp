@@ -3,6 +3,9 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "theme/Theme.h"
+#include "viewport/Lighting.h"
+#include "viewport/Viewport.h"
 
 #include <QComboBox>
 #include <QRegularExpression>
@@ -57,6 +60,47 @@ class SectionWindowTest : public QObject {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QTRY_VERIFY(std::isnan(figure(driver, "section_area")));
     QVERIFY(driver.settle());
+  }
+
+  // The half section of a bar: the plane is in its axis and faces the viewer, the face is hatched in the colour of
+  // sections; models without an axis have none.
+  void theHalfSectionOfABar() {
+    WindowDriver driver;
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    auto* viewport = driver.find<Viewport>("viewport");
+    const auto* half = driver.window().findChild<QAction*>(QStringLiteral("halfSection"));
+    QVERIFY(half && !viewport->clipPlane().on);
+    driver.choose("halfSection");
+    const ClipPlane plane = viewport->clipPlane();
+    QVERIFY(plane.on && std::abs(plane.offset) < 1e-12 && std::abs(plane.normal.z()) < 1e-12);
+    QVERIFY(plane.normal.dot(viewport->camera().towardsViewer()) > 0.5);
+    QVERIFY(driver.settle());
+    const QColor cut = sceneColours(currentTheme() == ThemeKind::Dark).cut;
+    const auto hasShade = [](const QImage& picture, const QColor& wanted) {
+      int count = 0;
+      for (int y = 0; y < picture.height(); y += 2) {
+        for (int x = 0; x < picture.width(); x += 2) {
+          const QColor c = picture.pixelColor(x, y);
+          const int off = std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) +
+                          std::abs(c.blue() - wanted.blue());
+          if (off < 24) ++count;
+        }
+      }
+      return count > 200;
+    };
+    const auto isHatched = [&] {
+      const QImage picture = viewport->grabImage();
+      const QColor line = QColor::fromRgbF(0.62 * cut.redF(), 0.62 * cut.greenF(), 0.62 * cut.blueF());
+      return hasShade(picture, cut) && hasShade(picture, line);
+    };
+    QTRY_VERIFY(isHatched());
+    // Its place is the user's once he moves it; the half section ends with the plane.
+    driver.choose("clipModel");
+    QVERIFY(!viewport->clipPlane().on && !half->isChecked());
+    driver.choose("halfSection");
+    QVERIFY(driver.open(file()));
+    QVERIFY(!viewport->clipPlane().on && !half->isEnabled());
   }
 };
 

@@ -93,6 +93,11 @@ void HandwheelDial::setLabel(const QString& label) {
   setAccessibleName(label);
 }
 
+void HandwheelDial::setMouseFirst() {
+  m_isMouseFirst = true;
+  setFocusPolicy(Qt::TabFocus);
+}
+
 QString HandwheelDial::numberText() const {
   const double reading = m_count.reading() == 0.0 ? 0.0 : m_count.reading();
   const int digits = std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(m_count.mmPerDivision()) - 1e-9)), 0, 9);
@@ -199,7 +204,7 @@ void HandwheelDial::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void HandwheelDial::wheelEvent(QWheelEvent* event) {
   const double notches = wheelNotches(*event);
-  if (!hasFocus() || notches == 0.0) return event->ignore();
+  if (!(hasFocus() || m_isMouseFirst) || notches == 0.0) return event->ignore();
   turn(notches * stepFactor(event->modifiers()));
   event->accept();
 }

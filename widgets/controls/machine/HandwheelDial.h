@@ -30,6 +30,9 @@ class HandwheelDial : public QWidget {
   void setRange(double least, double largest);  // of the value, for the person who turns; none when least > largest
   void setPrefix(const QString& prefix);        // before the number: "⌀", "R"
   void setLabel(const QString& label);          // for screen readers: "Cross slide"
+  // Where keys belong to something else and nothing scrolls: the mouse gives it no focus, and its wheel turns it
+  // without.
+  void setMouseFirst();
 
   double value() const { return m_count.value(); }
   double zero() const { return m_count.zero(); }
@@ -74,6 +77,7 @@ class HandwheelDial : public QWidget {
   QString m_prefix;
   QPointF m_pressed;
   bool m_isHeld = false;
+  bool m_isMouseFirst = false;
   std::optional<double> m_angle;  // of the pointer, radian, while it turns the wheel
 };
 

@@ -16,14 +16,19 @@ class DefectCard : public QFrame {
  public:
   explicit DefectCard(QAction* fix, QWidget* parent = nullptr);
 
-  void showDefect(const QString& name, const QString& hint);
+  // remains: why it is still there after a repair or fix, as the end of a sentence; or empty.
+  void showDefect(const QString& name, const QString& hint, const QString& remains);
   // What the fix would do: a sentence, or empty.
   void showPreview(const QString& text);
 
  private:
+  void followReason();
+
   QLabel* m_name;
   QLabel* m_hint;
+  QLabel* m_remains;
   QLabel* m_status;
+  QString m_reason;
 };
 
 }  // namespace handwheel

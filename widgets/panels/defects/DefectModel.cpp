@@ -5,6 +5,7 @@
 #include "panels/defects/DefectWords.h"
 #include "text/RepairText.h"
 #include "theme/Icons.h"
+#include "theme/Theme.h"
 
 #include <QLocale>
 
@@ -34,6 +35,11 @@ void DefectModel::setInspection(const Inspection* inspection) {
   connect(m_inspection, &Inspection::changed, this, [this] {
     beginResetModel();
     endResetModel();
+  });
+  connect(m_inspection, &Inspection::reasonsChanged, this, [this](DefectKind kind) {
+    const QModelIndex group = groupIndex(kind);
+    if (const int rows = rowCount(group); rows > 0)
+      emit dataChanged(index(0, 0, group), index(rows - 1, 0, group), {NoteRole, Qt::ToolTipRole});
   });
 }
 
@@ -109,8 +115,13 @@ QVariant DefectModel::groupData(DefectKind kind, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return defectKindName(kind);
-    case Qt::ToolTipRole:
-      return hint(kind);
+    case Qt::ToolTipRole: {
+      const QStringList outcomes = isLoopKind(kind) ? outcomeTexts(m_inspection->loopOutcomes()) : QStringList();
+      QStringList lines{hint(kind)};
+      if (!outcomes.isEmpty()) lines << tr("Last repair: %1.").arg(outcomes.join(QStringLiteral(", ")));
+      if (kind == DefectKind::Hole) lines << m_inspection->patchWarnings();
+      return lines.join(QLatin1Char('\n'));
+    }
     case Qt::AccessibleTextRole: {
       if (searching) return tr("%1: searching").arg(defectKindName(kind));
       const auto before = m_inspection->countBefore(kind);
@@ -118,6 +129,8 @@ QVariant DefectModel::groupData(DefectKind kind, int role) const {
                     : tr("%1: %2").arg(defectKindName(kind)).arg(count);
     }
     case Qt::DecorationRole:
+      if (kind == DefectKind::Hole && !m_inspection->patchWarnings().isEmpty())
+        return icon(QStringLiteral("warning"), themeColours(currentTheme()).warning);
       return icon(defectIconName(kind), defectColour(kind));
     case KindRole:
       return static_cast<int>(kind);
@@ -145,26 +158,31 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
       return rowDetail(kind, row);
     case BriefRole:
       return loop >= 0 ? m_inspection->loopLength(loop) : rowDetail(kind, row);
-    case Qt::AccessibleTextRole:
-      return loop >= 0 ? m_inspection->loopTitle(loop) : rowName(kind, row);
+    case Qt::AccessibleTextRole: {
+      const QString name = loop >= 0 ? m_inspection->loopTitle(loop) : rowName(kind, row);
+      const QString reason = noteOf(kind, row);
+      return reason.isEmpty() ? name : tr("%1; remains: %2").arg(name, reason);
+    }
     case KindRole:
       return static_cast<int>(kind);
     case LoopRole:
       return loop;
     case NoteRole:
-      return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : m_inspection->reason(kind);
+      return noteOf(kind, row);
     case Qt::ToolTipRole: {
-      if (loop < 0) {
-        const QString reason = m_inspection->reason(kind);
-        return reason.isEmpty() ? QVariant() : tr("Remains: %1.").arg(reason);
-      }
-      const QString reason = data(createIndex(row, 0, static_cast<quintptr>(kind) + 1), NoteRole).toString();
+      const QString reason = noteOf(kind, row);
+      if (loop < 0) return reason.isEmpty() ? QVariant() : tr("Remains: %1.").arg(reason);
       const QString measures = m_inspection->loopMeasures(loop);
       return reason.isEmpty() ? measures : tr("Stayed open: %1.").arg(reason) + QLatin1Char('\n') + measures;
     }
     default:
       return {};
   }
+}
+
+QString DefectModel::noteOf(DefectKind kind, int row) const {
+  const int loop = loopOf(kind, row);
+  return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : m_inspection->reason(kind, row);
 }
 
 int DefectModel::loopOf(DefectKind kind, int row) const {

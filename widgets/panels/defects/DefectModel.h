@@ -23,7 +23,7 @@ class DefectModel : public QAbstractItemModel {
     BriefRole,                // its most important part, where there is too little room
     CountRole,                // of a group; -1 while still searching
     BeforeRole,               // of a group: the count before the last repair; -1 when there is nothing to compare
-    NoteRole,                 // why a hole could not be filled
+    NoteRole,                 // of a row: why it remains after a repair or fix
     ShownRole,                // of a group: its marks are drawn in the viewport
   };
 
@@ -58,6 +58,7 @@ class DefectModel : public QAbstractItemModel {
   QVariant rowData(DefectKind kind, int row, int role) const;
   QString rowName(DefectKind kind, int row) const;
   QString rowDetail(DefectKind kind, int row) const;
+  QString noteOf(DefectKind kind, int row) const;
   int loopOf(DefectKind kind, int row) const;
   std::vector<Face> facesOf(DefectKind kind, int row) const;
   std::vector<Vertex> verticesOf(DefectKind kind, int row) const;

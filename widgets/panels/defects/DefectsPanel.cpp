@@ -120,6 +120,7 @@ void DefectsPanel::setInspection(Inspection* inspection) {
   if (inspection) {
     // After the model's own connection: then the list already holds the new rows.
     connect(inspection, &Inspection::changed, this, &DefectsPanel::inspectionChanged);
+    connect(inspection, &Inspection::reasonsChanged, this, &DefectsPanel::showDefect);
   }
   inspectionChanged();
 }
@@ -163,11 +164,16 @@ void DefectsPanel::updateSettings() {
   if (hole) m_settings->showLoop(m_inspection->loopName(m_selectedLoop), m_inspection->loopDetail(m_selectedLoop));
   const QModelIndex defect = m_list->currentIndex();
   m_card->setVisible(!hole && defect.isValid());
-  if (defect.isValid()) {
-    m_card->showDefect(defect.data().toString(),
-                       m_model->hint(static_cast<DefectKind>(defect.data(DefectModel::KindRole).toInt())));
-  }
+  showDefect();
   emit defectChosen(defect);
+}
+
+void DefectsPanel::showDefect() {
+  const QModelIndex defect = m_list->currentIndex();
+  if (!defect.isValid()) return;
+  m_card->showDefect(defect.data().toString(),
+                     m_model->hint(static_cast<DefectKind>(defect.data(DefectModel::KindRole).toInt())),
+                     defect.data(DefectModel::NoteRole).toString());
 }
 
 void DefectsPanel::clicked(const QModelIndex& index) {

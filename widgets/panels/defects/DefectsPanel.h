@@ -62,6 +62,7 @@ class DefectsPanel : public QWidget {
   void clicked(const QModelIndex& index);
   void currentChanged(const QModelIndex& index);
   void updateSettings();
+  void showDefect();
 
   DefectModel* m_model;
   DefectDelegate* m_delegate;

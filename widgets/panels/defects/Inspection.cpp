@@ -15,10 +15,17 @@ Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent
     sortLoops();
     emit changed();
   });
-  connect(&document, &Document::fileChanged, this, [this, unit = document.displayUnit()]() mutable {
-    const LengthUnit before = std::exchange(unit, m_document.displayUnit());
-    if (unit != before) emit changed();
-  });
+  connect(&document, &Document::fileChanged, this,
+          [this, unit = document.displayUnit(), numbers = document.fileNumbers()]() mutable {
+            const LengthUnit before = std::exchange(unit, m_document.displayUnit());
+            const NumberType were = std::exchange(numbers, m_document.fileNumbers());
+            const bool isRoundedAnew = were != numbers;
+            if (isRoundedAnew) {
+              m_selfIntersections.reset();
+              m_hopeless.clear();
+            }
+            if (unit != before || isRoundedAnew) emit changed();
+          });
   nameLoops();
   sortLoops();
 }
@@ -26,8 +33,11 @@ Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent
 void Inspection::documentChanged() {
   m_selfIntersections.reset();
   m_before.clear();
+  m_loopOutcomes = {};
   m_doneBesides.clear();
-  m_reasons.clear();
+  m_patchWarnings.clear();
+  m_reasons = {};
+  m_hopeless.clear();
   nameLoops();
   sortLoops();
   emit changed();
@@ -51,8 +61,17 @@ void Inspection::sortLoops() {
   }
   const auto& components = m_document.defects().components;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    if (components[i].debris) m_debris.push_back(i);
+    const auto isKept = [this](Face f) { return hasCornerAt(m_document.mesh(), f, m_keptPieces); };
+    const std::vector<Face>& faces = components[i].faces;
+    if (components[i].debris && std::none_of(faces.begin(), faces.end(), isKept)) m_debris.push_back(i);
   }
+}
+
+void Inspection::keepPieces(const std::set<PointKey>& corners) {
+  if (corners.empty()) return;
+  m_keptPieces.insert(corners.begin(), corners.end());
+  sortLoops();
+  emit changed();
 }
 
 std::size_t Inspection::sheetCount() const {
@@ -63,6 +82,7 @@ std::size_t Inspection::sheetCount() const {
 void Inspection::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
   if (revision != m_document.revision()) return;
   m_selfIntersections = std::move(pairs);
+  std::erase_if(m_reasons.ofRow, [](const auto& of) { return of.first.first == DefectKind::SelfIntersection; });
   emit changed();
 }
 
@@ -106,20 +126,40 @@ std::map<DefectKind, std::size_t> Inspection::counts() const {
   return counts;
 }
 
-void Inspection::setBefore(std::map<DefectKind, std::size_t> counts, QStringList doneBesides) {
+void Inspection::setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops, QStringList doneBesides) {
   m_before = std::move(counts);
+  m_loopOutcomes = loops;
   m_doneBesides = std::move(doneBesides);
   emit changed();
 }
 
-QString Inspection::reason(DefectKind kind) const {
-  const auto found = m_reasons.find(kind);
-  return found == m_reasons.end() ? QString() : found->second;
+void Inspection::setHopeless(DefectKind kind) {
+  if (m_hopeless.insert(kind).second) emit changed();
 }
 
-void Inspection::setReasons(std::map<DefectKind, QString> reasons) {
+void Inspection::setPatchWarnings(QStringList warnings) {
+  m_patchWarnings = std::move(warnings);
+  emit changed();
+}
+
+QString Inspection::reason(DefectKind kind, int row) const {
+  const auto own = m_reasons.ofRow.find({kind, row});
+  if (own != m_reasons.ofRow.end()) return own->second;
+  const auto common = m_reasons.ofKind.find(kind);
+  return common == m_reasons.ofKind.end() ? QString() : common->second;
+}
+
+void Inspection::setReasons(DefectReasons reasons) {
   m_reasons = std::move(reasons);
   emit changed();
+}
+
+void Inspection::setReason(DefectKind kind, int row, const QString& reason) {
+  if (row >= 0)
+    m_reasons.ofRow[{kind, row}] = reason;
+  else
+    m_reasons.ofKind[kind] = reason;
+  emit reasonsChanged(kind);
 }
 
 std::optional<std::size_t> Inspection::countBefore(DefectKind kind) const {
@@ -181,7 +221,7 @@ void Inspection::setFailure(int id, FillFailure failure) {
   emit changed();
 }
 
-void Inspection::setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures) {
+void Inspection::setFailures(const std::map<Vertex, FillFailure>& failures) {
   for (const auto& [key, failure] : failures) m_failures[key] = failure;
   if (!failures.empty()) emit changed();
 }

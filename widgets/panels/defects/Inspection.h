@@ -4,7 +4,8 @@
 
 #include "document/mesh/MeshDocument.h"
 #include "mesh/boundary/LoopNumbers.h"
-#include "mesh/holes/HoleFiller.h"
+#include "mesh/repair/OutcomeCounts.h"
+#include "mesh/structure/PositionKey.h"
 #include "theme/DefectColours.h"
 
 #include <QObject>
@@ -15,6 +16,22 @@
 namespace handwheel {
 
 using FacePairs = std::vector<std::pair<Face, Face>>;
+
+inline bool isLoopKind(DefectKind kind) {
+  return kind == DefectKind::Hole || kind == DefectKind::KeptOpen;
+}
+
+// One defect in the list, or all of a kind.
+struct DefectRow {
+  DefectKind kind;
+  int row;  // -1: all
+};
+
+// Why defects remain: by kind, and by row where that is known.
+struct DefectReasons {
+  std::map<DefectKind, QString> ofKind;
+  std::map<std::pair<DefectKind, int>, QString> ofRow;
+};
 
 // The defects of a mesh document as the window shows them. Adds to the document which loops count as holes, the loop
 // names, the self-intersections (found later, by a job) and why a hole could not be filled. Follows changes of the
@@ -35,8 +52,10 @@ class Inspection : public QObject {
   // Indices into defects().components.
   std::size_t sheetCount() const;  // open sheets, which keptOpen() has with their outer boundaries
   const std::vector<std::size_t>& debris() const { return m_debris; }
+  // Pieces with one of these corners are no debris, however small: a fix cut them from a larger body.
+  void keepPieces(const std::set<PointKey>& corners);
 
-  // Absent until computed for the present mesh.
+  // As the document's file holds the mesh, which may have fewer digits. Absent until computed for the present mesh.
   const std::optional<FacePairs>& selfIntersections() const { return m_selfIntersections; }
   void setSelfIntersections(std::uint64_t revision, FacePairs pairs);
 
@@ -44,10 +63,14 @@ class Inspection : public QObject {
   std::size_t count(DefectKind kind) const;
   // The numbers of all kinds of defects; without self-intersections while these are unknown.
   std::map<DefectKind, std::size_t> counts() const;
-  // Sets what there was before the repair that made the present mesh, and what else it did, a phrase each. Kept until
-  // the mesh changes.
-  void setBefore(std::map<DefectKind, std::size_t> counts, QStringList doneBesides = {});
+  // Sets what there was before the repair that made the present mesh, what it did with the loops, and what else it did,
+  // a phrase each. Kept until the mesh changes.
+  void setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops = {}, QStringList doneBesides = {});
+  const LoopCounts& loopOutcomes() const { return m_loopOutcomes; }
   const QStringList& doneBesides() const { return m_doneBesides; }
+  // Sentences about patches of the last repair that a person should look at. Kept until the mesh changes.
+  const QStringList& patchWarnings() const { return m_patchWarnings; }
+  void setPatchWarnings(QStringList warnings);
   // None where nothing is known to compare with, or the number is the same.
   std::optional<std::size_t> countBefore(DefectKind kind) const;
   // The state of the present mesh, with its self-intersections once they are computed.
@@ -69,12 +92,17 @@ class Inspection : public QObject {
 
   FillFailure failure(int id) const;
   void setFailure(int id, FillFailure failure);
-  // Why defects of a kind other than holes remain after a repair, as the end of a sentence. Kept until the mesh
-  // changes.
-  QString reason(DefectKind kind) const;
-  void setReasons(std::map<DefectKind, QString> reasons);
+  // Why a defect other than a hole remains after a repair or fix, as the end of a sentence: its own reason, else that
+  // of its kind. Kept until the mesh changes.
+  QString reason(DefectKind kind, int row) const;
+  void setReasons(DefectReasons reasons);
+  // A fix of all of this kind was tried on the present mesh and changed nothing; reason() says why.
+  bool isHopeless(DefectKind kind) const { return m_hopeless.contains(kind); }
+  void setHopeless(DefectKind kind);
+  // Of a row, or -1: of those of the kind without their own.
+  void setReason(DefectKind kind, int row, const QString& reason);
   // Sets the failures by loop key; keys of removed loops are allowed.
-  void setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures);
+  void setFailures(const std::map<Vertex, FillFailure>& failures);
 
   // A key that identifies a loop across edits: the vertex at which it starts. loopWithKey() returns -1 if the loop is
   // gone.
@@ -83,6 +111,8 @@ class Inspection : public QObject {
 
  signals:
   void changed();
+  // Of these reasons only; the rows are the same.
+  void reasonsChanged(DefectKind kind);
 
  private:
   void documentChanged();
@@ -93,14 +123,18 @@ class Inspection : public QObject {
   std::vector<int> m_holes;
   std::vector<int> m_keptOpen;
   std::vector<std::size_t> m_debris;
+  std::set<PointKey> m_keptPieces;  // corners; by position, so that undo and redo find them again
   std::optional<FacePairs> m_selfIntersections;
   std::vector<Vertex> m_keys;       // by loop id
   std::map<Vertex, int> m_numbers;  // by key, from 1; never reused
   LoopNumbers m_named;
   std::map<Vertex, FillFailure> m_failures;
   std::map<DefectKind, std::size_t> m_before;
+  LoopCounts m_loopOutcomes;
   QStringList m_doneBesides;
-  std::map<DefectKind, QString> m_reasons;
+  QStringList m_patchWarnings;
+  DefectReasons m_reasons;
+  std::set<DefectKind> m_hopeless;
 };
 
 }  // namespace handwheel

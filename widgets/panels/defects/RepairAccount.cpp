@@ -3,6 +3,7 @@
 #include "panels/defects/RepairAccount.h"
 
 #include "panels/defects/Inspection.h"
+#include "text/RepairText.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -14,10 +15,6 @@ namespace {
 struct RepairAccountWords {
   Q_DECLARE_TR_FUNCTIONS(RepairAccount)
 };
-
-bool isOpening(DefectKind kind) {
-  return kind == DefectKind::Hole || kind == DefectKind::KeptOpen;
-}
 
 }  // namespace
 
@@ -53,24 +50,19 @@ QString defectPhrase(DefectKind kind, std::size_t count) {
 }
 
 QStringList repairAccount(const Inspection& inspection) {
-  QStringList parts, fresh;
+  QStringList parts = outcomeTexts(inspection.loopOutcomes()), fresh;
   for (int i = 0; i < kDefectKinds; ++i) {
     const auto kind = static_cast<DefectKind>(i);
     const std::optional<std::size_t> before = inspection.countBefore(kind);
-    if (!before || kind == DefectKind::Flipped) continue;
+    if (!before || isLoopKind(kind) || kind == DefectKind::Flipped) continue;
     const std::size_t was = *before, is = inspection.count(kind);
     if (is > was) {
       fresh << defectPhrase(kind, is - was);
       continue;
     }
     const QString done = QLocale().toString(static_cast<int>(was - is)), all = defectPhrase(kind, was);
-    if (isOpening(kind)) {
-      parts << RepairAccountWords::tr("%1 of %2 closed").arg(done, all);
-    } else if (kind == DefectKind::InsideOut) {
-      parts << RepairAccountWords::tr("%1 of %2 corrected").arg(done, all);
-    } else {
-      parts << RepairAccountWords::tr("%1 of %2 removed").arg(done, all);
-    }
+    parts << (kind == DefectKind::InsideOut ? RepairAccountWords::tr("%1 of %2 corrected").arg(done, all)
+                                            : RepairAccountWords::tr("%1 of %2 removed").arg(done, all));
   }
   if (!fresh.isEmpty()) parts << RepairAccountWords::tr("new: %1").arg(fresh.join(QStringLiteral(", ")));
   return parts + inspection.doneBesides();

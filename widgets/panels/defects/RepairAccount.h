@@ -15,7 +15,7 @@ class Inspection;
 // "26 holes", in the grammar of a list; all kinds that may be wrong or left open.
 QString defectPhrase(DefectKind kind, std::size_t count);
 
-// What has changed since Inspection::setBefore(), a phrase each: "26 of 28 holes closed", "new: 2 pieces of debris",
+// What has changed since Inspection::setBefore(), a phrase each: "26 of 28 holes filled", "new: 2 pieces of debris",
 // then what else was done. Empty where nothing is known to compare with.
 QStringList repairAccount(const Inspection& inspection);
 

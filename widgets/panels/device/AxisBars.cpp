@@ -29,7 +29,7 @@ double orUnknown(double reach) {
   return reach > 0.0 && std::isfinite(reach) ? reach : kUnknownReach;
 }
 
-// Axis times angle, degrees. A quaternion and its opposite are the same turn: the shorter way is told.
+// Axis times angle, degrees. A quaternion and its opposite are the same turn: the shorter way is shown.
 Vec3 rotationVector(Eigen::Quaterniond turn) {
   if (turn.w() < 0.0) turn.coeffs() *= -1.0;
   const double sine = turn.vec().norm();

@@ -94,7 +94,7 @@ vtkSmartPointer<vtkActor> MeshBlocks::makeActor(const SurfaceGeometry& geometry)
 
 void MeshBlocks::style(vtkActor* actor) const {
   const bool isColoured = actor->GetMapper()->GetScalarVisibility();
-  applyStyle(actor, m_style, {.front = m_style.colours.front, .glossy = !isColoured});
+  applyStyle(actor, m_style, {.front = m_style.colours.front, .gloss = isColoured ? 0.0 : SurfaceMaterial().gloss});
   keepInnerSide(actor, isColoured);
 }
 

@@ -212,7 +212,11 @@ void PartActors::style(const Part& part) const {
   if (isSelected) colour = mixed(colour, m_style.colours.accent, kSelectedTint);
   if (isHighlighted(part)) colour = mixed(colour, m_style.colours.accent, kTint);
   const double opacity = m_faded.contains(name) || (m_isCovered && !isSelected) ? kFadedOpacity : m_opacity;
-  for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, opacity});
+  SurfaceStyle style = m_style;
+  if (!part.description.isSectioned) style.clip = nullptr;
+  SurfaceMaterial material{colour, part.description.smooth, opacity, part.description.gloss};
+  material.isSolid = true;
+  for (const auto& actor : part.actors) applyStyle(actor, style, material);
 }
 
 void PartActors::setStyle(const SurfaceStyle& style) {

@@ -14,6 +14,8 @@ namespace handwheel {
 
 namespace {
 
+const std::string kColourTag = "//VTK::Color::Impl";
+
 void setColour(vtkProperty* property, const QColor& colour) {
   property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
 }
@@ -55,24 +57,34 @@ std::string shaderColour(const double* colour, double share) {
   return text.str();
 }
 
+// Hatches the flat back side at 45° on the screen, as drawings have sections. The names are those of
+// vtkOpenGLPolyDataMapper.
+void hatchInnerSide(vtkActor* actor, double pixelRatio) {
+  constexpr double kPeriod = 9.0, kLine = 1.6, kShade = 0.62;  // logical pixels along a row; of the colour
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << kColourTag << "\n  if (gl_FrontFacing == false && mod(gl_FragCoord.x + gl_FragCoord.y, " << std::fixed
+       << kPeriod * pixelRatio << ") < " << kLine * pixelRatio << ") ambientColor *= " << kShade << ";\n";
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(kColourTag, true, text.str(), false);
+}
+
 }  // namespace
 
 // The names are those of vtkOpenGLPolyDataMapper.
 void keepInnerSide(vtkActor* actor, bool keep) {
-  const std::string tag = "//VTK::Color::Impl";
-  if (!keep) return actor->GetShaderProperty()->ClearFragmentShaderReplacement(tag, true);
+  if (!keep) return actor->GetShaderProperty()->ClearFragmentShaderReplacement(kColourTag, true);
   vtkProperty* back = actor->GetBackfaceProperty();
   const std::string inner = "\n  if (gl_FrontFacing == false) {\n    ambientColor = " +
                             shaderColour(back->GetAmbientColor(), back->GetAmbient()) +
                             ";\n    diffuseColor = " + shaderColour(back->GetDiffuseColor(), back->GetDiffuse()) +
                             ";\n  }\n";
-  actor->GetShaderProperty()->AddFragmentShaderReplacement(tag, true, tag + inner, false);
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(kColourTag, true, kColourTag + inner, false);
 }
 
 void applyStyle(vtkActor* actor, const SurfaceStyle& style, const SurfaceMaterial& material) {
   vtkProperty* front = actor->GetProperty();
   setColour(front, material.front);
-  setLit(front, material.glossy ? 0.12 : 0.0);
+  setLit(front, material.gloss);
   front->SetOpacity(material.opacity);
   material.smooth ? front->SetInterpolationToPhong() : front->SetInterpolationToFlat();
   if (!actor->GetBackfaceProperty()) actor->SetBackfaceProperty(vtkSmartPointer<vtkProperty>::New());
@@ -83,6 +95,11 @@ void applyStyle(vtkActor* actor, const SurfaceStyle& style, const SurfaceMateria
   back->SetInterpolation(front->GetInterpolation());
   for (vtkProperty* property : {front, back}) setLines(property, style);
   clip(actor->GetMapper(), style.clip);
+  if (!material.isSolid) return;
+  if (style.clip && style.shading != Shading::Wireframe)
+    hatchInnerSide(actor, style.pixelRatio);
+  else
+    actor->GetShaderProperty()->ClearFragmentShaderReplacement(kColourTag, true);
 }
 
 }  // namespace handwheel

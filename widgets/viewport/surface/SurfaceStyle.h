@@ -25,11 +25,12 @@ struct SurfaceMaterial {
   QColor front;
   bool smooth = true;  // shade by point normals, else by face normals
   double opacity = 1.0;
-  bool glossy = true;  // else without highlights, which would whiten colours that carry data
+  double gloss = 0.12;   // of highlights, 0…1; 0 where they would whiten colours that carry data
+  bool isSolid = false;  // closed, so that under a clipping plane its back side is the section, which is hatched
 };
 
 // Applies style and material to an actor. Under a clipping plane the back sides have one flat colour, so that a solid
-// looks cut through.
+// looks cut through: where a ray comes in through the plane, the first back side stands for the section.
 void applyStyle(vtkActor* actor, const SurfaceStyle& style, const SurfaceMaterial& material);
 
 // Keeps the back side of a surface with scalars in its own colour. VTK colours both sides of it; with keep, the back

@@ -43,7 +43,7 @@ NumbersDialog::NumbersDialog(const QString& title, const QString& intro, const Q
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     std::vector<double> values;
     for (const NumberField* field : m_fields) {
-      if (!field->problem().isEmpty()) return;  // it is told below the field
+      if (!field->problem().isEmpty()) return;  // it is shown below the field
       values.push_back(field->value());
     }
     emit chosen(values);

@@ -14,7 +14,7 @@ class QToolButton;
 namespace handwheel {
 
 // Goes through a program by line and by time: Back, Play or Pause, Step, a slider, and how much faster than the machine
-// it plays. It says what is wanted, and shows the time that it is told. Window thread.
+// it plays. It says what is wanted, and shows the time that it is given. Window thread.
 class ProgramPlayer : public QWidget {
   Q_OBJECT
 

@@ -3,12 +3,13 @@
 #include "document/workpiece/exercise/ExerciseStock.h"
 
 #include "document/exercise/ExerciseSnapshot.h"
+#include "machining/target/TargetDeviation.h"
 
 namespace handwheel {
 
 double targetError(const ExerciseStock& exercise, const TurnedProfile& part) {
   const TurningTask& task = *exercise.task;
-  return deviationFrom(*task.target, part, {task.lathe.chuckHeight, task.stock.length}).largest();
+  return deviationFrom(*task.target, part, 0.0, {}, {task.lathe.chuckHeight, task.stock.length}).largest();
 }
 
 std::optional<ExerciseStock> exerciseStock(const Snapshot& content) {

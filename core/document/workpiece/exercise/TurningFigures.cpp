@@ -7,6 +7,7 @@
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/measure/ThreadMeasure.h"
+#include "machining/target/TargetDeviation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -55,9 +56,33 @@ Figure distance(const MarkingCriterion& c, const TurnedProfile& profile, Turning
           {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"), {roundedText(*from), roundedText(*to)}}};
 }
 
-Figure arc(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide side) {
+// Whether the surface of a target bulges away from its axis along a range; none where it does not tell.
+std::optional<bool> bulges(const TargetProfile& target, TurningSide side, AxisRange range) {
+  const auto at = [&](double z) -> std::optional<double> {
+    const auto extent = target.extentAt(z);
+    if (!extent) return std::nullopt;
+    return side == TurningSide::Outside ? extent->outer : extent->inner;
+  };
+  const auto low = at(range.from), middle = at(0.5 * (range.from + range.to)), high = at(range.to);
+  if (!low || !middle || !high || *middle == 0.5 * (*low + *high)) return std::nullopt;
+  return *middle > 0.5 * (*low + *high);
+}
+
+// The radius of the nearest circle, where the surface is one: within the width of its tolerance, and bulging as that
+// of the target.
+Figure arc(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide side,
+           const std::optional<TargetProfile>& target) {
   const auto reading = measureArc(profile, side, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no arc"));
+  if (c.lower && c.upper && reading->deviation > *c.upper - *c.lower)
+    return {c.id,
+            std::nullopt,
+            {QT_TRANSLATE_NOOP("Note", "there is no arc: the surface is up to %1 mm from any circle"),
+             {roundedText(reading->deviation, 3)}}};
+  const auto middle = measureDiameter(profile, side, rangeOf(c));
+  const auto wanted = target ? bulges(*target, side, rangeOf(c)) : std::nullopt;
+  if (wanted && middle && *wanted != (reading->centre.x() < 0.5 * middle->mean))
+    return none(c, QT_TRANSLATE_NOOP("Note", "the arc bulges the other way"));
   return {
       c.id,
       reading->radius,
@@ -99,6 +124,19 @@ Figure peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& lo
   return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {roundedText(largest->time, 4)}}};
 }
 
+// Whether what is kept is what the passes leave when they are repeated. Another processor may round otherwise.
+bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
+  constexpr float kSame = 1e-3f;  // share
+  for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const FinishMark mark = kept.at(side, i), again = repeated.at(side, i);
+      if (!mark.isKnown() || mark.roughness == again.roughness) continue;
+      if (!(std::abs(mark.roughness - again.roughness) <= kSame * again.roughness)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 const std::vector<FigureType>& turningFigureTypes() {
@@ -138,11 +176,22 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
     for (const auto& pass : workpiece.part->passes) m_passes.push_back(pass);
     m_crashes = workpiece.part->crashes;
     m_threads = workpiece.part->threads();
+    m_finish = workpiece.part->finish;
   }
   const TurnedProfile bar = TurnedProfile::fromRadii(
       std::vector<double>(m_profile.size(), 0.5 * workpiece.stock.diameter), workpiece.stock.length);
   m_review = TurningReview::make(bar, m_passes, task.lathe, progress);
-  m_isOfItsPasses = m_review && m_review->profile() == m_profile;
+  m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
+}
+
+std::optional<FinishReading> MeasuredPart::finish(TurningSide side, AxisRange range) const {
+  if (const auto kept = readFinish(m_finish, m_profile, side, range)) return kept;
+  return m_review ? readFinish(m_review->finish(), m_profile, side, range) : std::nullopt;
+}
+
+FinishMark MeasuredPart::finishAt(TurningSide side, std::size_t i) const {
+  const FinishMark kept = m_finish.at(side, i);
+  return kept.isKnown() || !m_review ? kept : m_review->finish().at(side, i);
 }
 
 const std::vector<LatheCollision>& MeasuredPart::crashes() const {
@@ -152,7 +201,7 @@ const std::vector<LatheCollision>& MeasuredPart::crashes() const {
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
   std::vector<Load> loads;
-  static const WorkMaterials kMaterials = WorkMaterials::standard();
+  const WorkMaterials& kMaterials = WorkMaterials::standard();
   const WorkMaterial* material = kMaterials.find(m_task.material);
   if (!material || !m_review) return loads;
   const auto model = kienzleModel(*material, CuttingEdge());
@@ -184,14 +233,14 @@ Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   if (c.figure == "force") return peak(c, loads(), &Load::force);
   if (c.figure == "power") return peak(c, loads(), &Load::power);
   const TurningSide side = c.figure == "roughness" ? TurningSide::Outside : TurningSide::Bore;
-  const auto finish = m_review->finish(side, rangeOf(c));
-  if (!finish) return none(c, QT_TRANSLATE_NOOP("Note", "the surface was not cut along all of the range"));
-  if (!std::isfinite(finish->roughness))
-    return none(c, QT_TRANSLATE_NOOP("Note", "the tool that cut it has no nose radius"));
+  const auto reading = finish(side, rangeOf(c));
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "the surface was not cut along all of the range"));
+  if (!std::isfinite(reading->roughness))
+    return none(c, QT_TRANSLATE_NOOP("Note", "the tool that cut it has no nose radius, or was fed further than that"));
   return {c.id,
-          finish->roughness,
+          reading->roughness,
           {QT_TRANSLATE_NOOP("Note", "up to %1 µm, at Z %2 mm"),
-           {roundedText(finish->largest, 3), roundedText(finish->largestAt, 4)}}};
+           {roundedText(reading->largest, 3), roundedText(reading->largestAt, 4)}}};
 }
 
 Figure MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const {
@@ -199,17 +248,18 @@ Figure MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const
   if (c.figure == "bore") return diameter(c, m_profile, TurningSide::Bore);
   if (c.figure == "length") return distance(c, m_profile, TurningSide::Outside);
   if (c.figure == "depth") return distance(c, m_profile, TurningSide::Bore);
-  if (c.figure == "arc") return arc(c, m_profile, TurningSide::Outside);
-  if (c.figure == "bore_arc") return arc(c, m_profile, TurningSide::Bore);
+  if (c.figure == "arc") return arc(c, m_profile, TurningSide::Outside, m_task.target);
+  if (c.figure == "bore_arc") return arc(c, m_profile, TurningSide::Bore, m_task.target);
   if (c.figure == "taper") return taper(c, m_profile);
   if (threadFigure(c.figure)) return threadReading(c, m_profile, m_threads.get());
   if (!m_task.target) return none(c, QT_TRANSLATE_NOOP("Note", "the exercise has no target"));
-  const ReferenceDeviation deviation = deviationFrom(*m_task.target, m_profile, rangeOf(c), progress);
+  const TargetDeviation deviation = deviationFrom(*m_task.target, m_profile, 0.0, progress, rangeOf(c));
+  const auto &over = deviation.largestOver, &under = deviation.largestUnder;
   return {c.id,
           deviation.largest(),
           {QT_TRANSLATE_NOOP("Note", "%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm"),
-           {roundedText(deviation.left, 3), roundedText(deviation.leftAt, 4), roundedText(deviation.gouged, 3),
-            roundedText(deviation.gougedAt, 4)}}};
+           {roundedText(over.distance, 3), roundedText(over.at.y(), 4), roundedText(-under.distance, 3),
+            roundedText(under.at.y(), 4)}}};
 }
 
 }  // namespace handwheel

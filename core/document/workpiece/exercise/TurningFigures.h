@@ -5,6 +5,7 @@
 #include "document/exercise/ExerciseSnapshot.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/TurningTask.h"
+#include "machining/finish/FinishReading.h"
 
 namespace handwheel {
 
@@ -23,13 +24,18 @@ class MeasuredPart {
   const TurnedProfile& profile() const { return m_profile; }
   const std::optional<TurningReview>& review() const { return m_review; }
   const std::vector<LatheCollision>& crashes() const;  // of the manual lathe
-  // Whether the passes give this part, sample by sample. Else somebody has changed the file.
+  // Whether the passes give this part, sample by sample, and its finish. Else somebody has changed the file.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
   // The cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
   struct Load {
     double time, force, power;
   };
   std::vector<Load> loads() const;
+  // The roughness of a side along a range: that which is kept along the part; where it is not kept all the way, as in
+  // files of older programs, that of the passes at the speed of the task. None where it is not cut all the way.
+  std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
+  // The same at a sample.
+  FinishMark finishAt(TurningSide side, std::size_t i) const;
 
  private:
   Figure ofPasses(const MarkingCriterion& criterion) const;
@@ -38,6 +44,7 @@ class MeasuredPart {
   const TurningTask& m_task;
   TurnedProfile m_profile;
   std::optional<TurningReview> m_review;
+  SurfaceFinish m_finish;  // kept
   std::vector<std::shared_ptr<const TurningPass>> m_passes;
   std::shared_ptr<const std::vector<LatheCollision>> m_crashes;
   std::shared_ptr<const PartThreads> m_threads;  // null: none

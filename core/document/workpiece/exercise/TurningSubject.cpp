@@ -5,13 +5,18 @@
 #include "base/JsonText.h"
 #include "base/NumberText.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/workpiece/DrawingExport.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/exercise/DrawingTolerance.h"
+#include "document/workpiece/exercise/ExerciseDrawing.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/lathe/LatheJson.h"
+#include "machining/lathe/LatheMounting.h"
+#include "machining/refit/SampledProfile.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -75,6 +80,7 @@ Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
     pass.times.push_back(pass.times.empty() ? 0.0 : pass.times.back() + seconds);
     pass.path.push_back(p);
   }
+  pass.speeds.assign(pass.path.size(), spindleSpeed);
   if (const auto given = json.find("thread"); given != json.end()) {
     const Result<ThreadCut> thread = threadFrom(*given, pass);
     if (!thread) return thread.error();
@@ -93,19 +99,15 @@ std::vector<ProfilePoint> lineOf(const TurnedProfile& profile, TurningSide side)
   return line;
 }
 
-// A target is one line outside and one in the bore: what is in pieces, or bored from both ends, would be joined across
-// the gap. Null: nothing is wrong.
-const char* problemAsTarget(const TurnedProfile& profile) {
-  std::size_t pieces = 0, bores = 0;
-  for (std::size_t i = 0; i < profile.size(); ++i) {
-    const bool isFirst = i == 0 || !profile.hasMaterial(i - 1);
-    if (profile.hasMaterial(i) && isFirst) ++pieces;
-    const bool isBored = profile.inner(i) > 0.0 && profile.hasMaterial(i);
-    const bool wasBored = i > 0 && profile.inner(i - 1) > 0.0 && profile.hasMaterial(i - 1);
-    if (isBored && !wasBored) ++bores;
+// The outline of a target, arcs as lines.
+std::vector<ProfilePoint> lineOf(const TargetProfile& target) {
+  constexpr int kOfArc = 32;
+  std::vector<ProfilePoint> line{target.segments().front().from};
+  for (const ProfileSegment& s : target.segments()) {
+    const int pieces = s.isArc() ? kOfArc : 1;
+    for (int k = 1; k <= pieces; ++k) line.push_back(s.at(static_cast<double>(k) / pieces));
   }
-  if (pieces > 1) return "the part is in several pieces";
-  return bores > 1 ? "the part has several bores" : nullptr;
+  return line;
 }
 
 // With as few of the points as stay within the tolerance of the line, in r.
@@ -143,9 +145,7 @@ ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
     curve.series.push_back(
         seriesOf(QT_TRANSLATE_NOOP("Figure", "Bore"), chainThinned(lineOf(profile, TurningSide::Bore), kSeen)));
   if (!task.target) return curve;
-  curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target"), task.target->outer()));
-  if (!task.target->inner().empty())
-    curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target, bore"), task.target->inner()));
+  curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target"), lineOf(*task.target)));
   return curve;
 }
 
@@ -183,6 +183,29 @@ ReportEvent eventOf(const CrashMoment& crash) {
   return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool was rammed into the material at Z %1 mm, ⌀%2 mm."), place}};
 }
 
+// The roughness along the part. Of neighbours that are too many to draw the roughest is shown.
+ReportCurve finishCurve(const MeasuredPart& part) {
+  constexpr std::size_t kMostPoints = 1'000;
+  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Roughness"), "Z", "mm", "Ra", "µm", {}};
+  const TurnedProfile& profile = part.profile();
+  const std::size_t stride = profile.size() / kMostPoints + 1;
+  for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
+    ReportCurve::Series series{
+        side == TurningSide::Outside ? QT_TRANSLATE_NOOP("Figure", "Part") : QT_TRANSLATE_NOOP("Figure", "Bore"), {}};
+    for (std::size_t first = 0; first < profile.size(); first += stride) {
+      float roughest = FinishMark::kUnknown;
+      for (std::size_t i = first; i < std::min(first + stride, profile.size()); ++i) {
+        const FinishMark mark = part.finishAt(side, i);
+        const bool isSurface = profile.hasMaterial(i) && (side == TurningSide::Outside || profile.inner(i) > 0.0);
+        if (isSurface && mark.isKnown() && std::isfinite(mark.roughness)) roughest = std::max(roughest, mark.roughness);
+      }
+      if (roughest >= 0.0f) series.points.emplace_back(profile.z(first), roughest);
+    }
+    if (!series.points.empty()) curve.series.push_back(std::move(series));
+  }
+  return curve;
+}
+
 // By the judgement of the lathe itself, in the order of the causes.
 ReportEvent eventOf(const LatheCollision& crash) {
   static constexpr std::array<const char*, 6> kTexts = {
@@ -196,6 +219,23 @@ ReportEvent eventOf(const LatheCollision& crash) {
   return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
 }
 
+// Where the exercise names tools of the manual lathe, these are in its post and no others can be mounted. A drill is
+// mounted by the student.
+void provideTools(LatheSetup& setup, const TurningTask& task) {
+  for (const AllowedTool& tool : task.tools)
+    if (!tool.tool.empty()) setup.allowed.push_back(tool.tool);
+  if (setup.allowed.empty()) return;
+  const LatheTools tools = shippedLatheTools();
+  setup.stations.clear();
+  for (const std::string& id : setup.allowed) {
+    const auto tool = toolNamed(tools, id);
+    if (!tool || tool->kind == LatheToolKind::Drill || setup.stations.size() == LatheSetup::kMostSlots) continue;
+    setup.stations.emplace_back();
+    setup = mounted(setup, tools, setup.stations.size() - 1, id);
+  }
+  if (setup.stations.empty()) setup.stations.emplace_back();
+}
+
 // The machine of the exercise: so it stands when the student begins.
 LatheSetup setupOf(const TurningTask& task) {
   LatheSetup setup = defaultLatheSetup(task.stock);
@@ -205,6 +245,7 @@ LatheSetup setupOf(const TurningTask& task) {
   setup.spindle.largestSpeed = std::max(setup.spindle.largestSpeed, task.lathe.spindleSpeed);
   setup.spindle.power = task.powerLimit;
   setup.handFeed = std::min(setup.handFeed, task.lathe.largestFeed);
+  provideTools(setup, task);
   return setup;
 }
 
@@ -265,7 +306,7 @@ SnapshotPointer TurningSubject::start(const ExerciseTask& task) const {
   WorkpieceSnapshot bar;
   bar = withValue(std::move(bar), WorkpieceField::Diameter, turning.stock.diameter);
   bar = withValue(std::move(bar), WorkpieceField::Length, turning.stock.length);
-  const WorkMaterials materials = WorkMaterials::standard();
+  const WorkMaterials& materials = WorkMaterials::standard();
   if (const WorkMaterial* material = materials.find(turning.material)) bar.material = material->name;
   if (const LatheSetup setup = setupOf(turning); setup.isSound()) bar.lathe = std::make_shared<const LatheSetup>(setup);
   return std::make_shared<const WorkpieceSnapshot>(std::move(bar));
@@ -301,11 +342,9 @@ Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const S
   constexpr double kTolerance = 2e-3;  // mm
   const WorkpieceSnapshot& workpiece = turnedOf(work);
   const TurnedProfile profile = partOf(workpiece, turnSpacingSetting().standard).profile;
-  if (const char* problem = problemAsTarget(profile))
-    return Error{ErrorCode::ElementMalformed, {"target", problem}, {}, {}};
-  Result<ReferenceProfile> target =
-      ReferenceProfile::make(chainThinned(lineOf(profile, TurningSide::Outside), kTolerance),
-                             chainThinned(lineOf(profile, TurningSide::Bore), kTolerance));
+  if (profile.pieces() > 1)
+    return Error{ErrorCode::ElementMalformed, {"target", "the part is in several pieces"}, {}, {}};
+  Result<TargetProfile> target = sectionOf(profile, kTolerance);
   if (!target) return target.error();
   TurningTask changed = turningOf(task);
   changed.target = std::move(target.value());
@@ -331,6 +370,7 @@ ReportDetails TurningSubject::details(const ExerciseTask& task, const Snapshot& 
   details.curves.push_back(shapeCurve(turningOf(task), part.profile()));
   if (!workpiece.part || !part.review()) return details;
   details.curves.push_back(pathCurve(workpiece));
+  if (ReportCurve finish = finishCurve(part); !finish.series.empty()) details.curves.push_back(std::move(finish));
   const std::vector<MeasuredPart::Load> loads = part.loads();
   details.curves.push_back(
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
@@ -347,10 +387,22 @@ DisplayModel TurningSubject::display(const ExerciseTask& task) const {
   const TurningTask& turning = turningOf(task);
   TurnedProfile shape(turning.stock, std::max(kSpacing, turning.stock.length / kMostRows));
   for (std::size_t i = 0; turning.target && i < shape.size(); ++i) {
-    shape.limitOuter(i, turning.target->radius(TurningSide::Outside, shape.z(i)));
-    shape.limitInner(i, turning.target->radius(TurningSide::Bore, shape.z(i)));
+    const auto extent = turning.target->extentAt(shape.z(i));
+    shape.limitOuter(i, extent ? extent->outer : 0.0);
+    if (extent) shape.limitInner(i, extent->inner);
   }
   return displayOf(TurnedSurface(shape, std::max(kChord, kOfDiameter * turning.stock.diameter)), 0.0);
+}
+
+std::vector<FileFormat> TurningSubject::drawingFormats() const {
+  return handwheel::drawingFormats();
+}
+
+Result<WrittenFile> TurningSubject::exportDrawing(const Exercise& exercise, const ExerciseTask& task,
+                                                  const std::filesystem::path& path, Progress progress) const {
+  const TurningTask& turning = turningOf(task);
+  if (!turning.target) return Error{ExerciseError::WithoutTarget, {}, {}, path.string()};
+  return handwheel::exportDrawing(*turning.target, drawingTitleOf(exercise, turning), path, progress);
 }
 
 }  // namespace handwheel

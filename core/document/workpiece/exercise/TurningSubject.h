@@ -37,6 +37,9 @@ class TurningSubject : public ExerciseSubject {
                               Progress progress) const override;
   ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const override;
   DisplayModel display(const ExerciseTask& task) const override;
+  std::vector<FileFormat> drawingFormats() const override;
+  Result<WrittenFile> exportDrawing(const Exercise& exercise, const ExerciseTask& task,
+                                    const std::filesystem::path& path, Progress progress) const override;
 
  private:
   WorkpieceKind m_kind;

@@ -4,7 +4,9 @@
 
 #include "base/JsonText.h"
 #include "base/NumberText.h"
+#include "document/workpiece/exercise/TargetJson.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/lathe/LatheJson.h"
 
 #include <QtGlobal>
 #include <array>
@@ -55,41 +57,8 @@ double valueOf(const TaskNumber& number, const TurningTask& task) {
   return number.at(const_cast<TurningTask&>(task));  // which is only read
 }
 
-Json jsonOf(const std::vector<ProfilePoint>& points) {
-  Json json = Json::array();
-  for (const ProfilePoint& p : points) json.push_back({p.x(), p.y()});
-  return json;
-}
-
-std::optional<std::vector<ProfilePoint>> pointsIn(const Json& object, const char* key) {
-  std::vector<ProfilePoint> points;
-  const auto found = object.find(key);
-  if (found == object.end() || found->is_null()) return points;
-  if (!found->is_array() || found->size() > ReferenceProfile::kMostPoints) return std::nullopt;
-  for (const Json& each : *found) {
-    if (!each.is_array() || each.size() != 2 || !each[0].is_number() || !each[1].is_number()) return std::nullopt;
-    points.emplace_back(each[0].get<double>(), each[1].get<double>());
-  }
-  return points;
-}
-
-std::optional<ReferenceProfile> targetIn(const Json& json, std::vector<Error>& damage) {
-  const auto found = json.find("target");
-  if (found == json.end() || found->is_null()) return std::nullopt;
-  const auto outer = found->is_object() ? pointsIn(*found, "outer") : std::nullopt;
-  const auto inner = found->is_object() ? pointsIn(*found, "inner") : std::nullopt;
-  if (!outer || !inner) {
-    damage.push_back({ErrorCode::ElementMalformed, {"target", "points of two numbers each were expected"}, {}, {}});
-    return std::nullopt;
-  }
-  Result<ReferenceProfile> target = ReferenceProfile::make(*outer, *inner);
-  if (target) return std::move(target.value());
-  damage.push_back(target.error());
-  return std::nullopt;
-}
-
 const WorkMaterials& materials() {
-  static const WorkMaterials kMaterials = WorkMaterials::standard();
+  const WorkMaterials& kMaterials = WorkMaterials::standard();
   return kMaterials;
 }
 
@@ -107,10 +76,12 @@ Json toJson(const TurningTask& task) {
   for (const TaskNumber& number : taskNumbers()) json[number.id] = valueOf(number, task);
   json["material"] = task.material;
   json["tools"] = Json::array();
-  for (const AllowedTool& tool : task.tools)
+  for (const AllowedTool& tool : task.tools) {
     json["tools"].push_back({{"name", tool.name}, {"nose_radius", tool.noseRadius}});
+    if (!tool.tool.empty()) json["tools"].back()["tool"] = tool.tool;
+  }
   json["target"] = nullptr;
-  if (task.target) json["target"] = {{"outer", jsonOf(task.target->outer())}, {"inner", jsonOf(task.target->inner())}};
+  if (task.target) json["target"] = toJson(*task.target);
   return json;
 }
 
@@ -140,17 +111,18 @@ TurningTask turningTaskFrom(const Json& json, std::vector<Error>& damage) {
     for (const Json& each : *tools) {
       const auto nose = each.is_object() ? each.find("nose_radius") : each.end();
       const double radius = nose != each.end() && nose->is_number() ? nose->get<double>() : AllowedTool().noseRadius;
-      AllowedTool tool{stringAt(each, "name"), radius};
+      AllowedTool tool{stringAt(each, "name"), radius, stringAt(each, "tool")};
       const bool isSound = radius >= TurningPass::kLeastNose && radius <= TurningPass::kLargestNose &&
-                           tool.name.size() <= Exercise::kLongestText && task.tools.size() < TurningTask::kMostTools;
+                           tool.name.size() <= Exercise::kLongestText && task.tools.size() < TurningTask::kMostTools &&
+                           (tool.tool.empty() || toolNamed(shippedLatheTools(), tool.tool));
       if (isSound) {
         task.tools.push_back(std::move(tool));
       } else {
-        damage.push_back({ErrorCode::ElementMalformed, {"tools", "a tool is impossible"}, {}, {}});
+        damage.push_back({ErrorCode::ElementMalformed, {"tools", "a tool is impossible or not known"}, {}, {}});
       }
     }
   }
-  task.target = targetIn(json, damage);
+  task.target = targetFrom(json.value("target", Json()), damage);
   return task;
 }
 

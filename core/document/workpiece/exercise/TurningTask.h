@@ -3,8 +3,8 @@
 #pragma once
 
 #include "document/exercise/ExerciseSubject.h"
-#include "machining/measure/ReferenceProfile.h"
 #include "machining/measure/TurningReview.h"
+#include "machining/target/TargetProfile.h"
 #include "nurbs/StockCylinder.h"
 
 namespace handwheel {
@@ -13,6 +13,7 @@ namespace handwheel {
 struct AllowedTool {
   std::string name;         // "right-hand turning tool"
   double noseRadius = 0.8;  // mm
+  std::string tool = {};    // id of the one of the manual lathe; empty: it is only said
   bool operator==(const AllowedTool&) const = default;
 };
 
@@ -28,7 +29,7 @@ struct TurningTask : ExerciseTask {
   double forceLimit = 2000.0;  // N, of the lathe; shown to the student
   double powerLimit = 3.0;     // kW
   std::vector<AllowedTool> tools;
-  std::optional<ReferenceProfile> target;
+  std::optional<TargetProfile> target;
 };
 
 // As containers and descriptions have it; docs/format.md lists the keys.

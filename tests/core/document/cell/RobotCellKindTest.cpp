@@ -115,7 +115,7 @@ void RobotCellKindTest::missingMeshes() {
   QVERIFY(damage.empty());
 }
 
-// Told once, whatever the number of its meshes.
+// Reported once, whatever the number of its meshes.
 void RobotCellKindTest::missingPackage() {
   QTemporaryDir folder;
   std::string meshes;

@@ -3,8 +3,11 @@
 #include "TestClass.h"
 #include "TurningExercises.h"
 #include "base/JsonText.h"
+#include "base/NumberText.h"
 #include "document/FileBytes.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/exercise/ExerciseDrawing.h"
+#include "document/workpiece/exercise/TurningFigures.h"
 
 #include <QDir>
 #include <QRegularExpression>
@@ -87,6 +90,65 @@ class ShippedExercisesTest : public QObject {
           markWork(*exercise, *workFrom(*exercise, description["solution"].patch(fault["patch"])), attempt);
       const Names expected = fault["loses"].get<Names>();
       QVERIFY2(lostMarks(marked) == expected, (fault["name"].get<std::string>() + "\n" + reasons(marked)).c_str());
+    }
+  }
+
+  // The drawing of each target: what is asked stands on it, and no text on another one.
+  void drawings_data() { each_data(); }
+  void drawings() {
+    QFETCH(QString, path);
+    const ExerciseKind kind(turningOnly());
+    const auto exercise = exerciseFrom(kind, descriptionIn(path));
+    const auto& task = static_cast<const TurningTask&>(*exercise->task);
+    QVERIFY(task.target.has_value());
+    const DrawingTitle title = drawingTitleOf(exercise->exercise, task);
+    const Sheet sheet = drawingSheet(*task.target, title);
+    std::set<std::string> texts;
+    for (const Sheet::Text& text : sheet.texts) texts.insert(text.text);
+    for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+      for (std::size_t k = i + 1; k < sheet.texts.size(); ++k) {
+        const ProfileBox common = sheet.texts[i].box().intersection(sheet.texts[k].box());
+        QVERIFY2(!(common.sizes().minCoeff() > 1e-9), (sheet.texts[i].text + " on " + sheet.texts[k].text).c_str());
+      }
+    }
+    for (const MarkingCriterion& c : exercise->exercise.criteria) {
+      if (c.figure == "roughness") QVERIFY(texts.contains("Ra 3.2"));  // N8
+      if (c.figure == "major_diameter") QVERIFY(texts.contains("M20×2.5 – 6g"));
+      const bool isCylinder = c.figure == "diameter" && c.arguments[1] - c.arguments[0] > 5.0;
+      if (isCylinder || c.figure == "bore")
+        QVERIFY2(texts.contains("Ø" + shownText(*c.nominal) + " " + c.tolerance), c.name.c_str());
+    }
+  }
+
+  // The ball of radius 18 is found as one in its target, on its drawing, and in the model solution.
+  void theBallIsABall() {
+    const ExerciseKind kind(turningOnly());
+    const auto exercise = exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/ball.exercise.json")));
+    const auto& task = static_cast<const TurningTask&>(*exercise->task);
+    const Sheet sheet = drawingSheet(*task.target, drawingTitleOf(exercise->exercise, task));
+    QVERIFY(std::any_of(sheet.texts.begin(), sheet.texts.end(),
+                        [](const Sheet::Text& text) { return text.text == "SR18 ±0.1"; }));
+    const MeasuredPart solution(task, static_cast<const WorkpieceSnapshot&>(*exercise->solution), {});
+    MarkingCriterion radius = *exercise->exercise.find("radius");
+    QVERIFY(std::abs(*solution.measure(radius).value - 18.0) < 0.03);
+    // The neck beside the ball is no ball, nor is the fillet below it, which is hollow.
+    radius.arguments = {35.0, 50.0};
+    QVERIFY(!solution.measure(radius).value);
+  }
+
+  // Gourd and glass are no circles: an arc is not marked where there is none within its tolerance.
+  void freeFormsAreNoArcs() {
+    const ExerciseKind kind(turningOnly());
+    for (const auto& [file, from, to] : {std::tuple("gourd", 33.0, 95.0), std::tuple("wine-glass", 58.0, 105.0)}) {
+      const auto exercise =
+          exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/%1.exercise.json").arg(file)));
+      const auto& task = static_cast<const TurningTask&>(*exercise->task);
+      const MeasuredPart solution(task, static_cast<const WorkpieceSnapshot&>(*exercise->solution), {});
+      MarkingCriterion c{"arc", "", "arc", {from, to}};
+      c.lower = 1.0;
+      c.upper = 1.2;
+      const Figure figure = solution.measure(c);
+      QVERIFY2(!figure.value && figure.remark.inEnglish().find("circle") != std::string::npos, file);
     }
   }
 

@@ -3,12 +3,17 @@
 #include "TestClass.h"
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseErrors.h"
-#include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningTask.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/lathe/LatheMachine.h"
+#include "machining/lathe/LatheMounting.h"
+#include "machining/target/TargetDeviation.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -113,6 +118,39 @@ class TurningExerciseTest : public QObject {
     QVERIFY(marking.find("d")->remark.inEnglish().find("passes") != std::string::npos);
   }
 
+  // The roughness is that which is kept along the part: one that is finer than its passes leave is found out; where an
+  // older program kept none, it is that of the passes.
+  void theFinishThatIsKept() {
+    WorkpieceSnapshot work = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork()));
+    const double honest = *markWork(*shoulder(), work, {}).find("ra")->value;
+    TurnedPart part = *work.part;
+    part.finish = SurfaceFinish();
+    work.part = std::make_shared<const TurnedPart>(part);
+    QVERIFY(std::abs(*markWork(*shoulder(), work, {}).find("ra")->value - honest) < 1e-6);
+    part.finish = SurfaceFinish(part.profile.size());
+    for (std::size_t i = 0; i < part.profile.size(); ++i) part.finish.set(TurningSide::Outside, i, {0.1f, 0.1f, 0});
+    work.part = std::make_shared<const TurnedPart>(part);
+    const Marking forged = markWork(*shoulder(), work, {});
+    QVERIFY(!forged.find("ra")->value && forged.find("ra")->points == 0.0);
+    QVERIFY(forged.find("ra")->remark.inEnglish().find("passes") != std::string::npos);
+  }
+
+  // A shoulder that was fed too fast loses its mark for roughness, and paper gets it back.
+  void paperMendsTheFinish() {
+    WorkpieceSnapshot work = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork(30.0, 0.4)));
+    QVERIFY(lostIn(markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}})).contains("ra"));
+    TurningPass pass;
+    pass.tool = toolNamed(shippedLatheTools(), "paper-240");
+    for (double z = 100.0; z >= 72.5; z -= 0.5) {
+      pass.path.emplace_back(14.985, z);
+      pass.times.push_back(static_cast<double>(pass.times.size()));
+    }
+    pass.speeds.assign(pass.path.size(), 600.0);
+    work.part = withPass(work, pass, 0.05);
+    const Marking marking = markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}});
+    QVERIFY2(!lostIn(marking).contains("ra"), marking.find("ra")->reason.inEnglish().c_str());
+  }
+
   void workOfAnotherBar() {
     Json other = shoulderDescription();
     other["task"]["diameter"] = 50;
@@ -140,21 +178,23 @@ class TurningExerciseTest : public QObject {
     QVERIFY(task.hasValue());
     const TurningTask& turning = static_cast<const TurningTask&>(**task);
     const TurnedProfile& profile = static_cast<const WorkpieceSnapshot&>(*work).part->profile;
-    QVERIFY(turning.target && deviationFrom(*turning.target, profile, {-1, 101}).largest() < 0.01);
-    QVERIFY(turning.target->outer().size() < 2'000);
+    QVERIFY(turning.target && deviationFrom(*turning.target, profile, 0.0).largest() < 0.01);
+    QVERIFY(turning.target->segments().size() < 2'000);
   }
 
-  // A groove through the bar, and a bore from each end: no line of a target can say that.
-  void aTargetHasNoGaps() {
+  // A groove through the bar: no outline of a target can say that. Bores from both ends it can.
+  void aTargetIsOnePiece() {
     Json parted = shoulderWork();
     parted["passes"].push_back({{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{22, 80}, {0.0, 80}}}});
     QVERIFY(!shoulder()->subject->withTarget(*shoulder()->task, *workFrom(*shoulder(), parted)));
     Json bored = shoulderWork();
     for (const auto& [from, to] : {std::pair(101, 80), std::pair(-1, 20)})
       bored["passes"].push_back({{"nose_radius", 0.8}, {"side", "bore"}, {"points", {{4, from}, {4, to}, {0, to}}}});
-    QVERIFY(!shoulder()->subject->withTarget(*shoulder()->task, *workFrom(*shoulder(), bored)));
-    bored["passes"].erase(bored["passes"].size() - 1);
-    QVERIFY(shoulder()->subject->withTarget(*shoulder()->task, *workFrom(*shoulder(), bored)).hasValue());
+    const auto work = workFrom(*shoulder(), bored);
+    const auto task = shoulder()->subject->withTarget(*shoulder()->task, *work);
+    QVERIFY(task.hasValue());
+    const TurnedProfile& profile = static_cast<const WorkpieceSnapshot&>(*work).part->profile;
+    QVERIFY(deviationFrom(*static_cast<const TurningTask&>(**task).target, profile, 0.0).largest() < 0.02);
   }
 
   // The student stands at the machine of the exercise.
@@ -166,6 +206,28 @@ class TurningExerciseTest : public QObject {
     QCOMPARE(bar->lathe->spindle.power, 3.0);
     QCOMPARE(LatheMachine::initialState(*bar->lathe, bar->stock).setSpeed, 600.0);
     QCOMPARE(shoulder()->subject->conditions(*shoulder()->task).size(), std::size_t{4});
+  }
+
+  // Where it names tools of the lathe these are in the post, and no others can be mounted.
+  void theToolsOfTheTask() {
+    Json description = shoulderDescription();
+    description["task"]["tools"] =
+        Json::array({Json{{"name", "roughing"}, {"nose_radius", 0.8}, {"tool", "right-roughing"}},
+                     Json{{"name", "drill"}, {"nose_radius", 0.8}, {"tool", "drill-10"}}});
+    const auto exercise = exerciseFrom(turningKind(), description);
+    const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(exercise->subject->start(*exercise->task));
+    QCOMPARE(bar->lathe->stations.size(), std::size_t{1});
+    QCOMPARE(bar->lathe->stations[0].tool, std::string("right-roughing"));
+    QVERIFY(isAllowed(*bar->lathe, "drill-10") && !isAllowed(*bar->lathe, "facing"));
+    const auto again = latheSetupFrom(toJson(*bar->lathe));
+    QVERIFY(again && *again == *bar->lathe);
+    std::vector<Error> damage;
+    const auto same = exercise->subject->fromJson(exercise->subject->toJson(*exercise->task), damage);
+    QVERIFY(damage.empty());
+    QVERIFY(static_cast<const TurningTask&>(*same).tools == static_cast<const TurningTask&>(*exercise->task).tools);
+    description["task"]["tools"][0]["tool"] = "spoon";
+    exercise->subject->fromJson(description["task"], damage);
+    QCOMPARE(damage.size(), std::size_t{1});
   }
 
   // What the lathe itself has seen counts besides what the passes show.
@@ -222,7 +284,8 @@ class TurningExerciseTest : public QObject {
   void detailsForAReport() {
     const auto work = workFrom(*shoulder(), shoulderWork());
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
-    QCOMPARE(details.curves.size(), std::size_t{4});
+    QCOMPARE(details.curves.size(), std::size_t{5});
+    QVERIFY(std::any_of(details.curves.begin(), details.curves.end(), [](const auto& c) { return c.yUnit == "µm"; }));
     for (const ReportCurve& curve : details.curves) QVERIFY(!curve.series.empty() && !curve.series[0].points.empty());
     QVERIFY(details.events.empty() && details.seconds > 0.0);
     const ReportDetails none =

@@ -101,7 +101,7 @@ class StepReaderTest : public QObject {
   // A unit that is defined in the file may have any name; what counts is the factor.
   void namesOfUnits_data() {
     QTest::addColumn<QByteArray>("name");
-    QTest::addColumn<QByteArray>("told");
+    QTest::addColumn<QByteArray>("expected");
     QTest::newRow("dots") << QByteArray("U.S. SURVEY FOOT") << QByteArray("U.S. SURVEY FOOT");
     QTest::newRow("digits") << QByteArray("25.4 MM") << QByteArray("25.4 MM");
     QTest::newRow("none") << QByteArray() << QByteArray("unknown");
@@ -112,13 +112,13 @@ class StepReaderTest : public QObject {
   }
   void namesOfUnits() {
     QFETCH(QByteArray, name);
-    QFETCH(QByteArray, told);
+    QFETCH(QByteArray, expected);
     const std::string inches = test::stepFile("box-inch.step");
     const MeshFile file = readOrFail(test::replaced(inches, "'INCH'", "'" + name.toStdString() + "'"));
     QVERIFY(isBox(file.soup, Vec3::Zero(), Vec3(25.4, 50.8, 76.2)));
     QCOMPARE(file.notes.size(), std::size_t{3});
     const std::string& unit = file.notes[2].arguments[0];
-    if (!told.isEmpty()) QCOMPARE(unit, told.toStdString());
+    if (!expected.isEmpty()) QCOMPARE(unit, expected.toStdString());
     QVERIFY(!unit.empty() && std::all_of(unit.begin(), unit.end(), [](char c) { return c >= ' ' && c <= '~'; }));
   }
 

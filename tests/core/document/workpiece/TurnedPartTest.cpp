@@ -108,7 +108,8 @@ class TurnedPartTest : public QObject {
     QCOMPARE(damage[0].arguments.at(2), std::string("99998"));
   }
 
-  // A small file that would be cut for hours, 20,000 points of a nose over 200,000 samples: the damage is told at once.
+  // A small file that would be cut for hours, 20,000 points of a nose over 200,000 samples: the damage is reported at
+  // once.
   void hostilePassesAreNotCutOnceMore() {
     WorkpieceSnapshot workpiece;
     TurningPass pass;

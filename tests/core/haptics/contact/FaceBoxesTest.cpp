@@ -55,10 +55,10 @@ class FaceBoxesTest : public QObject {
           const auto& [a, b, c] = triangles[i];
           const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
           const double gap = std::max((low - p.cwiseMax(end)).maxCoeff(), (p.cwiseMin(end) - high).maxCoeff());
-          const bool told = (bits >> i & 1) != 0;
-          if (gap <= near) QVERIFY(told);
-          if (gap > near + 1e-5 * scale) QVERIFY(!told);
-          (told ? met : apart) += 1;
+          const bool found = (bits >> i & 1) != 0;
+          if (gap <= near) QVERIFY(found);
+          if (gap > near + 1e-5 * scale) QVERIFY(!found);
+          (found ? met : apart) += 1;
         }
       }
     }

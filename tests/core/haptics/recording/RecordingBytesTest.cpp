@@ -71,7 +71,7 @@ class RecordingBytesTest : public QObject {
     QVERIFY(recordingFromBytes(bytes + "x").error().code == ErrorCode::CountMismatch);
   }
 
-  // Announces far more than there is: told at once, without asking for the memory.
+  // Announces far more than there is: refused at once, without asking for the memory.
   void announcedNumbersAreNotBelieved() {
     std::string bytes = recordingBytes(twoTicks());
     std::string many = bytes;

@@ -120,7 +120,7 @@ class SceneForcesTest : public QObject {
   }
 
   // A face draws a tip above it by the quadratic profile, and leaves one that touches it to the surface. Through the
-  // surface the force changes by no more than the stiffer of the two allows. What holds is told of points and edges.
+  // surface the force changes by no more than the stiffer of the two allows. What holds is stated for points and edges.
   void aFaceDrawsOnlyFromAbove() {
     SnapFeatures features;
     features.addTriangle(1, {0, 0, 10}, {10, 0, 10}, {10, 10, 10});

@@ -206,7 +206,7 @@ class ServoTickTest : public QObject {
     QVERIFY((sample.felt.force - Vec3(-2, 0, 0)).norm() < 1e-12);
   }
 
-  // What only points has no motors that could become unstable: no limit, and the force is still told.
+  // What only points has no motors that could become unstable: no limit, and the force is still reported.
   void aDeviceWithoutMotorsHasNoLimit() {
     Rig rig;
     DeviceCapabilities mouse;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/drawing/PartDrawing.h"
 
+#include "../target/AnyProfile.h"
 #include "TestClass.h"
 #include "machining/drawing/Dimensions.h"
 
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 
 using namespace handwheel;
 
@@ -38,17 +40,33 @@ bool hasText(const Sheet& sheet, const std::string& wanted) {
   return std::any_of(sheet.texts.begin(), sheet.texts.end(), [&](const auto& t) { return t.text == wanted; });
 }
 
-ProfileBox boxOf(const Sheet& sheet) {
-  ProfileBox box;
-  for (const Sheet::Stroke& s : sheet.strokes) box.extend(s.curve.box());
-  for (const Sheet::Text& t : sheet.texts) {
-    const double width = widthOf(t.text, t.height);
-    const ProfilePoint along = t.isUpwards ? ProfilePoint(0, width) : ProfilePoint(width, 0);
-    const double before = t.align == Sheet::Align::Left ? 0.0 : t.align == Sheet::Align::Centre ? 0.5 : 1.0;
-    box.extend(ProfilePoint(t.at - before * along));
-    box.extend(ProfilePoint(t.at + (1.0 - before) * along));
+// What a hand leaves: a shaft with two shoulders whose surface goes in and out by up to `waviness`, every 0.3 mm.
+TargetProfile byHand(double waviness) {
+  std::vector<ProfilePoint> points{{12, 0}};
+  for (int i = 1; i <= 300; ++i) {
+    const double z = 0.3 * i, size = i < 100 ? 12.0 : i < 200 ? 10.0 : 7.0;
+    if (i == 100 || i == 200) points.emplace_back(size, points.back().y());
+    points.emplace_back(size + waviness * std::sin(7.0 * i) * std::cos(3.1 * i), z);
   }
-  return box;
+  return along(points);
+}
+
+// Pairs of texts that are on one another.
+QStringList overlaps(const Sheet& sheet) {
+  QStringList found;
+  for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+    for (std::size_t k = i + 1; k < sheet.texts.size(); ++k) {
+      const ProfileBox common = sheet.texts[i].box().intersection(sheet.texts[k].box());
+      if (common.sizes().minCoeff() > 1e-9)
+        found << QString::fromStdString(sheet.texts[i].text + " on " + sheet.texts[k].text);
+    }
+  }
+  return found;
+}
+
+std::size_t countOf(const Sheet& sheet, const std::string& start) {
+  return static_cast<std::size_t>(
+      std::count_if(sheet.texts.begin(), sheet.texts.end(), [&](const auto& t) { return t.text.starts_with(start); }));
 }
 
 }  // namespace
@@ -58,9 +76,14 @@ class PartDrawingTest : public QObject {
 
  private slots:
   void hasItsDimensions() {
-    const Sheet sheet = drawingSheet(part(), {"Bolt", "C45", {}, 1e-3});
-    for (const char* text : {"Ø40", "Ø24", "Ø20", "Ø10", "R3", "2×45°", "Bolt", "C45", "1:1", "A4", "mm"})
+    const Sheet sheet = drawingSheet(part(), {"Bolt", "C45", {}, 1e-3, {}, {}});
+    for (const char* text : {"Ø40", "Ø24", "Ø20", "Ø10", "R3", "2×45°", "Bolt", "C45", "A4", "mm"})
       QVERIFY2(hasText(sheet, text), text);
+    // The scale is that of the axis, which is drawn 5 mm beyond both ends.
+    for (const Sheet::Stroke& s : sheet.strokes) {
+      const bool isAxis = s.line == Sheet::Line::Centre && s.curve.length() > 20.0;
+      if (isAxis) QVERIFY(hasText(sheet, scaleText((s.curve.length() - 10.0) / 90.0)));
+    }
     // The angle between the sides of the taper, 2 atan(2 / 20).
     QVERIFY(hasText(sheet, "∠11.42°"));
     // From the upper end: the shoulder at 30, the tapers, the whole; and the bore.
@@ -70,10 +93,12 @@ class PartDrawingTest : public QObject {
   void tolerances() {
     const Sheet sheet = drawingSheet(part(), {"Bolt",
                                               "C45",
-                                              {{DrawnTolerance::Of::Diameter, 40.0, "h7"},
-                                               {DrawnTolerance::Of::Length, 90.0, "±0.1"},
-                                               {DrawnTolerance::Of::Length, 40.0, "±9"}},
-                                              1e-3});
+                                              {{DrawnTolerance::Of::Diameter, 40.0, "h7", 0.0, 0.0},
+                                               {DrawnTolerance::Of::Length, 90.0, "±0.1", 0.0, 0.0},
+                                               {DrawnTolerance::Of::Length, 40.0, "±9", 0.0, 0.0}},
+                                              1e-3,
+                                              {},
+                                              {}});
     QVERIFY(hasText(sheet, "Ø40 h7") && hasText(sheet, "90 ±0.1") && !hasText(sheet, "Ø40 ±9"));
   }
 
@@ -91,24 +116,124 @@ class PartDrawingTest : public QObject {
       for (const double slender : {0.05, 1.0, 20.0}) {
         const TargetProfile bar = along(
             {{size, 0}, {size, slender * size}, {0.6 * size, slender * size}, {0.6 * size, 1.5 * slender * size}});
-        const Sheet sheet = drawingSheet(bar, {std::string(500, 'x'), std::string(500, 'y'), {}, 1e-6 * size});
-        const ProfileBox box = boxOf(sheet);
+        const Sheet sheet = drawingSheet(bar, {std::string(500, 'x'), std::string(500, 'y'), {}, 1e-6 * size, {}, {}});
+        const ProfileBox box = sheet.box();
         QVERIFY(box.min().x() >= kFrame - 5.0 && box.min().y() >= kFrame - 1e-9);
         QVERIFY(box.max().x() <= sheet.width - kFrame + 5.0 && box.max().y() <= sheet.height - kFrame + 5.0);
       }
     }
   }
 
+  // Running dimensions from the upper end (ISO 129-1): each height has its text.
   void manyShoulders() {
     std::vector<ProfilePoint> points{{5, 0}};
-    for (int i = 0; i < 30; ++i) {
-      points.emplace_back(points.back().x(), 5.0 * (i + 1));
-      points.emplace_back(5.0 + 0.5 * (i + 1), 5.0 * (i + 1));
+    for (int i = 0; i < 14; ++i) {
+      points.emplace_back(points.back().x(), 10.0 * (i + 1));
+      points.emplace_back(5.0 + 0.5 * (i + 1), 10.0 * (i + 1));
     }
     points.pop_back();  // the upper end face goes from there to the axis
     const Sheet sheet = drawingSheet(along(points), {});
     QCOMPARE(sheet.width, 420.0);
-    QVERIFY(hasText(sheet, "150"));  // the whole, below the chain
+    for (const char* text : {"0", "10", "70", "130", "140"}) QVERIFY2(hasText(sheet, text), text);
+    QVERIFY2(overlaps(sheet).isEmpty(), qPrintable(overlaps(sheet).join(", ")));
+  }
+
+  // What a hand leaves below 0.05 mm is no feature: the three diameters and lengths remain.
+  void tinyStepsHaveNoDimensions() {
+    const Sheet sheet = drawingSheet(byHand(0.015), {"By hand", "", {}, 0.01, {}, {}});
+    QCOMPARE(countOf(sheet, "Ø"), std::size_t{3});
+    for (const double size : {24.0, 20.0, 14.0}) {
+      const auto isNear = [&](const Sheet::Text& t) {
+        return t.text.starts_with("Ø") && std::abs(std::stod(t.text.substr(2)) - size) <= 0.05;
+      };
+      QVERIFY(std::any_of(sheet.texts.begin(), sheet.texts.end(), isNear));
+    }
+    QVERIFY(hasText(sheet, "90") && countOf(sheet, "Without features below 0.") == 1);
+    QVERIFY2(overlaps(sheet).isEmpty(), qPrintable(overlaps(sheet).join(", ")));
+  }
+
+  // Beside steps that are left out: a face between two samples is not quite flat, and a groove that two passes made not
+  // quite a cylinder. A taper of 2° over the same depth is one.
+  void whatIsNearlyFlatIsFlat() {
+    const auto shaft = [](double lean, double rise) {
+      return drawingSheet(along({{0, 0},
+                                 {20, 0},
+                                 {20, 10},
+                                 {19.99, 10},
+                                 {19.99, 30},
+                                 {15, 30 + lean},
+                                 {15, 50},
+                                 {12, 50},
+                                 {12 + rise, 60},
+                                 {0, 60}}),
+                          {});
+    };
+    QCOMPARE(countOf(shaft(0.08, 0.04), "∠"), std::size_t{0});
+    QCOMPARE(countOf(shaft(0.4, 0.35), "∠"), std::size_t{2});
+  }
+
+  // Whatever the part is, no text is on another one, and all are on the sheet.
+  void noTextIsOnAnother() {
+    for (const double waviness : {0.02, 0.08, 0.3, 1.0}) {
+      const Sheet sheet = drawingSheet(byHand(waviness), {"By hand", "C45", {}, 0.01, {}, {}});
+      QVERIFY2(overlaps(sheet).isEmpty(), qPrintable(overlaps(sheet).join(", ")));
+      // Steps of 2 and 3 mm are seen beside waves of a quarter of that, not beside waves of half of it.
+      if (waviness < 0.5) QVERIFY(countOf(sheet, "Ø") >= 3);
+    }
+    QVERIFY(rc::check("texts do not overlap", [] {
+      const auto target = TargetProfile::make(test::anyShaft());
+      RC_PRE(target.hasValue());
+      DrawingTitle title{"Any", "C45", {}, 1e-3, {}, {}};
+      title.tolerances.push_back({DrawnTolerance::Of::Length, target->length(), "+0.05 -0.1", 0.0, 0.0});
+      title.roughness.push_back({1.6, target->lowerEnd(), target->upperEnd(), false});
+      const Sheet sheet = drawingSheet(*target, title);
+      RC_ASSERT(overlaps(sheet).isEmpty());
+      RC_ASSERT(ProfileBox(ProfilePoint(0, 0), ProfilePoint(sheet.width, sheet.height)).contains(sheet.box()));
+    }));
+  }
+
+  // ISO 6410-1: a narrow line at the minor diameter along the thread, on both sides of the axis, and the designation
+  // in place of the diameter.
+  void threads() {
+    DrawingTitle title{"Bolt", "C45", {}, 1e-3, {{"M20×2.5", 60.0, 80.0, 20.0, 16.93, false}}, {}};
+    const Sheet sheet = drawingSheet(along({{15, 0}, {15, 50}, {10, 50}, {10, 80}}), title);
+    QVERIFY(hasText(sheet, "M20×2.5") && hasText(sheet, "Ø30") && !hasText(sheet, "Ø20"));
+    std::vector<double> heights;
+    for (const Sheet::Stroke& s : sheet.strokes) {
+      const bool isLevel = s.curve.from.y() == s.curve.to.y() && s.line == Sheet::Line::Narrow;
+      const double length = s.curve.length(), scale = length / 20.0;  // the thread is 20 mm long
+      if (isLevel && (scale == 1.0 || scale == 2.0)) heights.push_back(s.curve.from.y());
+    }
+    std::sort(heights.begin(), heights.end());
+    const bool isThere = std::any_of(heights.begin(), heights.end(), [&](double low) {
+      return std::any_of(heights.begin(), heights.end(), [&](double high) {
+        return std::abs(high - low - 16.93) < 1e-9 || std::abs(high - low - 2.0 * 16.93) < 1e-9;
+      });
+    });
+    QVERIFY(isThere);
+  }
+
+  // A tolerance is for the surface where it was asked, not for another one of that size.
+  void tolerancesHaveTheirPlace() {
+    DrawingTitle title{"Bolt",
+                       "C45",
+                       {{DrawnTolerance::Of::Diameter, 20.0, "h10", 42.0, 58.0},
+                        {DrawnTolerance::Of::Length, 20.0, "±0.1", 20.0, 40.0}},
+                       1e-3,
+                       {},
+                       {{3.2, 42.0, 58.0, false}}};
+    const Sheet sheet =
+        drawingSheet(along({{9.975, 0}, {9.975, 20}, {15, 20}, {15, 40}, {9.975, 40}, {9.975, 60}}), title);
+    QVERIFY(hasText(sheet, "Ø20 h10") && hasText(sheet, "Ø19.95") && hasText(sheet, "20 ±0.1"));
+    QVERIFY(hasText(sheet, "Ra 3.2"));
+  }
+
+  // The nearest places with a gap: of a crowd its middle stays, single ones stay where they are.
+  void spreading() {
+    QCOMPARE(spread({0.0, 10.0, 20.0}, 5.0), (std::vector<double>{0.0, 10.0, 20.0}));
+    QCOMPARE(spread({10.0, 10.0, 10.0}, 5.0), (std::vector<double>{5.0, 10.0, 15.0}));
+    QCOMPARE(spread({0.0, 1.0, 30.0}, 5.0), (std::vector<double>{-2.0, 3.0, 30.0}));
+    QVERIFY(spread({}, 5.0).empty());
   }
 
   void scales() {

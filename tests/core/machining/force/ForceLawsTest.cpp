@@ -52,7 +52,7 @@ class ForceLawsTest : public QObject {
  private slots:
   // 10 · 300 · 2^1 · 0.2^0.75 · 150^-0.15 = 846 N, with all factors 1.
   void kosilovaGivesItsExample() {
-    const KosilovaTables tables = KosilovaTables::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
     const KosilovaModel model(tables, *tables.find("steel-carbide"), 0.0, {});
     QVERIFY(std::abs(model.at(kExample).cutting - 846.0) < 0.5);
     QVERIFY(model.isVerified());
@@ -60,7 +60,7 @@ class ForceLawsTest : public QObject {
 
   // The worked example of the handbook: strength 980 MPa 1.22, approach 90° 0.89, rake 10° 1.0, nose 0.8 mm 0.91.
   void kosilovaCorrectsAsItsWorkedExample() {
-    const KosilovaTables tables = KosilovaTables::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
     const CuttingEdge edge{ToolMaterial::Carbide, 90 * kDegree, 10 * kDegree, {}, 0.8};
     const KosilovaModel model(tables, *tables.find("steel-carbide"), 980.0, edge);
     QVERIFY(std::abs(model.correction() - 1.22 * 0.89 * 1.0 * 0.91) < 2e-3);
@@ -71,7 +71,7 @@ class ForceLawsTest : public QObject {
 
   // Between entries factors are linear, beyond them constant; angles that no source confirms are unverified.
   void correctionsAreLinearBetweenEntries() {
-    const KosilovaTables tables = KosilovaTables::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
     const EdgeFactors between = tables.factorsOf({ToolMaterial::Carbide, 52.5 * kDegree, {}, {}, {}});
     QVERIFY(std::abs(between.cutting - 0.97) < 1e-12);
     QVERIFY(!between.isVerified);
@@ -81,7 +81,7 @@ class ForceLawsTest : public QObject {
   }
 
   void kosilovaShowsWhatIsUnverified() {
-    const KosilovaTables tables = KosilovaTables::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
     int verified = 0;
     for (const KosilovaRow& row : tables.rows()) {
       QVERIFY2(!row.source.empty() && row.cutting.isGiven(), row.id.c_str());
@@ -94,7 +94,7 @@ class ForceLawsTest : public QObject {
 
   // The table's own laws of feed and radial force, at the example.
   void kosilovaHasLawsOfThrust() {
-    const KosilovaTables tables = KosilovaTables::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
     ThrustSettings thrust;
     thrust.law = ThrustLaw::Table;
     const KosilovaModel model(tables, *tables.find("steel-carbide"), 0.0, {}, thrust);
@@ -136,7 +136,7 @@ class ForceLawsTest : public QObject {
   // Mitsubishi's tables of kc by feed: the law fitted to each stays within 5 % of every entry.
   void kienzleFitsTheTables() {
     int tables = 0;
-    const WorkMaterials materials = WorkMaterials::standard();
+    const WorkMaterials& materials = WorkMaterials::standard();
     for (const WorkMaterial& material : materials.all()) {
       if (material.measured.empty()) continue;
       ++tables;
@@ -172,8 +172,8 @@ class ForceLawsTest : public QObject {
   }
 
   void materialsAreComplete() {
-    const WorkMaterials materials = WorkMaterials::standard();
-    const KosilovaTables tables = KosilovaTables::standard();
+    const WorkMaterials& materials = WorkMaterials::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
     QCOMPARE(materials.all().size(), std::size_t(47));
     for (const WorkMaterial& m : materials.all()) {
       QCOMPARE(materials.find(m.id), &*std::find_if(materials.all().begin(), materials.all().end(),
@@ -200,8 +200,8 @@ class ForceLawsTest : public QObject {
 
   // Whatever a device says: a finite force that pushes, and none where nothing is cut.
   void extremesGiveFiniteForces() {
-    const KosilovaTables tables = KosilovaTables::standard();
-    const WorkMaterials materials = WorkMaterials::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
+    const WorkMaterials& materials = WorkMaterials::standard();
     rc::check([&] {
       const CutConditions cut{anyExtreme(), anyExtreme(), anyExtreme()};
       ThrustSettings thrust;

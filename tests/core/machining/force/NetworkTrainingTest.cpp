@@ -207,8 +207,8 @@ class NetworkTrainingTest : public QObject {
   }
 
   void syntheticRowsCoverAStudentsLathe() {
-    const KosilovaTables tables = KosilovaTables::standard();
-    const WorkMaterials materials = WorkMaterials::standard();
+    const KosilovaTables& tables = KosilovaTables::standard();
+    const WorkMaterials& materials = WorkMaterials::standard();
     for (const WorkMaterial& material : materials.all()) {
       const ForceSamples rows = syntheticSamples(material, tables);
       QVERIFY(rows.isSynthetic && rows.samples.size() >= 240 && conditionCount(rows.samples) == rows.samples.size());

@@ -196,7 +196,7 @@ class LatheLoadTest : public QObject {
 
   // By name, by id, and the usual one of other words; what is worn needs more.
   void materials() {
-    const WorkMaterials all = WorkMaterials::standard();
+    const WorkMaterials& all = WorkMaterials::standard();
     QCOMPARE(all.called("brass").id, std::string("brass"));
     QCOMPARE(all.called("GREY CAST IRON, ferritic-pearlitic").id, std::string("grey-iron"));
     QCOMPARE(all.called("").id, std::string(kUsualMaterial));

@@ -340,6 +340,31 @@ class LatheRunTest : public QObject {
     QVERIFY(std::abs((before - lathe.radiusAt(60.0)) - 20.0 * 0.0003) < 2e-4);
   }
 
+  // It is pressed no deeper than the limit, and goes on there; and where it is put to work already in the part it takes
+  // no more than it can.
+  void abrasivesKeepTheDepthLimit() {
+    LatheSetup setup = Lathe::exactSetup();
+    setup.stations[0].tool = "disk-100";
+    setup.depthLimit = 0.1;
+    Lathe lathe(setup);
+    lathe.spindle(600.0);
+    lathe.go(20.5, 60.0);
+    lathe.once({{CommandKind::Turn, LatheAxis::Cross, -2.0}});
+    lathe.pass(0.3);
+    QVERIFY(lathe.run.collisions().empty());
+    QVERIFY(lathe.deepest < 1e-3);
+    const double before = lathe.radiusAt(60.0);
+    QVERIFY2(lathe.run.machine().tip().x() > before - 0.1 - 1e-9,
+             qPrintable(QString::number(lathe.run.machine().tip().x())));
+    lathe.pass(5.0);
+    QVERIFY(lathe.radiusAt(60.0) < before - 0.05);
+    LatheState state = lathe.run.machine().state();
+    LatheRun other(setup, shippedLatheTools(), TurnedProfile(kBlank, 0.02), state);  // the bar is whole again
+    const LatheStep first =
+        other.step(kStep, std::vector<LatheCommand>{{CommandKind::Turn, LatheAxis::Carriage, -0.1}});
+    QVERIFY2(first.cut.depth <= 0.01 * first.turns + 1e-9, qPrintable(QString::number(first.cut.depth)));
+  }
+
   // A lead that is a part of the lead screw's pitch finds its thread again; 0.1 mm more would be another thread.
   void theHalfNut() {
     Lathe lathe;

@@ -34,7 +34,7 @@ ToolMove moveTo(const ProfilePoint& from, const ProfilePoint& to, std::uint32_t 
 
 }  // namespace
 
-// What an editor is told of a program: all errors, its dialect, its steps.
+// What an editor learns of a program: all errors, its dialect, its steps.
 class ProgramCheckTest : public QObject {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class ProgramCheckTest : public QObject {
         "G1 Y5\n"
         "G1 Z-20\n"
         "M2\n";
-    // Columns counted by hand. The words of G68 are its own and not told again.
+    // Columns counted by hand. The words of G68 are its own and not reported again.
     const QStringList expected{"2:1 G68", "3:14 M77", "4:4 Y5"};
     QCOMPARE(placesOf(programProblems(text, {})), expected);
     QVERIFY(programProblems("G0 X20 Z2\nG1 Z-10 F100\nM2\n", {}).empty());

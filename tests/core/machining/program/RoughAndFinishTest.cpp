@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "machining/lathe/LatheJson.h"
+#include "machining/program/CycleProgram.h"
 #include "machining/program/ProgramInterpreter.h"
 #include "machining/program/ProgramSimulation.h"
 #include "machining/program/ProgramWriter.h"
@@ -109,6 +110,53 @@ class RoughAndFinishTest : public QObject {
     settings = {};
     settings.depth = 0.0;
     QVERIFY(!roughAndFinish(targetOf("shaft"), kBarRadius, settings));
+  }
+
+  // A bar as long as the target: what is as thick as the bar at its lower end stays in the chuck. Anything thinner
+  // needs room for the nose (2 r), the allowance, and 0.01 mm beside the chuck.
+  void chuckHoldsTheLowerEnd_data() {
+    QTest::addColumn<double>("lowerRadius");
+    QTest::addColumn<double>("room");
+    QTest::addColumn<bool>("isMade");
+    QTest::newRow("as thick as the bar") << kBarRadius << 0.0 << true;
+    QTest::newRow("thinner") << 18.0 << 0.0 << false;
+    QTest::newRow("too little room") << 18.0 << 2 * 0.4 + 0.3 << false;
+    QTest::newRow("just room enough") << 18.0 << 2 * 0.4 + 0.3 + 0.02 << true;
+    QTest::newRow("room for a part of the overrun") << 18.0 << 3.0 << true;
+  }
+  void chuckHoldsTheLowerEnd() {
+    QFETCH(double, lowerRadius);
+    QFETCH(double, room);
+    QFETCH(bool, isMade);
+    const auto target = TargetProfile::make({{{lowerRadius, -100}, {lowerRadius, -70}},
+                                             {{lowerRadius, -70}, {14, -70}},
+                                             {{14, -70}, {14, -30}},
+                                             {{14, -30}, {9, -30}},
+                                             {{9, -30}, {9, 0}}});
+    QVERIFY(bool(target));
+    const StockCylinder stock{2.0 * kBarRadius, 100.0 + room, 0.0};
+    const TurnedProfile bar(stock, 0.02);
+    const CycleSettings settings;
+    const CycleTask task{*target, stock, bar, -100.0 - room};
+    const auto program = cycleProgram(task, ProgramDialect::LinuxCnc, settings);
+    QVERIFY2(bool(program) == isMade, program ? "" : program.error().arguments.front().c_str());
+    if (!isMade) {
+      const auto& words = program.error().arguments;
+      QVERIFY(std::any_of(words.begin(), words.end(), [](const std::string& w) { return w.find("longer") != w.npos; }));
+      return;
+    }
+    const ProgramSetup setup = setupFor(ProgramDialect::LinuxCnc, settings.nose);
+    const auto path = runProgram(*program, setup);
+    QVERIFY(bool(path));
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    QCOMPARE(simulation.collisionCount(), std::size_t{0});
+    const TurnedProfile& part = simulation.part();
+    const auto radiusAt = [&](double z) {  // of the target's coordinates
+      return part.radius(static_cast<std::size_t>(std::lround((z + 100.0 + room) / part.spacing())));
+    };
+    for (const auto& [z, r] : {std::pair(-15.0, 9.0), {-50.0, 14.0}, {-85.0, lowerRadius}})
+      QVERIFY(std::abs(radiusAt(z) - r) < 1e-3);
   }
 
   // Arcs, threads, dwells and both feeds are read as they were written.

@@ -5,6 +5,7 @@
 #include "AnyProfile.h"
 #include "TestClass.h"
 #include "machining/refit/SampledProfile.h"
+#include "machining/target/TargetSides.h"
 
 #include <QtTest>
 
@@ -64,6 +65,70 @@ class TargetDeviationTest : public QObject {
     for (std::size_t i = 0; i < part.size(); ++i) part.limitInner(i, 8.25);
     const TargetDeviation wide = deviationFrom(*tube, part, 0.0);
     QVERIFY(std::abs(wide.largestUnder.distance + 0.25) < 1e-12);
+  }
+
+  // A wall of 2 mm whose outside is cut by 1.5 mm: the bore is nearer than where the outside is to be.
+  void thinWalls() {
+    const auto tube = TargetProfile::make(
+        {{{18, 0}, {20, 0}, 0.0}, {{20, 0}, {20, 50}, 0.0}, {{20, 50}, {18, 50}, 0.0}, {{18, 50}, {18, 0}, 0.0}});
+    TurnedProfile part(StockCylinder{40.0, 50.0, 0.0}, 0.1);
+    for (std::size_t i = 0; i < part.size(); ++i) part.limitInner(i, 18.0);
+    for (std::size_t i = 200; i < 300; ++i) part.limitOuter(i, 18.5);
+    QVERIFY(std::abs(deviationFrom(*tube, part, 0.0).largestUnder.distance + 1.5) < 1e-12);
+  }
+
+  // ⌀40, from z 50 on ⌀30; bored ⌀10 from 60 on. Errors of each side count where the range is, and nowhere else.
+  void ranges() {
+    const auto stepped = TargetProfile::make({{{0, 0}, {20, 0}, 0.0},
+                                              {{20, 0}, {20, 50}, 0.0},
+                                              {{20, 50}, {15, 50}, 0.0},
+                                              {{15, 50}, {15, 100}, 0.0},
+                                              {{15, 100}, {5, 100}, 0.0},
+                                              {{5, 100}, {5, 60}, 0.0},
+                                              {{5, 60}, {0, 60}, 0.0}});
+    const auto turned = [](double outerError, double boreError, double length) {
+      constexpr std::size_t kCount = 5001;
+      std::vector<double> radii(kCount), inner(kCount);
+      for (std::size_t i = 0; i < kCount; ++i) {
+        const double z = 100.0 * static_cast<double>(i) / (kCount - 1);
+        radii[i] = z > length ? 0.0 : z < 50.0 ? 20.0 : 15.0 + outerError;
+        inner[i] = z < 60.0 || z > length ? 0.0 : 5.0 + boreError;
+      }
+      return TurnedProfile::fromRadii(radii, inner, 100.0);
+    };
+    const auto of = [&](const TurnedProfile& part, AxisRange range) {
+      return deviationFrom(*stepped, part, 0.0, {}, range);
+    };
+    QVERIFY(of(turned(0, 0, 100), kWholeAxis).largest() <= 0.02 + 1e-9);  // of a face between two samples
+    QVERIFY(std::abs(of(turned(0.3, 0, 100), {55, 95}).largestOver.distance - 0.3) < 1e-9);
+    QVERIFY(std::abs(of(turned(-0.2, 0, 100), {55, 95}).largestUnder.distance + 0.2) < 1e-9);
+    QVERIFY(std::abs(of(turned(0, 0.1, 100), {65, 95}).largestUnder.distance + 0.1) < 1e-9);
+    QVERIFY(std::abs(of(turned(0, -0.1, 100), {65, 95}).largestOver.distance - 0.1) < 1e-9);
+    QVERIFY(of(turned(0.3, 0, 100), {5, 45}).largest() < 1e-9);
+    // Too short: the end is missing, by as much.
+    const TargetDeviation brief = of(turned(0, 0, 98), {70, 100});
+    QVERIFY(std::abs(brief.largestUnder.distance + 2.0) < 0.03 && brief.largestOver.distance < 1e-9);
+  }
+
+  // A bore where there is to be none is as much too little as it is wide; bores from both ends are two.
+  void unwantedAndOppositeBores() {
+    const TurnedProfile bored = TurnedProfile::fromRadii({15.0, 15.0}, {4.0, 4.0}, 100.0);
+    QVERIFY(std::abs(deviationFrom(cylinder(15.0, 100.0), bored, 0.0).largestUnder.distance + 4.0) < 1e-9);
+    const auto both = TargetProfile::make({{{0, 10}, {4, 10}, 0.0},
+                                           {{4, 10}, {4, 0}, 0.0},
+                                           {{4, 0}, {15, 0}, 0.0},
+                                           {{15, 0}, {15, 60}, 0.0},
+                                           {{15, 60}, {5, 60}, 0.0},
+                                           {{5, 60}, {5, 40}, 0.0},
+                                           {{5, 40}, {0, 40}, 0.0}});
+    const auto sides = sidesOf(*both);
+    QVERIFY(sides.hasValue() && sides->bores.size() == 2);
+    QVERIFY(std::abs(sides->outside.volume() - M_PI * 225.0 * 60.0) < 1e-6);
+    TurnedProfile part(StockCylinder{30.0, 60.0, 0.0}, 0.1);
+    for (std::size_t i = 0; i <= 100; ++i) part.limitInner(i, 4.5);
+    for (std::size_t i = 400; i <= 600; ++i) part.limitInner(i, 4.8);
+    const TargetDeviation d = deviationFrom(*both, part, 0.0);
+    QVERIFY(std::abs(d.inner[50] + 0.5) < 1e-9 && std::abs(d.inner[500] - 0.2) < 1e-9);
   }
 
   void anExactPartHasNone() {

@@ -4,6 +4,7 @@
 
 #include "AnyProfile.h"
 #include "TestClass.h"
+#include "machining/target/Drawing.h"
 #include "machining/target/TargetErrors.h"
 
 #include <QtTest>
@@ -194,6 +195,25 @@ class TargetProfileTest : public QObject {
     QVERIFY(made.hasValue());
     for (int i = 0; i < 100'000; ++i) (void)made->distance({30.0, 0.0099 * i});
     QVERIFY(std::abs(made->distance({25.0, 500.01}) - 4.5) < 0.01);
+  }
+
+  // Wherever it is cancelled, it ends within few more looks at the flag: all work between two looks is bounded.
+  void cancelled() {
+    std::vector<ProfilePoint> points;
+    for (int i = 0; i < 20'000; ++i) points.emplace_back(20.0 + (i % 2) * 0.5, 0.01 * i);
+    JobState state;
+    state.cancelled = true;
+    const auto made = TargetProfile::make(through(points), Progress(state));
+    QVERIFY(!made && made.error().code == ErrorCode::Cancelled);
+    Drawing drawing;
+    drawing.axis = 0.0;
+    for (const ProfileSegment& s : through(points))
+      drawing.curves.push_back({{s.from.y(), s.from.x()}, {s.to.y(), s.to.x()}, 0.0});
+    const auto read = targetIn(drawing, Progress(state));
+    QVERIFY(!read && read.error().code == ErrorCode::Cancelled);
+    state.cancelled = false;
+    QVERIFY(targetIn(drawing, Progress(state)).hasValue());
+    QVERIFY(state.polls > 20);
   }
 
   void notANumber() {

@@ -62,7 +62,7 @@ class TurnedMeshTest : public QObject {
     QVERIFY2(std::abs(found->target.volume() / expected - 1.0) < 1e-5, QByteArray::number(found->target.volume()));
   }
 
-  // A flat of 1 mm depth is told by its figure; a box has no axis.
+  // A flat of 1 mm depth is described by its figure; a box has no axis.
   void othersAreRefused() {
     TriangleSoup flat = steppedShaft(false);
     for (Vec3& p : flat.points) p.x() = std::min(p.x(), 14.0);

@@ -28,6 +28,19 @@ TriangleSoup coneOver(const std::vector<Corner>& polygon) {
   return soup;
 }
 
+// The same, with another line of points around the apex, at this share of the way to the polygon.
+TriangleSoup coneWithRing(const std::vector<Corner>& polygon, double ring) {
+  TriangleSoup soup = coneOver(polygon);
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  soup.triangles.clear();
+  for (std::uint32_t i = 0; i < n; ++i) soup.points.emplace_back(ring * soup.points[i]);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t k = (i + 1) % n, inner = n + 1 + i, innerNext = n + 1 + k;
+    soup.triangles.insert(soup.triangles.end(), {{n, inner, innerNext}, {inner, i, k}, {inner, k, innerNext}});
+  }
+  return soup;
+}
+
 std::vector<FanFace> fanOf(const std::vector<Corner>& polygon) {
   std::vector<FanFace> fan;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -92,6 +105,8 @@ class FanBackTest : public QObject {
   void noneAtAnOutline();
   void bodyOfADividedFan_data();
   void bodyOfADividedFan();
+  void gapsAtShortEdges_data();
+  void gapsAtShortEdges();
 };
 
 // Compared with all candidates for it.
@@ -200,6 +215,27 @@ void FanBackTest::bodyOfADividedFan() {
   QCOMPARE(test::eulerCharacteristic(mesh), 2L);
   QVERIFY(test::volume(mesh.compact().soup) > 0.0);
   for (Face f = 0; f < before.faceSlots(); ++f) QVERIFY(mesh.points(f) == before.points(f));
+}
+
+void FanBackTest::gapsAtShortEdges_data() {
+  QTest::addColumn<double>("ring");
+  QTest::addColumn<double>("thickness");
+  for (const double ring : {0.3, 0.1, 0.03, 0.01})
+    for (const double thickness : {0.01, 0.03, 0.1, 0.3})
+      QTest::addRow("ring %g, thickness %g", ring, thickness) << ring << thickness;
+}
+
+// The edges that divide the fan end at a ring near the apex, much nearer than the back would be. The triangles between
+// the parts of the back, which have no face in front of them, are not turned over all the same.
+void FanBackTest::gapsAtShortEdges() {
+  QFETCH(double, ring);
+  QFETCH(double, thickness);
+  const HalfEdgeMesh mesh = thickened(coneWithRing(kU, ring), thickness);
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(validate(mesh), std::string());
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QCOMPARE(test::eulerCharacteristic(mesh), 2L);
+  QVERIFY(test::volume(mesh.compact().soup) > 0.0);
 }
 
 HANDWHEEL_TEST(FanBackTest)

@@ -74,6 +74,7 @@ class SheetThickeningTest : public QObject {
   void pinchedOutline();
   void sharpWhereNoSideFits();
   void onlyThisSheet();
+  void backOnAnotherSheet();
   void thinnerBeforeAnObstacle();
   void fold();
   void saysWhatWasReached();
@@ -289,6 +290,22 @@ void SheetThickeningTest::onlyThisSheet() {
   thickened(mesh, sheet, 0.01);
   relink(mesh);
   QCOMPARE(test::countBorder(mesh), std::size_t{12});
+}
+
+// The back of the first would lie exactly on the second, which gets a back, too.
+void SheetThickeningTest::backOnAnotherSheet() {
+  TriangleSoup soup;
+  soup.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, -1}, {4, 0, -1}, {0, 4, -1}};
+  soup.triangles = {{0, 1, 2}, {3, 4, 5}};
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const std::vector<OpenSheet> sheets{{{0}, 1.0}, {{1}, 1.0}};
+  thickenSheets(mesh, sheets, NumberType::Float64);
+  relink(mesh);
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(mesh.isLive(0) && mesh.isLive(1));
+  QVERIFY(test::countEdges(mesh).sound());
+  // Two prisms over a triangle of 8 mm²: of the first the depth was halved, once.
+  QVERIFY(isNear(volume(mesh), 8.0 * 0.5 + 8.0 * 1.0));
 }
 
 // A flake behind the middle of a square comes nearer than the thickness: there the body is thinner, and as thick as it

@@ -58,7 +58,7 @@ class Bench {
 
   RobotCellDocument& document() { return *m_document; }
 
-  // The rays of the tests look straight down; what they meet is told beforehand.
+  // The rays of the tests look straight down; what they meet is reported beforehand.
   JointDragTool::Pick picking(const std::string& part) {
     return [part](const Ray& ray) -> std::optional<RobotCellPick> {
       return RobotCellPick{part, Vec3(ray.origin.x(), ray.origin.y(), 0)};

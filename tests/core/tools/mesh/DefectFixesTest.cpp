@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/HoleFixes.h"
 
 #include "MeshChecks.h"
 #include "MeshDocuments.h"

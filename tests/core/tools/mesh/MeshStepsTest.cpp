@@ -11,6 +11,7 @@
 #include "ToolEvents.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/HoleFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/ManualMeshChanges.h"

@@ -13,7 +13,7 @@
 using namespace handwheel;
 using test::Kind;
 
-// What selecting costs on a million faces. The times are told, not judged; what is selected is.
+// What selecting costs on a million faces. The times are printed, not judged; what is selected is.
 class SelectCostTest : public QObject {
   Q_OBJECT
 

@@ -108,10 +108,11 @@ class GlobeBodiesTest : public QObject {
     const Said done = run(
         folder.path(), {"set", "a.handwheel", "body.1.x=3", "body.2.y=1in", "body.2.name=Luna", "-o", "b.handwheel"});
     QCOMPARE(done.err, QByteArray());
-    const auto told = nlohmann::json::parse(run(folder.path(), {"inspect", "--json", "b.handwheel"}).out.toStdString());
+    const auto printed =
+        nlohmann::json::parse(run(folder.path(), {"inspect", "--json", "b.handwheel"}).out.toStdString());
     std::map<std::string, nlohmann::json> places;
-    for (const nlohmann::json& body : told["document"]["bodies"]) places[body["name"]] = body;
-    QVERIFY2(places.contains("Luna") && places.contains("globe"), told.dump().c_str());
+    for (const nlohmann::json& body : printed["document"]["bodies"]) places[body["name"]] = body;
+    QVERIFY2(places.contains("Luna") && places.contains("globe"), printed.dump().c_str());
     QVERIFY(places["Luna"]["position"] == nlohmann::json({0.0, 25.4, 0.0}));
     QVERIFY(places["globe"]["position"] == nlohmann::json({3.0, 0.0, 0.0}) && places["globe"]["shape"] == "globe");
     const Said taken = run(folder.path(), {"set", "a.handwheel", "body.2.name=globe", "-o", "c.handwheel"});

@@ -119,7 +119,7 @@ class GlobeForceTest : public QObject {
     QVERIFY(surfaceOf(simulation.state()) == dented);
   }
 
-  // The hand feels what is left as soon as the simulation has told it; where the globe is.
+  // The hand feels what is left as soon as the simulation has reported it; where the globe is.
   void whatIsLeftIsFelt() {
     const Pose place = Eigen::Translation3d(30, -40, 50) * Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized());
     const auto channel = std::make_shared<DentChannel>();

@@ -150,9 +150,9 @@ class GlobeKindTest : public QObject {
     QVERIFY2(page.simplified().contains("--by N Factor of the radius (0.1 to 10, default 2)"), page);
     QVERIFY2(page.simplified().contains("--at-most MM No larger than this radius (1 to 1000)"), page);
     QCOMPARE(run({"new", "globe", "radius=25", "-o", "a.handwheel"}).code, 0);
-    const Said told = run({"inflate", "a.handwheel", "--by", "1.5", "-o", "b.globe"});
-    QCOMPARE(told.err, QByteArray());
-    QCOMPARE(told.out, QByteArray("Radius: 37.5 mm\n"));
+    const Said ran = run({"inflate", "a.handwheel", "--by", "1.5", "-o", "b.globe"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.out, QByteArray("Radius: 37.5 mm\n"));
     const auto json =
         nlohmann::json::parse(run({"inflate", "b.globe", "-o", "c.globe", "--at-most=50", "--json"}).out.toStdString());
     const nlohmann::json expected = {{"options", {{"by", 2.0}, {"at_most_mm", 50.0}}}, {"radius_mm", 50.0}};

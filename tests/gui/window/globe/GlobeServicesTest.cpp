@@ -68,25 +68,25 @@ class GlobeServicesTest : public QObject {
     QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("idle"));
   }
 
-  // What a service did not do in time is told once, as a share of the time since it was asked last.
+  // What a service did not do in time is reported once, as a share of the time since it was asked last.
   void troublesAreTold() {
     WindowServices services;
     Service dents("slow dents");
     services.add(dents, "Slow dents");
     {
       const ServiceHandle need = services.needs().need("slow dents");
-      const auto told = [&services] {
+      const auto status = [&services] {
         for (const ServiceStatus& each : services.status())
           if (each.id == QStringLiteral("slow dents")) return each;
         return ServiceStatus();
       };
-      QCOMPARE(told().dropped, 0);
+      QCOMPARE(status().dropped, 0);
       dents.countLost(3'600'000'000'000);  // an hour: this test is quicker
       dents.countDropped(5);
-      const ServiceStatus slow = told();
+      const ServiceStatus slow = status();
       QVERIFY(slow.running && slow.behind > 1.0);
       QCOMPARE(slow.dropped, 5);
-      const ServiceStatus again = told();
+      const ServiceStatus again = status();
       QVERIFY(again.behind == 0.0 && again.dropped == 0);
     }
     services.remove(dents);

@@ -386,7 +386,7 @@ class HapticSessionTest : public QObject {
     b.session->setWatching(false);
   }
 
-  // An unplugged device is told once, and keeps neither a thread nor the device open.
+  // An unplugged device is reported once, and keeps neither a thread nor the device open.
   void unplugging() {
     HapticSessionBench b;
     QSignalSpy recorded(b.session.get(), &HapticSession::recorded);

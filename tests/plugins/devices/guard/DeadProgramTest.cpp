@@ -78,7 +78,7 @@ class DeadProgramTest : public QObject {
 
   bool isPushing() { return std::abs(m_board->force() - 1.0) < 1e-9; }
 
-  // How long the motors went on is told, not judged: the machine may be busy.
+  // How long the motors went on is printed, not judged: the machine may be busy.
   void end(int number, const char* what) {
     const double begun = SteadyClock().now();
     ::kill(static_cast<pid_t>(m_program->processId()), number);

@@ -39,7 +39,7 @@ class HostedSession {
     m_stop = true;
     if (m_thread.joinable()) m_thread.join();
   }
-  // As if the process were told to go.
+  // As if the process were asked to go.
   void stop() { m_stop = true; }
 
  private:

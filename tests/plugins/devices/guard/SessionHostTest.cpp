@@ -161,7 +161,7 @@ class SessionHostTest : public QObject {
     QCOMPARE(b.motors.sent[4].force.z(), 5.0);
   }
 
-  // However it goes: killed, leaving, speaking nonsense, told to stop.
+  // However it goes: killed, leaving, speaking nonsense, asked to stop.
   void theEndIsZeroForce() {
     for (const char* how : {"gone", "close", "nonsense", "stop"}) {
       SessionHostBench b;

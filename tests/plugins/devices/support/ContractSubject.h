@@ -16,7 +16,7 @@ struct ContractSubject {
   std::function<void()> unplug;
   std::function<void()> corrupt;  // from now on it answers nonsense
   std::function<std::optional<Vec3>()>
-      motorForce;  // N, what its motors hold; nothing before it was told. Null: no motors
+      motorForce;  // N, what its motors hold; nothing before the first command. Null: no motors
 };
 
 }  // namespace handwheel

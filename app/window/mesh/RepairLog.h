@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/repair/Repair.h"
+
+#include <QString>
+#include <map>
+
+namespace handwheel {
+
+class LogModel;
+struct MeshChange;
+struct MeshTab;
+
+// What a change has done, in words.
+struct ChangeAccount {
+  QString line;           // for the log
+  QString how;            // for the message, a list of phrases; may be empty
+  bool isPartly = false;  // it had its effect on some of the sheets only
+  bool isTold = false;    // it is worth a message
+};
+
+// text: the name of the change, translated. After it was committed.
+ChangeAccount accountOf(const MeshTab& document, const MeshChange& done, const QString& text);
+
+// A sentence for each patch of a repair that is unlike its surroundings. names: of the loops that there were, by id.
+QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QString>& names);
+
+// Adds what a repair has done, and a warning for each loop that needs one. names: of the loops that there were, by id.
+void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,
+               const QString& command);
+
+}  // namespace handwheel

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/LatheWheels.h"
+
+#include "controls/machine/HandwheelDial.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+// The way of a slide along its axis for a wheel turned clockwise, by LatheAxis. So it is in the manuals of engine
+// lathes: OTMT SC4, page 9 (carriage), Grizzly G4002, page 22 (cross slide).
+constexpr std::array<double, kLatheAxes> kClockwise{1.0, -1.0, -1.0, 1.0};
+
+}  // namespace
+
+LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  struct Wheel {
+    const char* id;
+    QString name;
+    QString way;
+  };
+  const std::array<Wheel, kLatheAxes> wheels{
+      {{"latheCarriage", tr("Carriage"), tr("Clockwise: away from the chuck. In the view: ← and →")},
+       {"latheCross", tr("Cross slide"), tr("Clockwise: in, to the axis; counts on the radius. In the view: ↑ and ↓")},
+       {"latheCompound", tr("Compound slide"), tr("Clockwise: forward. In the view: Page Up and Page Down")},
+       {"latheQuill", tr("Tailstock quill"), tr("Clockwise: out, to the work")}}};
+  for (std::size_t i = 0; i < kLatheAxes; ++i) {
+    auto* const dial = m_dials[i] = new HandwheelDial;
+    dial->setObjectName(QString::fromLatin1(wheels[i].id));
+    dial->setLabel(wheels[i].name);
+    dial->setMouseFirst();
+    dial->setToolTip(wheels[i].way + QLatin1Char('\n') + dial->toolTip());
+    auto* const caption = m_captions[i] = new QLabel(wheels[i].name);
+    caption->setAlignment(Qt::AlignHCenter);
+    grid->addWidget(dial, 0, static_cast<int>(i));
+    grid->addWidget(caption, 1, static_cast<int>(i));
+    connect(dial, &HandwheelDial::moved, this, [this, i](double mm) {
+      const double by = mm - std::exchange(m_turned[i], mm);
+      emit turned(static_cast<LatheAxis>(i), kClockwise[i] * by);
+    });
+  }
+  m_dials[static_cast<std::size_t>(LatheAxis::Cross)]->setPrefix(QStringLiteral("R"));
+}
+
+// What was turned and not followed yet counts, too.
+void LatheWheels::show(const ManualLatheTool& tool) {
+  const LatheSetup setup = tool.setup();
+  const auto now = tool.moment();
+  for (std::size_t i = 0; i < kLatheAxes; ++i) {
+    m_turned[i] = kClockwise[i] * (now->machine.wheels[i] + now->machine.demands[i]);
+    m_dials[i]->setDivisions(setup.dials[i].divisions, setup.dials[i].perDivision);
+    m_dials[i]->setValue(m_turned[i]);
+  }
+  constexpr auto kQuill = static_cast<std::size_t>(LatheAxis::Quill);
+  m_dials[kQuill]->setVisible(setup.tailstock.isUsed());
+  m_captions[kQuill]->setVisible(setup.tailstock.isUsed());
+}
+
+void LatheWheels::setZero(const ManualLatheTool& tool) {
+  show(tool);
+  for (std::size_t i = 0; i < kLatheAxes; ++i) m_dials[i]->setZero(m_turned[i]);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/workpiece/ManualLatheTool.h"
+
+#include <QWidget>
+#include <array>
+
+class QLabel;
+
+namespace handwheel {
+
+class HandwheelDial;
+
+// The handwheels of a manual lathe. Turned clockwise, as on the usual engine lathe, the carriage goes away from the
+// chuck, cross slide and compound slide go in, and the quill comes out; dials count clockwise. Window thread.
+class LatheWheels : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LatheWheels(QWidget* parent = nullptr);
+
+  void show(const ManualLatheTool& tool);
+  // Sets all dials to zero where the slides are, without a signal.
+  void setZero(const ManualLatheTool& tool);
+
+ signals:
+  void turned(handwheel::LatheAxis axis, double mm);  // on by this way of its slide
+
+ private:
+  std::array<HandwheelDial*, kLatheAxes> m_dials{};
+  std::array<QLabel*, kLatheAxes> m_captions{};
+  std::array<double, kLatheAxes> m_turned{};  // mm, what the dials show
+};
+
+}  // namespace handwheel

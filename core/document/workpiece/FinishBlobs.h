@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Container.h"
+#include "machining/finish/SurfaceFinish.h"
+
+namespace handwheel {
+
+// Writes the finish of a profile as the blobs "workpiece/finish/NNNN": roughness, feed and pass of each sample of the
+// outside, then of those of a bore.
+void writeFinish(const SurfaceFinish& finish, const TurnedProfile& profile, Container& container);
+
+// Reads it; accepts any input. It is no part of the shape: what is lost or impossible of it is not known, and no
+// damage. passes: of the part.
+SurfaceFinish readFinish(const Container& container, const TurnedProfile& profile, std::size_t passes);
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/exercise/TurningTask.h"
+#include "exercise/Exercise.h"
+#include "machining/drawing/PartDrawing.h"
+
+namespace handwheel {
+
+// What the drawing of an exercise's target says: title, material, and of the criteria that students see the tolerances,
+// threads and roughness.
+DrawingTitle drawingTitleOf(const Exercise& exercise, const TurningTask& task);
+
+}  // namespace handwheel

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/target/TargetProfile.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+namespace handwheel {
+
+// A target as exercises have it in their JSON: "segments", an array of five numbers each as in the blob of a
+// workpiece's target (document/workpiece/TargetBlobs.h).
+nlohmann::json toJson(const TargetProfile& target);
+
+// Reads it; also "outer" and "inner", points [r, z] that never go back in z, of the outside and of a bore that is open
+// at one end or both. None for null; accepts any JSON, and adds to the damage what is no target.
+std::optional<TargetProfile> targetFrom(const nlohmann::json& json, std::vector<Error>& damage);
+
+}  // namespace handwheel

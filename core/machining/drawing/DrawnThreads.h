@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/drawing/PartDrawing.h"
+#include "machining/thread/PartThreads.h"
+
+namespace handwheel {
+
+// The threads of a part as its drawing shows them, each once, along the surface that they are in. base: mm, height of
+// the lower end of the part on the drawing. O(grooves · samples).
+std::vector<DrawnThread> drawnThreads(const TurnedProfile& part, const PartThreads& threads, double base);
+
+}  // namespace handwheel

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/finish/FinishMeter.h"
+
+#include "machining/measure/RoughnessGrade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kMicrometres = 1e3;  // in a mm
+constexpr double kHeightOfRa = 4.0;   // crest above valley, in Ra: f²/(8 R) by f²/(32 R)
+
+double radiusOf(const TurnedProfile& profile, TurningSide side, std::size_t i) {
+  return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
+}
+
+}  // namespace
+
+void FeedMeter::clear() {
+  m_moves.clear();
+  m_way = m_turns = 0.0;
+}
+
+double FeedMeter::add(double way, double turns, bool isTurning) {
+  if (!isTurning) return way > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  m_moves.push_back({way, turns});
+  m_way += way;
+  m_turns += turns;
+  while (m_moves.size() > 1 && m_turns - m_moves.front().turns >= 1.0) {
+    m_way -= m_moves.front().way;
+    m_turns -= m_moves.front().turns;
+    m_moves.pop_front();
+  }
+  return m_moves.size() == 1 && turns >= 1.0 ? way / turns : m_way / std::max(m_turns, 1.0);
+}
+
+FinishMeter::FinishMeter(TurnedProfile profile, SurfaceFinish finish, double usualSpeed)
+    : m_profile(std::move(profile)),
+      m_finish(finish.size() == m_profile.size() ? std::move(finish) : SurfaceFinish::unknown(m_profile)),
+      m_usualSpeed(usualSpeed) {}
+
+void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t number, const TurnedProfile& profile,
+                      const TurnedProfile::Range& changed) {
+  m_feed = 0.0;
+  if (i == 0 || changed.isEmpty() || number != m_number) m_meter.clear();
+  m_number = number;
+  if (changed.isEmpty()) return;
+  const double way = i == 0 ? 0.0 : (pass.path[i] - pass.path[i - 1]).norm();
+  const double seconds = i == 0 ? 0.0 : pass.times[i] - pass.times[i - 1];
+  const double speed = i < pass.speeds.size() ? pass.speeds[i] : m_usualSpeed;
+  m_feed = m_meter.add(way, seconds * speed / 60.0, speed > 0.0);
+  for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
+    if (side == TurningSide::Bore && !profile.isBored()) continue;
+    for (std::size_t k = changed.first; k < changed.last; ++k) {
+      const double radius = radiusOf(profile, side, k), removed = std::abs(radiusOf(m_profile, side, k) - radius);
+      if (removed == 0.0) continue;
+      FinishMark mark = markOf(pass, m_finish.at(side, k), removed);
+      mark.pass = number;
+      m_finish.set(side, k, mark);
+      follow(side, k, radius);
+    }
+  }
+}
+
+// Of an abrasive Ra falls; of an edge it is new. What was finer than the abrasive gets the marks of its grain.
+FinishMark FinishMeter::markOf(const TurningPass& pass, const FinishMark& before, double removed) const {
+  FinishMark mark;
+  const bool isSpeedKnown = !pass.speeds.empty() || m_usualSpeed > 0.0;
+  if (isSpeedKnown) mark.feed = static_cast<float>(m_feed);
+  if (pass.tool && pass.tool->isAbrasive()) {
+    const double left = before.roughness - kMicrometres * removed / kHeightOfRa;
+    mark.roughness =
+        before.roughness < 0.0f ? before.roughness : static_cast<float>(std::max(pass.tool->leastRoughness, left));
+    return mark;
+  }
+  const double nose = pass.tool ? pass.tool->noseRadius : pass.noseRadius;
+  mark.roughness = isSpeedKnown ? static_cast<float>(idealRoughness(m_feed, nose)) : FinishMark::kUnknown;
+  return mark;
+}
+
+void FinishMeter::follow(TurningSide side, std::size_t i, double radius) {
+  if (side == TurningSide::Outside)
+    m_profile.limitOuter(i, radius);
+  else
+    m_profile.limitInner(i, radius);
+}
+
+TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, std::uint32_t number, FinishMeter& meter,
+                         Progress progress) {
+  constexpr std::size_t kLook = 64;  // points between two looks at the cancel flag
+  TurnedProfile::Range changed;
+  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+    if (i % kLook == 0) {
+      if (progress.cancelled()) break;
+      progress.set(static_cast<double>(i) / static_cast<double>(pass.path.size()));
+    }
+    const TurnedProfile::Range now = cut(profile, pass, pass.path[i == 0 ? 0 : i - 1], pass.path[i]);
+    meter.add(pass, i, number, profile, now);
+    changed.extend(now);
+  }
+  return changed;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a cut does to the spindle and to the part: LatheRun.
+#include "machining/force/CuttingFeel.h"
+#include "machining/lathe/GrindingContact.h"
+#include "machining/lathe/LatheRun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace handwheel {
+
+bool LatheRun::isStalled(double speedBefore) const {
+  const LatheState& now = m_machine.state();
+  return now.direction != 0 && std::abs(speedBefore) >= kAtRest && std::abs(now.speed) < kAtRest &&
+         m_load.torque > spindleTorque(m_machine.setup().spindle, now.speed);
+}
+
+// The law says the force of the cut as it was over the last samples.
+void LatheRun::measure(const LatheStep& step, double dt) {
+  const double length = (step.to - step.from).norm();
+  m_meter.add({length, step.cut.area, step.cut.volume, step.turns, dt, step.cutsThread()}, m_profile.spacing());
+  const double speed = m_machine.state().speed;
+  LatheLoad load;
+  load.isCutting = m_meter.isCutting();
+  load.cut = m_meter.cut(speed);
+  load.radius = m_meter.radius();
+  press(load, dt);
+  const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
+  if (law) {
+    const LatheSpindle& spindle = m_machine.setup().spindle;
+    load.forces = worn(law->at(load.cut), m_machine.setup().wear);
+    load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
+    load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
+    load.isOutsideModel = !law->covers(load.cut);
+    load.isOverloaded = load.torque > spindleTorque(spindle, speed);
+  }
+  if (!law) m_compliance = m_chatter = 0.0;
+  load.chatter = m_chatter;
+  m_load = load;
+  m_sinceJudged += dt;
+  if (!law || m_sinceJudged < kJudged) return;
+  m_sinceJudged = 0.0;
+  judge();
+}
+
+// What grinds is pressed against the work, and rubs on it while that turns.
+void LatheRun::press(LatheLoad& load, double dt) {
+  const ProfilePoint tip = m_machine.tip();
+  const ProfilePoint velocity = (tip - std::exchange(m_tip, tip)) / dt;
+  const auto inPost = tool();
+  if (!inPost || !inPost->isAbrasive()) return;
+  const GrindingContact contact = grindingContact(m_profile, *inPost, tip);
+  const double force = grindingForce(contact, holdOf(*inPost), velocity);
+  const bool isTurning = std::abs(m_machine.state().speed) >= kAtRest;
+  load.press = force * contact.normal;
+  load.forces = {isTurning ? kGrindingFriction * force : 0.0, std::abs(load.press.y()), std::abs(load.press.x())};
+  load.torque = cuttingTorque(load.forces, 2.0 * std::abs(tip.x()));
+  const LatheSpindle& spindle = m_machine.setup().spindle;
+  const double speed = m_machine.state().speed;
+  const CutConditions rubbed{0.0, 0.0, surfaceSpeed(std::abs(speed), 2.0 * std::abs(tip.x()))};
+  load.power = motorPower(cuttingPower(load.forces, rubbed), driveOf(spindle).efficiency);
+  load.isOverloaded = load.torque > spindleTorque(spindle, speed);
+}
+
+// By the speed that the levers ask for: a spindle that has slowed down needs less power.
+void LatheRun::judge() {
+  const LatheSetup& setup = m_machine.setup();
+  SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_lastPlace.y());
+  beam.modulus = m_material->modulus;
+  beam.cut = 2.0 * m_load.radius;
+  constexpr double kOnCentre = 0.5;  // mm
+  beam.hasTailstock = setup.tailstock.fitting == LatheFitting::Centre &&
+                      m_machine.quillTip() <= setup.chuck.grip + beam.length + kOnCentre;
+  m_compliance = beam.place > 0.0 ? deflection(beam, 1.0) : 0.0;
+  CutConditions asked = m_load.cut;
+  asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
+  const auto broken = warningsFor(asked, m_load.forces, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
+  m_warnings.judge(broken, m_machine.state().time, m_lastTool->id);
+  m_chatter = 0.0;
+  for (const CutWarning& warning : broken) {
+    if (warning.rule == CutWarning::Rule::Chatter) m_chatter = std::min(1.0, warning.value / warning.limit - 1.0);
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/target/TargetProfile.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// A part taken apart: the same without bores, and what its bores would be if they were parts, each going on beyond the
+// opening. So the distance of a wall from where it is to be is known although the other side of it is nearer.
+struct TargetSides {
+  TargetProfile outside;
+  std::vector<TargetProfile> bores;  // one right through, or at most one from each end
+};
+
+// The sides of a part. What is open upwards or downwards inside of its highest and lowest edges is a bore. Errors:
+// those of TargetProfile::make(), where a side alone is no sound outline. O(segments · log segments).
+Result<TargetSides> sidesOf(const TargetProfile& part);
+
+}  // namespace handwheel

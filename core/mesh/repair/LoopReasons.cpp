@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/LoopReasons.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+// Filled holes change the shape of a sheet, which may be none any more. Its outer edge remains one until they are
+// done; then it is what anyone finds who looks at the result.
+bool LoopReasons::isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const {
+  if (!isFirstRound) return loop.rim;
+  const auto was = [&](int id) { return m_inputLoops[static_cast<std::size_t>(id)].rim; };
+  return loop.rim || std::any_of(owners.begin(), owners.end(), was);
+}
+
+FillFailure LoopReasons::beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const {
+  const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
+  if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
+  if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners, isFirstRound)) return FillFailure::Rim;
+  if (m_options.maxEdges > 0 && loop.borderEdges > m_options.maxEdges) return FillFailure::TooLong;
+  return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
+}
+
+bool LoopReasons::mayClose(FillFailure beforeTrying) const {
+  return beforeTrying == FillFailure::None ||
+         (beforeTrying == FillFailure::Rim && m_options.rims == RimHandling::Thicken);
+}
+
+void LoopReasons::forget() {
+  m_cutShort.clear();
+  m_sheetFailures.clear();
+}
+
+void LoopReasons::noteCutShort(const std::set<int>& owners) {
+  m_cutShort.insert(owners.begin(), owners.end());
+  if (owners.empty()) m_cutShort.insert(kLaidOpen);
+}
+
+void LoopReasons::noteSheet(const std::set<int>& owners, FillFailure failure) {
+  for (const int id : owners) m_sheetFailures[id] = failure;
+  if (owners.empty()) m_sheetFailures[kLaidOpen] = failure;
+}
+
+// None for a loop that stays open although it was to be closed.
+FillFailure LoopReasons::atLast(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const {
+  const FillFailure known = beforeTrying(loop, owners, isFirstRound);
+  if (known != FillFailure::Rim || m_options.rims != RimHandling::Thicken) return known;
+  const auto isKept = [&](int id) {
+    const auto failure = m_sheetFailures.find(id);
+    return failure != m_sheetFailures.end() && failure->second == FillFailure::SheetKeptOpen;
+  };
+  return std::any_of(owners.begin(), owners.end(), isKept) ? FillFailure::SheetKeptOpen : FillFailure::None;
+}
+
+// Why such a loop stays open. id: of the input, kLaidOpen for another. known: of the last patch that was proposed.
+FillFailure LoopReasons::ofFailure(int id, FillFailure known, bool isSpent) const {
+  const auto sheet = m_sheetFailures.find(id);
+  if (sheet != m_sheetFailures.end() && id != kLaidOpen) return sheet->second;
+  return isSpent || m_cutShort.contains(id) ? FillFailure::TooMuchEffort : known;
+}
+
+void LoopReasons::conclude(HoleOutcomes& outcomes, const HalfEdgeMesh& mesh, const End& end, RepairReport& report,
+                           Progress progress) const {
+  const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
+    return atLast(loop, owners, end.isFirstRound);
+  };
+  report.loops = outcomes.conclude(mesh, reason, progress);
+  for (LoopResult& loop : report.loops) {
+    if (loop.outcome == LoopOutcome::Failed) loop.reason = ofFailure(loop.id, loop.reason, end.isSpent);
+    if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
+      report.lostLoops.push_back(loop.id);
+  }
+  for (const HoleOutcomes::Left& left : outcomes.left()) {
+    OpenLoop& loop = report.openLoops.emplace_back(left.loop);
+    const int owner = left.owners.empty() ? kLaidOpen : *left.owners.begin();
+    if (loop.outcome == LoopOutcome::Failed) loop.reason = ofFailure(owner, loop.reason, end.isSpent);
+  }
+}
+
+}  // namespace handwheel

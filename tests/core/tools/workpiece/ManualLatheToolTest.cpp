@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/workpiece/ManualLatheTool.h"
+
+#include "TestClass.h"
+#include "document/workpiece/WorkpieceKind.h"
+#include "machining/lathe/LatheJson.h"
+#include "tools/ToolRunner.h"
+
+#include <QtTest>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr auto kCarriageAxis = static_cast<std::size_t>(LatheAxis::Carriage);
+constexpr auto kCrossAxis = static_cast<std::size_t>(LatheAxis::Cross);
+
+// A clock that stands still: the simulation goes as fast as a pause between its steps of 2 ms lets it.
+class HurriedClock : public ServoClock {
+ public:
+  explicit HurriedClock(std::chrono::microseconds pause) : m_pause(pause) {}
+  std::int64_t now() noexcept override { return 0; }
+  void waitUntil(std::int64_t) noexcept override { std::this_thread::sleep_for(m_pause); }
+
+ private:
+  std::chrono::microseconds m_pause;
+};
+
+// A bar of 50 × 100 mm in the lathe, whose first tool stands 20 mm beside and before it.
+struct HandLathe {
+  WorkpieceKind kind;
+  std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
+  WorkpieceDocument& document = static_cast<WorkpieceDocument&>(*made);
+  HurriedClock clock;
+  Service simulation{"simulation"};
+  ToolRunner runner;
+  ManualLatheTool* tool = nullptr;
+
+  explicit HandLathe(std::chrono::microseconds pause = std::chrono::microseconds(50)) : clock(pause) {
+    auto started = std::make_unique<ManualLatheTool>(document, SimulationServices{clock, simulation}, 0.05,
+                                                     shippedLatheTools(), ForceLaw::Kienzle);
+    tool = started.get();
+    runner.start(std::move(started), document);
+  }
+  LatheState machine() const { return tool->moment()->machine; }
+  double slide(std::size_t axis) const { return machine().slides[axis]; }
+  void send(LatheCommand::Kind what, double value, LatheAxis axis = LatheAxis::Carriage) {
+    runner.deliver([&] { tool->command({what, axis, value}); });
+  }
+  // Turns a wheel so that its slide comes to a place.
+  bool wind(LatheAxis axis, double to) {
+    const auto i = static_cast<std::size_t>(axis);
+    send(LatheCommand::Kind::Turn, to - slide(i), axis);
+    return QTest::qWaitFor([&] { return std::abs(slide(i) - to) < 1e-9; });
+  }
+  bool spin() {
+    send(LatheCommand::Kind::Spindle, 1.0);
+    return QTest::qWaitFor([&] { return machine().speed == machine().setSpeed; });
+  }
+  // 10 mm of the end to a radius, by the automatic feed; the tool stays where it came to.
+  bool cutTo(double radius) {
+    if (!wind(LatheAxis::Carriage, 101.0) || !wind(LatheAxis::Cross, radius)) return false;
+    send(LatheCommand::Kind::Feed, -0.2);
+    const bool isThere = QTest::qWaitFor([&] { return slide(kCarriageAxis) < 90.0; });
+    send(LatheCommand::Kind::Feed, 0.0);
+    return isThere && QTest::qWaitFor([&] { return machine().feed == 0.0; });
+  }
+  bool endPass() {
+    bool isEnded = false;
+    runner.deliver([&] { isEnded = tool->endPass(true); });
+    return isEnded;
+  }
+  // As the window does it for Ctrl+Z.
+  void undo() {
+    if (runner.undo() == ToolReply::Ignored) document.history()->undo();
+  }
+  double radiusAt(double z) const {
+    const TurnedProfile& profile = tool->moment()->profile;
+    return profile.radius(static_cast<std::size_t>(std::lround(z / profile.spacing())));
+  }
+};
+
+}  // namespace
+
+class ManualLatheToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aPassIsOneStep() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0));
+    QCOMPARE(lathe.document.history()->count(), 0);
+    QVERIFY(lathe.endPass());
+    QCOMPARE(lathe.document.history()->count(), 1);
+    QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);  // the work gives way a little
+    QCOMPARE(lathe.radiusAt(40.0), 25.0);
+    QVERIFY(!lathe.document.workpiece().part->crashes);
+  }
+
+  // The lathe is where it was before, at rest, and its tool not in the material that is back.
+  void undoTakesBackThePassAndTheTool() {
+    HandLathe lathe;
+    const std::array<double, kLatheAxes> begin = lathe.machine().slides;
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
+    const std::array<double, kLatheAxes> first = lathe.machine().slides;
+    QVERIFY(lathe.cutTo(21.0));  // not in the document yet
+    lathe.undo();
+    QCOMPARE(lathe.document.history()->count(), 2);
+    QCOMPARE(lathe.document.history()->index(), 1);
+    QVERIFY(lathe.machine().slides == first);
+    QVERIFY(lathe.machine().direction == 0 && lathe.machine().speed == 0.0 && lathe.machine().feed == 0.0);
+    QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);
+    lathe.document.history()->redo();
+    QVERIFY(std::abs(lathe.radiusAt(95.0) - 21.0) < 0.02);
+    QVERIFY(lathe.slide(kCrossAxis) < 21.0 + 1e-9);
+    lathe.undo();
+    lathe.undo();
+    QVERIFY(!lathe.document.workpiece().part);
+    QVERIFY(lathe.machine().slides == begin);
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 110.0));  // it can be moved
+    QVERIFY(lathe.tool->collisions().empty());
+  }
+
+  void undoWithoutAStepStopsTheLathe() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin());
+    QVERIFY(lathe.runner.undo() == ToolReply::Used);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.machine().speed == 0.0; }));
+    QVERIFY(lathe.runner.undo() == ToolReply::Ignored);
+  }
+
+  // A curl at the tip while it cuts, unless it is switched off.
+  void chipsWhileCutting() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin());
+    const std::size_t lines = lathe.tool->preview().lines.size();
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 101.0) && lathe.wind(LatheAxis::Cross, 23.0));
+    lathe.send(LatheCommand::Kind::Feed, -0.2);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.tool->moment()->load.isCutting; }));
+    const auto now = lathe.tool->preview().lines;
+    QCOMPARE(now.size(), lines + 1);
+    for (const Vec3& p : now.back()) QVERIFY(p.allFinite() && p.y() >= -4.0 && (p - now.back()[0]).norm() < 40.0);
+    lathe.runner.setSetting("chips", false);
+    QCOMPARE(lathe.tool->preview().lines.size(), lines);
+    QCOMPARE(lathe.document.history()->count(), 0);
+  }
+
+  // Each key has its slide and its way, whatever was turned before: mm along the axis and across it.
+  void keysHaveTheirSlides() {
+    struct Move {
+      const char* action;
+      double along, across;
+    };
+    constexpr Move kMoves[] = {
+        {"carriage-left", -0.2, 0.0},       {"cross-in", 0.0, -0.02},         {"carriage-right", 0.2, 0.0},
+        {"cross-out", 0.0, 0.02},           {"carriage-far-left", -2.0, 0.0}, {"cross-far-in", 0.0, -0.2},
+        {"carriage-fine-right", 0.02, 0.0}, {"cross-fine-in", 0.0, -0.002},   {"carriage-fine-left", -0.02, 0.0},
+        {"cross-fine-out", 0.0, 0.002},     {"carriage-far-right", 2.0, 0.0}, {"cross-far-out", 0.0, 0.2}};
+    HandLathe lathe;
+    double z = lathe.slide(kCarriageAxis), r = lathe.slide(kCrossAxis);
+    for (const Move& move : kMoves) {
+      z += move.along, r += move.across;
+      QVERIFY(lathe.runner.perform(move.action) == ToolReply::Used);
+      const auto isThere = [&] {
+        return std::abs(lathe.slide(kCarriageAxis) - z) < 1e-9 && std::abs(lathe.slide(kCrossAxis) - r) < 1e-9;
+      };
+      QVERIFY2(QTest::qWaitFor(isThere), move.action);
+    }
+  }
+
+  // As fast as the machine is, and no further than the key is held; into the work it is a crash.
+  void rapidTraverse() {
+    HandLathe lathe(std::chrono::milliseconds(1));
+    const double from = lathe.slide(kCarriageAxis);
+    lathe.runner.perform("carriage-rapid-left");
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCarriageAxis) < from - 5.0; }));
+    const auto before = lathe.tool->moment();
+    QVERIFY(QTest::qWaitFor([&] { return lathe.tool->moment()->machine.time > before->machine.time; }));
+    const LatheState now = lathe.machine();
+    const double way = before->machine.slides[kCarriageAxis] - now.slides[kCarriageAxis];
+    QVERIFY(std::abs(way - lathe.tool->setup().rapidSpeed * (now.time - before->machine.time)) < 1e-6);
+    lathe.runner.deliver([&] { lathe.tool->stopRapids(); });
+    QVERIFY(QTest::qWaitFor([&] { return lathe.machine().rapids[kCarriageAxis] == 0; }));
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 60.0));
+    lathe.runner.perform("cross-rapid-in");
+    QVERIFY(QTest::qWaitFor([&] { return !lathe.tool->collisions().empty(); }));
+    QVERIFY(lathe.tool->collisions().front().cause == CrashCause::Rapid);
+    QVERIFY(lathe.slide(kCrossAxis) >= 25.0 - 1e-9);
+    QCOMPARE(lathe.radiusAt(60.0), 25.0);
+  }
+
+  // A crash is in the part that is cut next, once, also after undo.
+  void crashesAreRecordedOnce() {
+    HandLathe lathe;
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 60.0));
+    lathe.send(LatheCommand::Kind::Turn, -40.0, LatheAxis::Cross);  // the spindle does not turn
+    QVERIFY(QTest::qWaitFor([&] { return !lathe.tool->collisions().empty(); }));
+    QVERIFY(lathe.wind(LatheAxis::Cross, 30.0));
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
+    QCOMPARE(lathe.tool->collisions().size(), std::size_t{1});
+    QVERIFY(lathe.document.workpiece().part->crashes);
+    QCOMPARE(lathe.document.workpiece().part->crashes->size(), std::size_t{1});
+    lathe.undo();
+    QVERIFY(lathe.spin() && lathe.cutTo(24.0) && lathe.endPass());
+    QCOMPARE(lathe.document.workpiece().part->crashes->size(), std::size_t{1});
+    QVERIFY(lathe.document.workpiece().part->crashes->front().cause == CrashCause::SpindleAtRest);
+  }
+
+  void toolsAreMounted() {
+    HandLathe lathe;
+    QVERIFY(!lathe.tool->mount(0, "facing"));
+    QCOMPARE(lathe.document.history()->count(), 1);
+    QVERIFY(lathe.tool->moment()->tool && lathe.tool->moment()->tool->id == "facing");
+    QVERIFY(!lathe.tool->setup().stations[0].hasOffset[0]);
+    QVERIFY(!lathe.tool->mount(0, "drill-12"));
+    QCOMPARE(lathe.tool->setup().tailstock.drill, std::string("drill-12"));
+    QVERIFY(lathe.tool->setup().tailstock.fitting == LatheFitting::Drill);
+    QVERIFY(lathe.tool->mount(0, "spoon") == MountRefusal::Unknown);
+    QVERIFY(lathe.tool->mount(99, "facing") == MountRefusal::Unknown);
+    QVERIFY(lathe.spin());
+    QVERIFY(lathe.tool->mount(0, "grooving-2") == MountRefusal::Turning);
+    lathe.runner.perform("revert");
+    QVERIFY(QTest::qWaitFor([&] { return lathe.machine().speed == 0.0; }));
+    // Close before the face a file, which is 20 mm wide, would be in the work.
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 106.0) && lathe.wind(LatheAxis::Cross, 10.0));
+    QVERIFY(lathe.tool->mount(0, "file-flat") == MountRefusal::InTheWay);
+    LatheSetup allowed = lathe.tool->setup();
+    allowed.allowed = {"facing"};
+    QVERIFY(lathe.tool->setUp(allowed, "Set up"));
+    QVERIFY(lathe.tool->mount(0, "right-roughing") == MountRefusal::NotAllowed);
+    QVERIFY(!lathe.tool->mount(0, ""));
+    QVERIFY(!lathe.tool->moment()->tool);
+    lathe.undo();
+    QVERIFY(lathe.tool->moment()->tool && lathe.tool->moment()->tool->id == "facing");
+  }
+};
+
+HANDWHEEL_TEST(ManualLatheToolTest)
+#include "ManualLatheToolTest.moc"

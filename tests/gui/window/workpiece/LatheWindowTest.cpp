@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowTestMain.h"
+#include "../haptics/TurningWindow.h"
+#include "controls/machine/HandwheelDial.h"
+#include "panels/time/TimeLinePanel.h"
+#include "tools/workpiece/ManualLatheTool.h"
+#include "window/tools/ToolHost.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <cmath>
+#include <numbers>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A window with a new bar of 50 × 100 mm in the manual lathe.
+struct LatheWindow : TurningWindow {
+  bool beginLathe() {
+    driver.choose("newWorkpiece");
+    if (!driver.settle()) return false;
+    driver.find<QAction>("latheTool")->trigger();
+    if (!driver.settle() || !lathe()) return false;
+    view->setFocus();
+    return rests() && driver.find<QDockWidget>("latheDock")->isVisible();
+  }
+  ToolHost& tools() { return *driver.window().findChild<ToolHost*>(); }
+  const ManualLatheTool* lathe() { return dynamic_cast<const ManualLatheTool*>(tools().runner().tool()); }
+  LatheState machine() { return lathe()->moment()->machine; }
+  double slide(LatheAxis axis) { return machine().slides[static_cast<std::size_t>(axis)]; }
+  bool comesTo(LatheAxis axis, double mm, double within = 1e-6) {
+    return QTest::qWaitFor([&] { return std::abs(slide(axis) - mm) < within; }, kPatienceMs);
+  }
+  HandwheelDial& dial(const char* name) { return *driver.find<HandwheelDial>(name); }
+  // Around the centre by whole turns, clockwise for positive ones.
+  void crank(HandwheelDial& wheel, double turns) {
+    const auto at = [&wheel](double degrees) {
+      const double angle = degrees * std::numbers::pi / 180.0;
+      return (wheel.centre() + QPointF(50.0 * std::sin(angle), -50.0 * std::cos(angle))).toPoint();
+    };
+    const int steps = static_cast<int>(std::lround(std::abs(turns) * 36.0));
+    QTest::mousePress(&wheel, Qt::LeftButton, {}, at(0.0));
+    for (int i = 1; i <= steps; ++i) {
+      const QPoint to = at(std::copysign(10.0 * i, turns));
+      QMouseEvent move(QEvent::MouseMove, to, wheel.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(&wheel, &move);
+    }
+    QTest::mouseRelease(&wheel, Qt::LeftButton, {}, at(360.0 * turns));
+  }
+  // 2 mm off the radius over some millimetres of the end, by keys and the automatic feed.
+  bool turnEnd() {
+    QTest::keyClick(view, Qt::Key_Space);
+    for (int i = 0; i < 9; ++i) QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);  // 2 mm each
+    for (int i = 0; i < 110; ++i) QTest::keyClick(view, Qt::Key_Up, Qt::ShiftModifier);  // 0.2 mm each
+    if (!comesTo(LatheAxis::Carriage, 102.0) || !comesTo(LatheAxis::Cross, 23.0)) return false;
+    driver.click("latheFeedLeft");
+    const auto isCut = [this] { return lathe()->moment()->isCut && slide(LatheAxis::Carriage) < 98.0; };
+    return QTest::qWaitFor(isCut, kPatienceMs);
+  }
+};
+
+}  // namespace
+
+// The manual lathe as a student uses it: keys, wheels, tools, undo, replay, a device.
+class LatheWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // Clockwise is in for the cross slide, away from the chuck for the carriage. The rings begin at zero and count up.
+  void wheelsTurnAsOnALathe() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    const double z = window.slide(LatheAxis::Carriage), r = window.slide(LatheAxis::Cross);
+    QTRY_COMPARE(window.dial("latheCross").readingText(), QStringLiteral("0.0 div"));
+    window.crank(window.dial("latheCross"), 2.0);
+    QVERIFY(window.comesTo(LatheAxis::Cross, r - 4.0, 0.05));  // a turn is 2 mm; to the precision of pixels
+    QTRY_VERIFY(std::abs(window.dial("latheCross").value() - window.dial("latheCross").zero() - 4.0) < 0.05);
+    window.crank(window.dial("latheCross"), -2.0);
+    QVERIFY(window.comesTo(LatheAxis::Cross, r, 0.05));
+    window.crank(window.dial("latheCarriage"), 0.5);
+    QVERIFY(window.comesTo(LatheAxis::Carriage, z + 10.0, 0.5));
+    const double compound = window.slide(LatheAxis::Compound);
+    window.crank(window.dial("latheCompound"), 1.0);
+    QVERIFY(window.comesTo(LatheAxis::Compound, compound - 1.0, 0.05));
+  }
+
+  // Arrows move carriage and cross slide, whatever wheel was turned last; a wheel that Tab came to moves only itself.
+  void arrowsHaveTheirSlides() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    window.crank(window.dial("latheCompound"), 0.25);
+    QVERIFY2(window.driver.window().focusWidget() == window.view,
+             qPrintable(window.driver.window().focusWidget()->objectName()));
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().demands == std::array<double, kLatheAxes>{}; }));
+    const double z = window.slide(LatheAxis::Carriage), r = window.slide(LatheAxis::Cross);
+    QTest::keyClick(window.view, Qt::Key_Left);
+    QVERIFY(window.comesTo(LatheAxis::Carriage, z - 0.2));
+    QTest::keyClick(window.view, Qt::Key_Up, Qt::ControlModifier);
+    QVERIFY(window.comesTo(LatheAxis::Cross, r - 0.002));
+    QTest::keyClick(window.view, Qt::Key_Down, Qt::ShiftModifier);
+    QVERIFY(window.comesTo(LatheAxis::Cross, r + 0.198));
+    window.dial("latheCompound").setFocus(Qt::TabFocusReason);
+    const double compound = window.slide(LatheAxis::Compound);
+    QTest::keyClick(&window.dial("latheCompound"), Qt::Key_Up);
+    QVERIFY(window.comesTo(LatheAxis::Compound, compound - 0.02));
+    QVERIFY(std::abs(window.slide(LatheAxis::Cross) - r - 0.198) < 1e-9);
+  }
+
+  void rapidWhileHeld() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    const double z = window.slide(LatheAxis::Carriage);
+    QTest::keyPress(window.view, Qt::Key_Right, Qt::AltModifier);
+    QVERIFY(QTest::qWaitFor([&] { return window.slide(LatheAxis::Carriage) > z + 3.0; }, kPatienceMs));
+    QTest::keyRelease(window.view, Qt::Key_Right, Qt::AltModifier);
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().rapids[0] == 0; }, kPatienceMs));
+    auto* left = window.driver.find<QAbstractButton>("latheRapidLeft");
+    const double far = window.slide(LatheAxis::Carriage);
+    QTest::mousePress(left, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return window.slide(LatheAxis::Carriage) < far - 2.0; }, kPatienceMs));
+    QTest::mouseRelease(left, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().rapids[0] == 0; }, kPatienceMs));
+  }
+
+  // One Ctrl+Z takes back the pass that is being cut, and the lathe rests.
+  void undoTakesThePassBack() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe() && window.turnEnd());
+    QVERIFY(window.machine().direction != 0);
+    window.driver.find<QAction>("undo")->trigger();
+    QVERIFY(window.driver.settle());
+    QVERIFY(!window.workpiece().part);
+    QCOMPARE(window.document().history()->count(), 1);
+    QTRY_COMPARE(window.machine().speed, 0.0);
+    QVERIFY(window.lathe()->collisions().empty());
+    window.driver.find<QAction>("redo")->trigger();
+    QVERIFY(window.workpiece().part);
+    QVERIFY(std::abs(window.radiusAt(99.5) - 23.0) < 0.05);
+  }
+
+  void toolsAreMountedByTheMenu() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    auto* menu = window.driver.find<QMenu>("latheMountMenu");
+    emit menu->aboutToShow();
+    window.driver.find<QAction>("mount/facing")->trigger();
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.lathe()->setup().stations[0].tool, std::string("facing"));
+    auto* sides = window.driver.find<QComboBox>("latheTool");
+    QTRY_VERIFY(sides->itemText(0).contains(QStringLiteral("TCMT")));
+    QCOMPARE(window.document().history()->undoText(), QStringLiteral("Mount Facing tool TCMT 16T304"));
+  }
+
+  // The thread of a half-nut: the carriage goes its pitch in a turn of the spindle.
+  void halfNutLeadsTheCarriage() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    QTest::keyClick(window.view, Qt::Key_Space);
+    window.driver.click("latheHalfNut");
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().isNutClosed; }, kPatienceMs));
+    const LatheState before = window.machine();
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().turns > before.turns + 3.0; }, kPatienceMs));
+    const LatheState now = window.machine();
+    QVERIFY(std::abs((before.slides[0] - now.slides[0]) - 1.5 * (now.turns - before.turns)) < 1e-6);
+    window.driver.click("latheHalfNut");
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().lead == 0.0; }, kPatienceMs));
+  }
+
+  // Played back the view shows the bar as it was; closed, the part as it is, and the lathe stands where it stood.
+  void replayAndBack() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe() && window.turnEnd());
+    QTest::keyClick(window.view, Qt::Key_Escape);
+    QVERIFY(window.driver.settle());
+    QTRY_COMPARE(window.machine().speed, 0.0);
+    QVERIFY(window.workpiece().part);
+    const LatheState before = window.machine();
+    const auto part = window.workpiece().part;
+    window.driver.choose("replayDockToggle");
+    QVERIFY(window.driver.settle());
+    auto* line = window.driver.find<TimeLinePanel>("replayTimeLine");
+    QTRY_VERIFY(line->isVisible() && line->isEnabled());
+    QVERIFY(window.driver.text("replayText").contains(QStringLiteral("Pass 1 of 1")));
+    QVERIFY(line->time() > 1.0);
+    line->setPlaying(true);  // from the end it begins anew
+    QTRY_VERIFY(line->time() < 1.0);
+    line->setPlaying(false);
+    QCOMPARE(window.document().history()->count(), 1);
+    window.driver.choose("replayDockToggle");
+    QVERIFY(!line->isVisible());
+    QVERIFY(window.workpiece().part == part);
+    QVERIFY(window.machine().slides == before.slides);
+  }
+
+  // A hand at a device holds the tool, and cuts with it.
+  void aHandHoldsTheTool() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    window.session.choose("simulated", "hand");
+    QVERIFY(QTest::qWaitFor([&] { return window.session.latest() != nullptr; }, kPatienceMs));
+    QVERIFY(window.driver.settle());
+    window.leadTo({40.0, 0.0, 108.0}, 0);
+    QTest::qWait(500);
+    window.leadTo({40.0, 0.0, 108.0}, 1);
+    QVERIFY(window.comesTo(LatheAxis::Cross, 40.0, 1.0) && window.comesTo(LatheAxis::Carriage, 108.0, 1.0));
+    QTest::keyClick(window.view, Qt::Key_Space);
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().speed == window.machine().setSpeed; }, kPatienceMs));
+    window.leadTo({23.0, 0.0, 98.0}, 1);
+    QVERIFY(QTest::qWaitFor([&] { return window.lathe()->moment()->isCut; }, kPatienceMs));
+    window.leadTo({40.0, 0.0, 108.0}, 0);
+    QVERIFY(QTest::qWaitFor([&] { return window.document().history()->count() == 1; }, kPatienceMs));
+    QVERIFY(window.radiusAt(99.5) < 25.0);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(LatheWindowTest)
+#include "LatheWindowTest.moc"
