@@ -47,15 +47,26 @@ class ViewportLayersTest : public PictureFixture {
     QCOMPARE(silhouette(m_view->grabImage(), empty).area, whole);
   }
 
-  // Cut open towards the viewer, a ball shows its inner side, flat in the colour of the cut.
-  void theCutIsFlat() {
+  // Cut open towards the viewer, a ball shows its inner side, flat in the colour of the cut and hatched at 45 degrees.
+  void theCutIsFlatAndHatched() {
     const CameraState camera = around(Vec3::Zero(), 3, Projection::Parallel);
     const QImage empty = emptyPicture(camera);
     const Silhouette whole = silhouette(picture({{"ball", shared(sphereSoup(90))}}, camera), empty);
     m_view->setClipPlane({camera.towardsViewer(), 0.0, true});
-    const QRgb cut = sceneColours(false).cut.rgb();
-    const auto isCut = [cut](QRgb colour) { return difference(colour, cut) <= 2; };
-    QVERIFY(isNear(silhouette(m_view->grabImage(), empty, isCut).area, whole.area, 0.02));
+    const QImage section = m_view->grabImage();
+    const QColor cut = sceneColours(false).cut;
+    const QColor line = QColor::fromRgbF(0.62 * cut.redF(), 0.62 * cut.greenF(), 0.62 * cut.blueF());
+    const auto isPlain = [cut](QRgb colour) { return difference(colour, cut.rgb()) <= 2; };
+    const auto isLine = [line](QRgb colour) { return difference(colour, line.rgb()) <= 2; };
+    const double plain = silhouette(section, empty, isPlain).area, lines = silhouette(section, empty, isLine).area;
+    QVERIFY(isNear(plain + lines, whole.area, 0.02));
+    QVERIFY(isNear(lines / (plain + lines), 1.6 / 9, 0.3));  // to a pixel of the nine
+    const QPoint middle = section.rect().center();
+    for (int d = -30; d <= 30; ++d) {
+      const QRgb here = section.pixel(middle + QPoint(d, 0));
+      QCOMPARE(section.pixel(middle + QPoint(d + 20, 20)), here);  // image rows go down: x - y is constant
+      QCOMPARE(section.pixel(middle + QPoint(d + 9, 0)), here);
+    }
   }
 
   void meshAndMarksAreClippedToo() {
