@@ -4,6 +4,7 @@
 #include "TestClass.h"
 
 #include <QTest>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
@@ -82,6 +83,24 @@ class ExerciseTest : public QObject {
     const Ran turned = bench.run({"turn", "shaft.handwheel", "--program", "p.ngc", "-o", "turned.handwheel", "--json"});
     QVERIFY2(turned.code == 0 && turned.err.contains("chuck"), turned.err);
     QVERIFY(nlohmann::json::parse(turned.out.toStdString())["collisions"].get<int>() > 0);
+  }
+
+  // The target of the shaft has fillets and sizes of a tenth.
+  void aTargetInRoundSizes() {
+    const Bench bench;
+    const Ran run =
+        bench.run({"exercise", kShaft, "--round-target", "2", "--sharp-corners", "5", "-o", "r.exercise.json"});
+    QVERIFY2(run.code == 0, run.err);
+    const nlohmann::json segments =
+        nlohmann::json::parse(bench.content("r.exercise.json").toStdString())["task"]["target"]["segments"];
+    QVERIFY(segments.size() > 3);
+    for (const nlohmann::json& segment : segments) {
+      QCOMPARE(std::remainder(segment[0].get<double>(), 1.0), 0.0);
+      QCOMPARE(std::remainder(segment[1].get<double>(), 2.0), 0.0);
+    }
+    QCOMPARE(bench.run({"exercise", kShaft, "--round-target", "0", "-o", "x.handwheel"}).code, 2);
+    QCOMPARE(bench.run({"exercise", kShaft, "--sharp-corners", "1", "-o", "x.handwheel"}).code, 2);
+    QCOMPARE(bench.run({"exercise", kShaft, "--student", "--round-target", "1", "-o", "x.handwheel"}).code, 2);
   }
 
   void theStudentsFileHasNoAnswers() {

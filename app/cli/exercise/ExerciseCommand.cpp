@@ -10,6 +10,7 @@
 #include "cli/exercise/MarkCommand.h"
 #include "document/FileBytes.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/RoundTarget.h"
 #include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
 #include "text/NoteText.h"
@@ -35,6 +36,11 @@ Parameter word(const char* id, const char* value, std::string meaning) {
           .meaning = std::move(meaning),
           .word = value,
           .hasDefault = false};
+}
+
+Parameter withoutDefault(Parameter parameter) {
+  parameter.hasDefault = false;
+  return parameter;
 }
 
 bool isDescriptionName(const std::filesystem::path& path) {
@@ -71,6 +77,13 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
   if (values.flag("solution")) {
     if (!exercise->solution) return Error{ErrorCode::ReferenceMissing, {"model solution", {}, {}}, {}, {}};
     return fresh(ofWork, exercise->solution);
+  }
+  if (values.isSet("round-target")) {
+    const auto rounded = withRoundedTarget(*exercise->subject, *exercise->task, values);
+    if (!rounded) return rounded.error();
+    auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
+    changed->task = rounded->task;
+    opened.content = std::move(changed);
   }
   if (!values.isSet("hand-in")) return Product{opened.kind, std::move(opened.file), std::move(opened.content)};
 
@@ -109,6 +122,8 @@ std::string problemOf(const Arguments& arguments, const OperationValues& values)
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   int purposes = 0;
   for (const char* const purpose : kPurposes) purposes += values.isSet(purpose) ? 1 : 0;
+  if (purposes > 0 && values.isSet("round-target")) return "--round-target is for the exercise itself.";
+  if (values.isSet("sharp-corners") && !values.isSet("round-target")) return "--sharp-corners needs --round-target.";
   if (purposes > 1) return "Give one of --student, --stock, --solution and --hand-in.";
   if (values.isSet("hand-in") && !values.isSet("name")) return "--hand-in needs the student's name: --name NAME.";
   return {};
@@ -173,6 +188,8 @@ const Operation& exerciseOperation() {
            .meaning = "How long the student has worked; without it, what the window has counted in WORK",
            .word = "MIN",
            .hasDefault = false},
+          withoutDefault(*roundTargetOperation().find("round-target")),
+          *roundTargetOperation().find("sharp-corners"),
       }};
   return kOperation;
 }

@@ -15,6 +15,7 @@
 #include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseLesson.h"
+#include "window/exercise/RoundTargetDialog.h"
 #include "window/exercise/RunningAttempt.h"
 
 #include <QFile>
@@ -70,11 +71,14 @@ void ExerciseUi::buildActions() {
   m_solution = action("takeSolution", tr("Take as model s&olution"),
                       tr("Keep the work that was begun from this exercise as its model solution"));
   m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
+  m_round = action("roundTargetAction", tr("&Round the target…"),
+                   tr("Give the target round sizes and sharp corners, as a drawing has them"));
   m_mark = action("markExercise", tr("&Mark…"), tr("Mark files that students have handed in"));
   connect(m_begin, &QAction::triggered, this, [this] { m_attempt->begin(*document()); });
   connect(m_preview, &QAction::triggered, this, [this] { openContent(forStudents(*snapshot())); });
   connect(m_solution, &QAction::triggered, this, [this] { takeWork(false); });
   connect(m_target, &QAction::triggered, this, [this] { takeWork(true); });
+  connect(m_round, &QAction::triggered, this, &ExerciseUi::askToRound);
   connect(m_mark, &QAction::triggered, this, &ExerciseUi::chooseSubmissions);
 }
 
@@ -123,6 +127,7 @@ void ExerciseUi::refresh() {
   m_mark->setEnabled(!isStudent);
   m_solution->setEnabled(!isStudent && hasWork);
   m_target->setEnabled(!isStudent && hasWork);
+  m_round->setEnabled(!isStudent);
   emit stateChanged();
 }
 
@@ -131,7 +136,7 @@ QWidget* ExerciseUi::panel() {
 }
 
 QList<QAction*> ExerciseUi::menu() {
-  return {m_begin, m_preview, m_solution, m_target, m_mark};
+  return {m_begin, m_preview, m_solution, m_target, m_round, m_mark};
 }
 
 QList<QAction*> ExerciseUi::toolBar() {
@@ -217,6 +222,20 @@ void ExerciseUi::takeWork(bool asTarget) {
   if (!task) return report(notTaken, task.error());
   changed.task = std::move(task.value());
   current()->change(tr("Take the target"), std::move(changed));
+}
+
+// What was changed in the meantime, of the task, stays: then the target is not rounded.
+void ExerciseUi::askToRound() {
+  const auto before = snapshot();
+  auto* dialog = new RoundTargetDialog(*before->subject, before->task, parts().window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &RoundTargetDialog::chosen, current(), [this, before, owner = current()](const TaskPointer& task) {
+    ExerciseSnapshot changed = owner->exercise();
+    if (changed.task != before->task) return;
+    changed.task = task;
+    owner->change(tr("Round the target"), std::move(changed));
+  });
+  dialog->open();
 }
 
 void ExerciseUi::chooseSubmissions() {

@@ -49,6 +49,7 @@ class ExerciseUi : public RigidPartsUi {
   void refresh();
   void openContent(const ExerciseSnapshot& content);
   void takeWork(bool asTarget);
+  void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);
   void chooseFile(const QString& title, const QString& filter, const QString& suffix,
@@ -71,7 +72,7 @@ class ExerciseUi : public RigidPartsUi {
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;
   mutable SnapshotPointer m_displayedWork;
-  QAction *m_begin, *m_preview, *m_solution, *m_target, *m_mark;
+  QAction *m_begin, *m_preview, *m_solution, *m_target, *m_round, *m_mark;
 };
 
 }  // namespace handwheel

@@ -14,6 +14,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <cmath>
 
 namespace handwheel {
 
@@ -227,6 +229,15 @@ void LathePanel::show(const ManualLatheTool& tool) {
 }
 
 void LathePanel::begin(const ManualLatheTool& tool) {
+  const auto now = tool.moment();
+  const LatheState& machine = now->machine;
+  const QSignalBlocker noCommand(m_isConstant);
+  m_speed->setValue(machine.setSpeed);
+  m_isConstant->setChecked(machine.surfaceSpeed > 0.0);
+  if (machine.surfaceSpeed > 0.0) m_surface->setValue(machine.surfaceSpeed);
+  if (machine.speedClamp > 0.0) m_clamp->setValue(machine.speedClamp);
+  if (machine.feed != 0.0) m_feed->setValue(std::abs(machine.feed));
+  if (machine.lead != 0.0) m_lead->setValue(std::abs(machine.lead));
   m_wheels->setZero(tool);
   show(tool);
 }

@@ -85,6 +85,13 @@ class ExerciseSubject {
                                            Progress progress) const = 0;
   // A task whose target is what this work made, for teachers who turn the model solution first.
   virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
+  // A task whose target is in round sizes, as a drawing has them. step: mm; hollow corners of up to largestFillet (mm)
+  // become sharp. Errors: ExerciseError::WithoutTarget, those of the target in such a step.
+  struct RoundedTask {
+    TaskPointer task;
+    double largestChange = 0.0;  // mm, of a surface of the target
+  };
+  virtual Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const = 0;
 
   // Measures the figures of the criteria that are not common ones. Deterministic.
   virtual std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,

@@ -6,6 +6,7 @@
 #include "machining/finish/FinishMeter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -30,6 +31,13 @@ TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing) {
   TurnedPart bar = TurnedPart::of(profile, {}, workpiece.chord);
   bar.finish = SurfaceFinish(profile.size());
   return bar;
+}
+
+TurnedPart PresentPart::of(const WorkpieceSnapshot& workpiece) const {
+  if (workpiece.part) return *workpiece.part;
+  const bool isSame = std::exchange(m_stock, workpiece.mesh) == workpiece.mesh;
+  if (!isSame) m_bar = std::make_shared<const TurnedPart>(partOf(workpiece, m_spacing));
+  return *m_bar;
 }
 
 namespace {

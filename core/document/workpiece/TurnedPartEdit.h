@@ -26,4 +26,17 @@ std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, T
 // The present part; of an uncut bar a part without passes, with samples at this distance (mm).
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing);
 
+// The present part of one document from version to version. An uncut bar keeps its triangles, as by undo of the only
+// pass, so that a view has none of them to build again.
+class PresentPart {
+ public:
+  explicit PresentPart(double spacing) : m_spacing(spacing) {}
+  TurnedPart of(const WorkpieceSnapshot& workpiece) const;
+
+ private:
+  double m_spacing;                                  // mm, between the samples of a bar
+  mutable std::shared_ptr<const StockMesh> m_stock;  // of m_bar
+  mutable std::shared_ptr<const TurnedPart> m_bar;   // null: none was asked for yet
+};
+
 }  // namespace handwheel

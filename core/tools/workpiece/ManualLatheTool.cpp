@@ -3,7 +3,6 @@
 #include "tools/workpiece/ManualLatheTool.h"
 
 #include "document/workpiece/TurnedPartDisplay.h"
-#include "document/workpiece/TurnedPartEdit.h"
 #include "tools/workpiece/LatheChips.h"
 
 #include <QCoreApplication>
@@ -44,7 +43,7 @@ QString passesText(std::size_t count, double removed) {
 ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing,
                                  LatheTools tools, ForceLaw law)
     : m_document(document),
-      m_spacing(spacing),
+      m_present(spacing),
       m_tools(std::move(tools)),
       m_law(law),
       m_materialName(document.workpiece().material),
@@ -57,7 +56,7 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
 }
 
 std::unique_ptr<Simulation> ManualLatheTool::simulation() const {
-  TurnedPart part = partOf(m_document.workpiece(), m_spacing);
+  TurnedPart part = m_present.of(m_document.workpiece());
   const LatheSetup lathe = setup();
   const LatheState state = m_machine.value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
   return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material), part.surface,
@@ -159,7 +158,7 @@ bool ManualLatheTool::endPass(bool isAtOnce) {
   if (!now->isCut || m_isDragging || !isDue) return false;
   const std::unique_ptr<LatheSimulation> lathe = endSimulation();
   const auto last = std::static_pointer_cast<const LatheMoment>(lathe->state());
-  TurnedPart part = partOf(m_document.workpiece(), m_spacing);
+  TurnedPart part = m_present.of(m_document.workpiece());
   part.profile = last->profile;
   part.surface = last->surface;
   part.finish = last->finish;
@@ -208,7 +207,7 @@ void ManualLatheTool::documentChanged() {
 void ManualLatheTool::showLathe(const LatheSetup& lathe) {
   if (m_displayed && *m_displayed == lathe) return;
   m_displayed = std::make_shared<const LatheSetup>(lathe);
-  const TurnedPart part = partOf(m_document.workpiece(), m_spacing);
+  const TurnedPart part = m_present.of(m_document.workpiece());
   const LatheRun run(lathe, m_tools, part.profile, LatheMachine::initialState(lathe, m_document.workpiece().stock));
   m_display = std::make_shared<const LatheDisplay>(lathe, m_tools, run.gripped(), base());
 }

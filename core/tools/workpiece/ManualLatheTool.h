@@ -4,6 +4,7 @@
 
 #include "document/workpiece/LatheDisplay.h"
 #include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/lathe/LatheMounting.h"
 #include "simulation/SimulatedGesture.h"
@@ -89,7 +90,7 @@ class ManualLatheTool : public Tool {
   void showLathe(const LatheSetup& setup);
 
   WorkpieceDocument& m_document;
-  double m_spacing;
+  PresentPart m_present;
   LatheTools m_tools;
   ForceLaw m_law;
   std::string m_materialName;  // as the document says it, of m_material

@@ -4,7 +4,6 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
-#include "document/workpiece/TurnedPartEdit.h"
 #include "machining/finish/FinishMeter.h"
 #include "tools/ToolProperty.h"
 
@@ -71,6 +70,7 @@ QString passText(const TurnedPart& part, double removed) {
 TurnTool::TurnTool(WorkpieceDocument& document, const SimulationServices& services, const Start& start)
     : m_document(document),
       m_start(start),
+      m_present(start.spacing),
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {}
 
 std::span<const ToolKey> TurnTool::keys() {
@@ -79,7 +79,7 @@ std::span<const ToolKey> TurnTool::keys() {
 }
 
 std::unique_ptr<Simulation> TurnTool::simulation() const {
-  const TurnedPart part = partOf(m_document.workpiece(), m_start.spacing);
+  const TurnedPart part = m_present.of(m_document.workpiece());
   TurningPass blank;
   blank.noseRadius = m_tool.noseRadius;
   blank.side = m_tool.side;
@@ -155,7 +155,7 @@ ToolReply TurnTool::release() {
     m_gesture.restart();
     return ToolReply::Used;
   }
-  TurnedPart before = partOf(m_document.workpiece(), m_start.spacing);
+  TurnedPart before = m_present.of(m_document.workpiece());
   const double removed = before.profile.volume() - cut->profile.volume();
   TurningPass pass = static_cast<const TurningSimulation&>(*ended).pass();
   pass.speeds.assign(pass.path.size(), latheOf(m_document.workpiece()).spindle.speed);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "simulation/SimulatedGesture.h"
 #include "simulation/turning/TurningSimulation.h"
@@ -55,6 +56,7 @@ class TurnTool : public Tool {
 
   WorkpieceDocument& m_document;
   Start m_start;
+  PresentPart m_present;
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;

@@ -242,6 +242,28 @@ class ExerciseWindowTest : public QObject {
     QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
   }
 
+  // The dialog says how much that changes; one undo step.
+  void theTargetInRoundSizes() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    const auto task = [&driver] {
+      Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
+      return static_cast<ExerciseDocument&>(shown).exercise().task;
+    };
+    const TaskPointer before = task();
+    driver.choose("roundTargetAction");
+    QTRY_VERIFY(driver.find<QDialog>("roundTargetDialog")->isVisible());
+    driver.edit("round-target", "10");
+    QTRY_VERIFY(driver.text("roundTargetRemark").contains(QStringLiteral(" mm")));
+    driver.edit("round-target", "2");
+    driver.click("roundTarget");
+    QVERIFY(driver.settle());
+    QVERIFY(task() != before);
+    driver.click("quickActions/undo");
+    QTRY_VERIFY(task() == before);
+  }
+
   // A teacher adds a mark and a step, changes them, and takes it back.
   void theTeachersEditor() {
     WindowDriver driver;

@@ -11,12 +11,14 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/exercise/DrawingTolerance.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
+#include "document/workpiece/exercise/TurningDetails.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/lathe/LatheMounting.h"
 #include "machining/refit/SampledProfile.h"
+#include "machining/target/RoundedTarget.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -87,136 +89,6 @@ Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
     pass.thread = *thread;
   }
   return pass;
-}
-
-// A side of a part as a line; the bore only where there is one.
-std::vector<ProfilePoint> lineOf(const TurnedProfile& profile, TurningSide side) {
-  std::vector<ProfilePoint> line;
-  for (std::size_t i = 0; i < profile.size(); ++i) {
-    const double r = side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
-    if (profile.hasMaterial(i) && (side == TurningSide::Outside || r > 0.0)) line.emplace_back(r, profile.z(i));
-  }
-  return line;
-}
-
-// The outline of a target, arcs as lines.
-std::vector<ProfilePoint> lineOf(const TargetProfile& target) {
-  constexpr int kOfArc = 32;
-  std::vector<ProfilePoint> line{target.segments().front().from};
-  for (const ProfileSegment& s : target.segments()) {
-    const int pieces = s.isArc() ? kOfArc : 1;
-    for (int k = 1; k <= pieces; ++k) line.push_back(s.at(static_cast<double>(k) / pieces));
-  }
-  return line;
-}
-
-// With as few of the points as stay within the tolerance of the line, in r.
-std::vector<ProfilePoint> chainThinned(const std::vector<ProfilePoint>& line, double tolerance) {
-  std::vector<ProfilePoint> kept;
-  std::size_t from = 0;
-  const auto isStraight = [&](std::size_t to) {
-    for (std::size_t k = from + 1; k < to; ++k) {
-      const double t = (line[k].y() - line[from].y()) / (line[to].y() - line[from].y());
-      if (std::abs(std::lerp(line[from].x(), line[to].x(), t) - line[k].x()) > tolerance) return false;
-    }
-    return true;
-  };
-  constexpr std::size_t kLongest = 512;  // points, so that the search is short
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (i != 0 && i + 1 != line.size() && i + 1 - from < kLongest && isStraight(i + 1)) continue;
-    kept.push_back(line[i]);
-    from = i;
-  }
-  return kept;
-}
-
-ReportCurve::Series seriesOf(const char* name, const std::vector<ProfilePoint>& line) {
-  ReportCurve::Series series{name, {}};
-  for (const ProfilePoint& p : line) series.points.emplace_back(p.y(), p.x());
-  return series;
-}
-
-ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
-  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Profile"), "Z", "mm", QT_TRANSLATE_NOOP("Figure", "Radius"), "mm", {}};
-  constexpr double kSeen = 0.01;  // mm
-  curve.series.push_back(
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Part"), chainThinned(lineOf(profile, TurningSide::Outside), kSeen)));
-  if (profile.isBored())
-    curve.series.push_back(
-        seriesOf(QT_TRANSLATE_NOOP("Figure", "Bore"), chainThinned(lineOf(profile, TurningSide::Bore), kSeen)));
-  if (!task.target) return curve;
-  curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target"), lineOf(*task.target)));
-  return curve;
-}
-
-ReportCurve pathCurve(const WorkpieceSnapshot& workpiece) {
-  constexpr std::size_t kMostPoints = 4'000;
-  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Path of the tool"), "Z",  "mm",
-                    QT_TRANSLATE_NOOP("Figure", "Radius"),           "mm", {}};
-  std::size_t count = 0;
-  for (const auto& pass : workpiece.part->passes) count += pass->path.size();
-  const std::size_t step = count / kMostPoints + 1;
-  ReportCurve::Series path{QT_TRANSLATE_NOOP("Figure", "Centre of the nose"), {}};
-  for (const auto& pass : workpiece.part->passes) {
-    for (std::size_t i = 0; i < pass->path.size(); ++i) {
-      const bool isKept = i % step == 0 || i + 1 == pass->path.size();
-      if (isKept) path.points.emplace_back(pass->path[i].y(), pass->path[i].x());
-    }
-  }
-  curve.series.push_back(std::move(path));
-  return curve;
-}
-
-ReportCurve loadCurve(const char* title, const char* unit, const std::vector<MeasuredPart::Load>& loads,
-                      double MeasuredPart::Load::*which) {
-  ReportCurve curve{title, QT_TRANSLATE_NOOP("Figure", "Time"), "s", title, unit, {}};
-  ReportCurve::Series series{title, {}};
-  for (const MeasuredPart::Load& load : loads) series.points.emplace_back(load.time, load.*which);
-  curve.series.push_back(std::move(series));
-  return curve;
-}
-
-ReportEvent eventOf(const CrashMoment& crash) {
-  const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
-  if (crash.what == CrashMoment::What::Chuck)
-    return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), place}};
-  return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool was rammed into the material at Z %1 mm, ⌀%2 mm."), place}};
-}
-
-// The roughness along the part. Of neighbours that are too many to draw the roughest is shown.
-ReportCurve finishCurve(const MeasuredPart& part) {
-  constexpr std::size_t kMostPoints = 1'000;
-  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Roughness"), "Z", "mm", "Ra", "µm", {}};
-  const TurnedProfile& profile = part.profile();
-  const std::size_t stride = profile.size() / kMostPoints + 1;
-  for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
-    ReportCurve::Series series{
-        side == TurningSide::Outside ? QT_TRANSLATE_NOOP("Figure", "Part") : QT_TRANSLATE_NOOP("Figure", "Bore"), {}};
-    for (std::size_t first = 0; first < profile.size(); first += stride) {
-      float roughest = FinishMark::kUnknown;
-      for (std::size_t i = first; i < std::min(first + stride, profile.size()); ++i) {
-        const FinishMark mark = part.finishAt(side, i);
-        const bool isSurface = profile.hasMaterial(i) && (side == TurningSide::Outside || profile.inner(i) > 0.0);
-        if (isSurface && mark.isKnown() && std::isfinite(mark.roughness)) roughest = std::max(roughest, mark.roughness);
-      }
-      if (roughest >= 0.0f) series.points.emplace_back(profile.z(first), roughest);
-    }
-    if (!series.points.empty()) curve.series.push_back(std::move(series));
-  }
-  return curve;
-}
-
-// By the judgement of the lathe itself, in the order of the causes.
-ReportEvent eventOf(const LatheCollision& crash) {
-  static constexpr std::array<const char*, 6> kTexts = {
-      QT_TRANSLATE_NOOP("Note", "Parts of the lathe met at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The spindle turned the wrong way at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.")};
-  const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
-  return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
 }
 
 // Where the exercise names tools of the manual lathe, these are in its post and no others can be mounted. A drill is
@@ -351,6 +223,17 @@ Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const S
   return TaskPointer(std::make_shared<const TurningTask>(std::move(changed)));
 }
 
+Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,
+                                                                       double largestFillet) const {
+  TurningTask changed = turningOf(task);
+  if (!changed.target) return Error{ExerciseError::WithoutTarget, {}, {}, {}};
+  Result<TargetProfile> target = rounded(*changed.target, {step, largestFillet});
+  if (!target) return target.error();
+  const double change = largestDistance(*changed.target, *target);
+  changed.target = std::move(target.value());
+  return RoundedTask{std::make_shared<const TurningTask>(std::move(changed)), change};
+}
+
 std::vector<Figure> TurningSubject::measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
                                             Progress progress) const {
   const MeasuredPart part(turningOf(task), turnedOf(work), progress.part(0.0, 0.8));
@@ -364,21 +247,7 @@ std::vector<Figure> TurningSubject::measure(const Exercise& exercise, const Exer
 }
 
 ReportDetails TurningSubject::details(const ExerciseTask& task, const Snapshot& work, Progress progress) const {
-  const WorkpieceSnapshot& workpiece = turnedOf(work);
-  const MeasuredPart part(turningOf(task), workpiece, progress);
-  ReportDetails details;
-  details.curves.push_back(shapeCurve(turningOf(task), part.profile()));
-  if (!workpiece.part || !part.review()) return details;
-  details.curves.push_back(pathCurve(workpiece));
-  if (ReportCurve finish = finishCurve(part); !finish.series.empty()) details.curves.push_back(std::move(finish));
-  const std::vector<MeasuredPart::Load> loads = part.loads();
-  details.curves.push_back(
-      loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
-  details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
-  for (const CrashMoment& crash : part.review()->crashes()) details.events.push_back(eventOf(crash));
-  for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash));
-  details.seconds = part.review()->seconds();
-  return details;
+  return turningDetails(turningOf(task), turnedOf(work), progress);
 }
 
 DisplayModel TurningSubject::display(const ExerciseTask& task) const {

@@ -32,6 +32,7 @@ class TurningSubject : public ExerciseSubject {
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
+  Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
   std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
                               Progress progress) const override;

@@ -101,6 +101,26 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(!lathe.document.workpiece().part->crashes);
   }
 
+  // So that the view has no triangles of the uncut bar to build again.
+  void undoGivesTheSameTrianglesBack() {
+    HandLathe lathe;
+    const auto triangles = [&lathe] {
+      std::vector<std::shared_ptr<const TriangleSoup>> all;
+      for (const DisplayPart& part : lathe.tool->preview().replaced->parts) {
+        if (part.group == kStockGroup) all.push_back(part.soup);
+      }
+      return all;
+    };
+    const auto bar = triangles();
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
+    const auto cut = triangles();
+    QCOMPARE(cut.size(), bar.size());
+    QVERIFY(cut.front() == bar.front());  // in the chuck
+    QVERIFY(cut.back() != bar.back());
+    lathe.undo();
+    QVERIFY(triangles() == bar);
+  }
+
   // The lathe is where it was before, at rest, and its tool not in the material that is back.
   void undoTakesBackThePassAndTheTool() {
     HandLathe lathe;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "../haptics/TurningWindow.h"
+#include "controls/NumberField.h"
 #include "controls/machine/HandwheelDial.h"
 #include "panels/time/TimeLinePanel.h"
 #include "tools/workpiece/ManualLatheTool.h"
@@ -71,6 +72,21 @@ class LatheWindowTest : public QObject {
 
  private slots:
   void init() { QSettings().clear(); }
+
+  // As an exercise sets it up.
+  void leversOfThePanelAreThoseOfTheLathe() {
+    LatheWindow window;
+    window.driver.choose("newWorkpiece");
+    QVERIFY(window.driver.settle());
+    auto setup = std::make_shared<LatheSetup>(latheOf(window.workpiece()));
+    setup->spindle.speed = 800.0;
+    window.document().commit(QStringLiteral("Set up"), std::make_unique<LatheSetupEdit>(setup));
+    window.driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(window.driver.settle() && window.lathe());
+    QTRY_COMPARE(window.driver.find<NumberField>("latheSpeed")->value(), 800.0);
+    QVERIFY(!window.driver.find<QAbstractButton>("latheConstantSpeed")->isChecked());
+    QCOMPARE(window.machine().setSpeed, 800.0);
+  }
 
   // Clockwise is in for the cross slide, away from the chuck for the carriage. The rings begin at zero and count up.
   void wheelsTurnAsOnALathe() {

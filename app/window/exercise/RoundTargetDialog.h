@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "controls/PropertyList.h"
+#include "document/exercise/RoundTarget.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+
+namespace handwheel {
+
+// Asks to which sizes the target of an exercise is rounded, and shows how much that changes it.
+class RoundTargetDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  // The subject outlives it.
+  RoundTargetDialog(const ExerciseSubject& subject, TaskPointer task, QWidget* parent);
+
+ signals:
+  void chosen(const handwheel::TaskPointer& task);
+
+ private:
+  void showValues();
+  void accept() override;
+
+  const ExerciseSubject& m_subject;
+  TaskPointer m_task;
+  OperationValues m_values;
+  TaskPointer m_rounded;  // null: the values are not possible
+  PropertyList* m_list;
+  QLabel* m_remark;
+  QPushButton* m_round;
+};
+
+}  // namespace handwheel

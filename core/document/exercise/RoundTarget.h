@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+#include "document/exercise/ExerciseSubject.h"
+
+namespace handwheel {
+
+// Round sizes for the target of an exercise: the parameters "round-target", the step, and "sharp-corners", the largest
+// fillet that becomes a sharp corner; both mm.
+const Operation& roundTargetOperation();
+
+// ExerciseSubject::withRoundedTarget() with these values.
+Result<ExerciseSubject::RoundedTask> withRoundedTarget(const ExerciseSubject& subject, const ExerciseTask& task,
+                                                       const OperationValues& values);
+
+}  // namespace handwheel

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/exercise/TurningTask.h"
+
+namespace handwheel {
+
+// What a report shows of work at the lathe: the shape beside the target, the path of the tool, roughness, force and
+// power over time, and what collided. O(samples + points of the passes).
+ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& work, Progress progress);
+
+}  // namespace handwheel

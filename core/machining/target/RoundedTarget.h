@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/target/TargetProfile.h"
+
+namespace handwheel {
+
+// How the sizes of a target are rounded, as those of a part that was turned by hand for it.
+struct TargetRounding {
+  static constexpr double kLeastStep = 1e-3, kLargestStep = 10.0;  // mm
+
+  double step = 0.1;           // mm, of diameters, heights and radii
+  double largestFillet = 0.0;  // mm: hollow corners of up to this radius, as a nose leaves them, become sharp; 0: none
+};
+
+// The same part in round sizes: its corners are at multiples of the step in diameter and height, and its fillets have
+// multiples of it as radius. Other arcs go through their rounded ends with the angle that they had. What is shorter
+// than the step may vanish. O(n log n). Errors: ValueOutOfRange {step}; those of TargetProfile::make(), where it does
+// not bear that step.
+Result<TargetProfile> rounded(const TargetProfile& target, const TargetRounding& how);
+
+// The largest distance between the surfaces of two targets, at their corners and the middles of their arcs (mm).
+double largestDistance(const TargetProfile& a, const TargetProfile& b);
+
+}  // namespace handwheel
