@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "collision/CollisionMesh.h"
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// A piece of a rigid body, in the frame of the body.
+struct CollisionPiece {
+  enum class Kind { Ball, Block, Cylinder, Mesh };
+
+  static CollisionPiece sphere(const Vec3& centre, double radius);
+  static CollisionPiece box(const Pose& pose, const Vec3& size);                   // mm, centred
+  static CollisionPiece cylinder(const Pose& pose, double radius, double length);  // along z, centred
+  static CollisionPiece ofMesh(const Pose& pose, std::shared_ptr<const CollisionMesh> mesh);
+
+  Kind kind = Kind::Ball;
+  Pose pose = Pose::Identity();
+  // mm: the radius in x; half of the sizes; radius and half length in x and z.
+  Vec3 half = Vec3::Zero();
+  std::shared_ptr<const CollisionMesh> mesh = {};
+  // A sphere, and a box in the frame of the piece, that hold it; mm.
+  Vec3 centre = Vec3::Zero();  // in the body
+  double radius = 0.0;
+  Vec3 boxCentre = Vec3::Zero(), boxHalf = Vec3::Zero();
+
+  CollisionPiece moved(const Pose& by) const;
+};
+
+// A rigid body for collisions: its pieces, and a sphere that holds them. A value; copies share the meshes.
+class CollisionBody {
+ public:
+  CollisionBody() = default;
+  explicit CollisionBody(std::vector<CollisionPiece> pieces);
+
+  std::span<const CollisionPiece> pieces() const { return m_pieces; }
+  bool isEmpty() const { return m_pieces.empty(); }
+  const Vec3& centre() const { return m_centre; }
+  double radius() const { return m_radius; }  // mm
+
+ private:
+  std::vector<CollisionPiece> m_pieces;
+  Vec3 m_centre = Vec3::Zero();
+  double m_radius = 0.0;
+};
+
+// What queries have done.
+struct QueryCounts {
+  std::uint64_t bounds = 0;  // pairs of pieces whose bounds were compared
+  std::uint64_t exact = 0;   // pairs of pieces whose distance was computed
+};
+
+// The distance of two bodies (mm) where it is below `enough`, else `enough` or a larger lower bound of it. At most 0
+// where they meet, or one is inside of the other. It is never too large, but for rounding. O(pairs of pieces). Any
+// thread.
+double distanceBetween(const CollisionBody& a, const Pose& poseA, const CollisionBody& b, const Pose& poseB,
+                       double enough = std::numeric_limits<double>::infinity(), QueryCounts* counts = nullptr);
+
+}  // namespace handwheel

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "collision/CollisionMesh.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+
+namespace handwheel {
+
+// Boxes that fit tightly, for distances and collisions alike: FCL's spheres swept by rectangles need thousands of times
+// as long for collisions.
+struct CollisionMesh::Hierarchy {
+  std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> model;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planning/RobotScene.h"
+
+#include <deque>
+
+namespace handwheel {
+
+// How motions are checked.
+struct MotionCheckSettings {
+  double clearance = 0.0;  // mm that the robot keeps from everything, at least
+  // mm: what comes nearer to the clearance than this is not told apart from what does not keep it.
+  double resolution = 0.05;
+};
+
+// Proves that a straight motion in joint space is free of collisions, or finds where it is not: nothing between two
+// points of the motion is left to chance. At a point of the motion everything is so far from everything else; around it
+// the motion is free as long as no point of a link can have moved further than that (Schwarzer, Saha and Latombe 2005,
+// Adaptive dynamic collision checking for single and multiple articulated robots in complex environments; the bounds
+// here are those of the places where the joints are, instead of the farthest ones). What is not covered yet is halved,
+// the longest piece first.
+//
+// It can be done piece by piece, for planners that turn to another motion in between.
+class MotionCheck {
+ public:
+  enum class State { Open, Free, Blocked };
+
+  // The scene must outlive it. Values are those of its joints.
+  MotionCheck(const RobotScene& scene, const ArmValues& from, const ArmValues& to, const MotionCheckSettings& settings);
+
+  const ArmValues& from() const { return m_from; }
+  const ArmValues& to() const { return m_to; }
+  State state() const { return m_state; }
+  // How far a point of the robot can move in the longest piece that is still open; mm. 0: none is.
+  double openLength() const;
+
+  // Looks at one point of the motion. O(pieces of the scene).
+  State step(QueryCounts* counts = nullptr);
+  // All that is needed.
+  State run(QueryCounts* counts = nullptr);
+
+  // Of a motion that is blocked: where it was found, as a share of the motion, and what is too near there.
+  double blockedAt() const { return m_blockedAt; }
+  const RobotScene::Nearest& blockedBy() const { return m_blockedBy; }
+
+  std::uint64_t steps() const { return m_steps; }
+
+ private:
+  struct Interval {
+    double begin, end;  // shares of the motion
+  };
+  // How fast points of a part move at most, relative to the frame of a joint, around the present point.
+  double speedOf(std::uint32_t part, std::uint32_t below, double half, const RobotScene::Places& places) const;
+  bool cover(double distance, double speed, double& half) const;
+
+  const RobotScene* m_scene;
+  ArmValues m_from, m_to, m_way;
+  MotionCheckSettings m_settings;
+  std::deque<Interval> m_open;  // the longest about first
+  State m_state = State::Open;
+  double m_reach = 0.0;  // mm that a point moves at most in the whole motion
+  double m_blockedAt = 0.0;
+  RobotScene::Nearest m_blockedBy{};
+  std::uint64_t m_steps = 0;
+};
+
+}  // namespace handwheel

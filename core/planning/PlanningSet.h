@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planning/SblPlanner.h"
+
+namespace handwheel {
+
+// Planning problems to compare planners with: a robot from start to goal among obstacles.
+struct PlanningProblem {
+  std::string name;                       // of the set, and its number
+  std::vector<double> start, goal;        // rad, in the order of the set's joints
+  std::vector<CollisionPiece> obstacles;  // in the frame of the robot's root; mm
+};
+
+struct PlanningSet {
+  std::string name;
+  std::vector<std::string> joints;
+  std::vector<PlanningProblem> problems;
+};
+
+// Reads a set as MotionBenchMaker's, in JSON: {"scene", "joints": [name…], "problems": [{"index", "start", "goal",
+// "objects": [{"type": "box", "cylinder" or "sphere", "dimensions", "position", "orientation": [x, y, z, w]}…]}…]}, in
+// metres. Dimensions are those of MoveIt: of a cylinder its height, then its radius. Errors: ElementMalformed, those of
+// parseJson().
+Result<PlanningSet> readPlanningSet(std::string_view json);
+
+// The shape that the collisions of each link have, as far as it is made of primitives; link by link. Meshes are given
+// by the caller, by the number of the shape; null: not there.
+std::vector<CollisionBody> collisionBodies(const RobotModel& robot,
+                                           std::span<const std::shared_ptr<const CollisionMesh>> meshes = {});
+
+}  // namespace handwheel

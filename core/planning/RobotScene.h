@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "collision/ObstacleSet.h"
+#include "robot/SrdfReader.h"
+#include "robot/arm/SerialArm.h"
+
+namespace handwheel {
+
+// A robot among obstacles, prepared for planning: the joints that are planned, and what they move. The other joints
+// stand. Immutable once filled; any thread.
+class RobotScene {
+ public:
+  // base: of the root in the world. bodies: of each link, may be empty. dofs: of the robot, that are planned; all
+  // values: of the robot, of which those of the others count. allowed: pairs of links.
+  RobotScene(const RobotModel& robot, const Pose& base, std::vector<CollisionBody> bodies,
+             std::vector<std::uint32_t> dofs, const JointValues& values, const std::set<LinkPair>& allowed);
+  // Error ElementMalformed {robot, reason}: a planned joint is geared or moves with others, or there are too many.
+  Status isSound() const { return m_status; }
+
+  // The pairs of links that meet however the joints stand, as those of which one hangs closely on the other: at each of
+  // so many random places. Their collisions tell nothing; allowPairs() leaves them out. Deterministic.
+  std::set<LinkPair> alwaysMeeting(int samples = 200) const;
+  void allowPairs(const std::set<LinkPair>& pairs);
+
+  // owner: a number of the caller's.
+  void addObstacle(const CollisionBody& body, const Pose& pose, std::uint32_t owner);
+  // Collisions of this link with obstacles of this owner do not count.
+  void allow(std::uint32_t link, std::uint32_t owner);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(m_joints.size()); }
+  const ArmJoint& joint(Eigen::Index i) const { return m_joints[static_cast<std::size_t>(i)].joint; }
+  bool isWithinLimits(const ArmValues& values, double slack = 1e-9) const;
+
+  // The poses of the frames that the joints move, in the world. poses: as many as there are joints.
+  void jointPoses(const ArmValues& values, std::span<Pose> poses) const;
+
+  // What is nearest, and how near.
+  struct Nearest {
+    double distance;                  // mm; at most 0: they meet
+    std::uint32_t link = kNone;       // kNone: nothing is nearer than asked for
+    std::uint32_t otherLink = kNone;  // what it is nearest to: a link,
+    std::uint32_t owner = kNone;      // or an obstacle
+  };
+  // The least distance of the links from obstacles and each other where it is below `enough`.
+  Nearest nearest(const ArmValues& values, double enough, QueryCounts* counts = nullptr) const;
+
+ private:
+  friend class MotionCheck;
+  struct MovedJoint {
+    ArmJoint joint;
+    std::uint32_t parent = kNone;  // in m_joints; kNone: the base
+  };
+  struct Part {
+    std::uint32_t link;
+    std::uint32_t joint;  // in m_joints; kNone: it stands
+    Pose pose;            // in the frame of the joint, or in the world
+    CollisionBody body;
+    std::vector<std::uint32_t> leftOut;  // owners
+  };
+  struct Pair {
+    std::uint32_t first, second;  // parts
+    std::uint32_t common;         // the nearest joint that moves both; kNone: the base
+  };
+
+  // Where everything is at some values, in the world.
+  struct Places {
+    std::vector<Pose> joints, parts;
+    std::vector<Vec3> centres;  // of the parts' spheres
+  };
+  Places placesAt(const ArmValues& values) const;
+  // Whether the spheres of a pair are so far from each other.
+  bool areApart(const Pair& pair, const Places& places, double enough) const {
+    const double radii = m_parts[pair.first].body.radius() + m_parts[pair.second].body.radius();
+    return (places.centres[pair.first] - places.centres[pair.second]).squaredNorm() >=
+           (enough + radii) * (enough + radii);
+  }
+  double pairDistance(const Pair& pair, const Places& places, double enough, QueryCounts* counts) const {
+    return distanceBetween(m_parts[pair.first].body, places.parts[pair.first], m_parts[pair.second].body,
+                           places.parts[pair.second], enough, counts);
+  }
+
+  std::vector<MovedJoint> m_joints;  // parents first
+  Pose m_base;
+  std::vector<Part> m_parts;
+  std::vector<Pair> m_pairs;
+  ObstacleSet m_obstacles;
+  Status m_status = Done{};
+};
+
+}  // namespace handwheel

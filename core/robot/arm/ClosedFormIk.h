@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/arm/SerialArm.h"
+
+#include <array>
+#include <optional>
+
+namespace handwheel {
+
+// Which of two ways an arm with a closed form reaches a pose by: its shoulder, its elbow and its wrist.
+struct ArmConfiguration {
+  bool shoulder = false, elbow = false, wrist = false;
+  bool operator==(const ArmConfiguration&) const = default;
+};
+
+// The ways in which an arm reaches a pose.
+struct IkSolutions {
+  struct Solution {
+    ArmValues values;
+    ArmConfiguration configuration;
+  };
+  std::array<Solution, 8> all;
+  std::size_t count = 0;
+
+  const Solution* begin() const { return all.data(); }
+  const Solution* end() const { return all.data() + count; }
+};
+
+// The inverse kinematics of an arm with six hinges in closed form: of arms whose axes 2 and 3 are parallel and whose
+// axes 4, 5 and 6 meet in a point (a spherical wrist), and of arms whose axes 2, 3 and 4 are parallel and whose axes 5
+// and 6 meet, as those of Universal Robots. The steps are the subproblems of Paden and Kahan (Murray, Li and Sastry
+// 1994, A Mathematical Introduction to Robotic Manipulation, section 3.3). Immutable; any thread; allocates nothing.
+class ClosedFormIk {
+ public:
+  // None: the arm is of neither form.
+  static std::optional<ClosedFormIk> of(const SerialArm& arm);
+
+  // All solutions for a pose of the tip in the base, joints in -π…π, limits left out. Where a joint may stand anywhere,
+  // as two axes are in line, it is that of the reference. None where the pose is out of reach. O(1).
+  void solve(const Pose& tip, const ArmValues& reference, IkSolutions& solutions) const;
+
+ private:
+  enum class Form { SphericalWrist, ParallelMiddle };
+  struct Axis {
+    Vec3 direction, point;  // in the base, all joints at 0
+  };
+  ClosedFormIk() = default;
+  void solveWrist(double q1, double q2, double q3, const Eigen::Matrix3d& turn, const ArmValues& reference,
+                  ArmConfiguration configuration, IkSolutions& solutions) const;
+  void solveMiddle(double q1, const Vec3& place, const Eigen::Matrix3d& turn, const ArmValues& reference,
+                   ArmConfiguration configuration, IkSolutions& solutions) const;
+
+  Form m_form = Form::SphericalWrist;
+  std::array<Axis, 6> m_axes;
+  std::array<Vec3, 6> m_across;  // of unit length, at a right angle to each axis
+  Pose m_fromTip;                // from a pose of the tip to what the joints must do together
+  Vec3 m_centre;                 // where the axes of the wrist meet; mm
+  double m_scale = 1.0;          // mm, of the arm
+};
+
+// The values moved by whole turns into the limits, as near to the reference as these let them be. None: a joint cannot
+// be within its limits.
+std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference);
+
+// Of several ways to the same pose the one in which the joints of the arm are nearest to where they are now: the sum of
+// their distances in space (He 2008, equation 6-14). poses: of the joints now, as SerialArm::jointPoses() has them.
+double wayBetween(std::span<const Pose> from, std::span<const Pose> to);
+
+}  // namespace handwheel

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/arm/NumericalIk.h"
+
+#include "base/RandomSequence.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kLongestTurn = 0.7;  // rad in a step: the Jacobian says nothing of what is further away
+constexpr double kLeastDamping = 1e-9;
+constexpr double kErrorDamping = 2e-3;  // for each square of the error
+constexpr int kMostIterations = 60;     // from one start
+constexpr int kMostStalls = 6;          // iterations that came no nearer
+
+using Error6 = Eigen::Matrix<double, 6, 1>;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostArmJoints, kMostArmJoints>;
+
+// One search: the arm, where its tip is to be, and the error of where it is.
+class Search {
+ public:
+  Search(const SerialArm& arm, const Pose& wanted, const NumericalIkSettings& settings)
+      : m_arm(arm), m_wanted(wanted), m_settings(settings), m_rows(settings.ignoresOrientation ? 3 : 6) {}
+
+  // Turns joints into their limits where whole turns do that, and stops them there otherwise.
+  void keepWithin(ArmValues& values) const {
+    constexpr double kTurn = 2.0 * M_PI;
+    for (Eigen::Index i = 0; i < m_arm.size(); ++i) {
+      const ArmJoint& joint = m_arm.joints()[static_cast<std::size_t>(i)];
+      double& q = values[i];
+      if (!joint.isPrismatic && (q > joint.upper || q < joint.lower)) {
+        const double moved = q > joint.upper ? q - kTurn * std::ceil((q - joint.upper) / kTurn)
+                                             : q + kTurn * std::ceil((joint.lower - q) / kTurn);
+        if (joint.isWithin(moved, 0.0)) q = moved;
+      }
+      q = std::clamp(q, joint.lower, joint.upper);
+      if (!joint.isPrismatic && std::abs(q) > 1e3) q = std::remainder(q, kTurn);  // without limits
+    }
+  }
+
+  void random(ArmValues& values, RandomSequence& sequence) const {
+    for (Eigen::Index i = 0; i < m_arm.size(); ++i) {
+      const ArmJoint& joint = m_arm.joints()[static_cast<std::size_t>(i)];
+      const double far = joint.isPrismatic ? m_arm.reach() : M_PI;
+      const double low = std::isfinite(joint.lower) ? joint.lower : std::min(-far, joint.upper - 2.0 * far);
+      const double high = std::isfinite(joint.upper) ? joint.upper : std::max(far, low + 2.0 * far);
+      values[i] = sequence.between(low, high);
+    }
+  }
+
+  // The error at these values, lengths to the characteristic one; with the Jacobian likewise.
+  Error6 measure(const ArmValues& values) {
+    const Pose tip = m_arm.tipPose(values, m_jacobian);
+    Error6 error = poseError(tip, m_wanted);
+    error.head<3>() /= m_settings.length;
+    m_jacobian.topRows<3>() /= m_settings.length;
+    if (m_rows == 3) error.tail<3>().setZero();
+    return error;
+  }
+
+  // One step from where measure() was called last. A joint at a limit that the step would leave takes no part in it.
+  bool step(const Error6& error, ArmValues& values) const {
+    ArmJacobian columns = m_jacobian;
+    const Eigen::Index count = m_arm.size();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      // A slide is measured in characteristic lengths, so that it weighs like a turn by a radian.
+      if (m_arm.joints()[static_cast<std::size_t>(i)].isPrismatic) columns.col(i) *= m_settings.length;
+    }
+    ArmValues delta(count);
+    for (Eigen::Index round = 0; round <= count; ++round) {
+      delta = solved(columns, error);
+      if (!stopAtLimits(values, delta, columns)) break;
+    }
+    const double longest = count == 0 ? 0.0 : delta.cwiseAbs().maxCoeff();
+    if (!std::isfinite(longest)) return false;
+    if (longest > kLongestTurn) delta *= kLongestTurn / longest;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const bool isSlide = m_arm.joints()[static_cast<std::size_t>(i)].isPrismatic;
+      values[i] += isSlide ? delta[i] * m_settings.length : delta[i];
+    }
+    return true;
+  }
+
+  bool isReached(const Error6& error) const { return error.cwiseAbs().maxCoeff() <= m_settings.tolerance; }
+
+ private:
+  // (JᵀJ + λI) δ = Jᵀe, or, which is the same, δ = Jᵀ(JJᵀ + λI)⁻¹e.
+  ArmValues solved(const ArmJacobian& columns, const Error6& error) const {
+    const double damping = kLeastDamping + kErrorDamping * error.squaredNorm();
+    const Eigen::Index count = columns.cols();
+    if (count <= 6) {
+      Square square(count, count);
+      square.noalias() = columns.topRows(m_rows).transpose() * columns.topRows(m_rows);
+      square.diagonal().array() += damping;
+      return square.ldlt().solve(columns.topRows(m_rows).transpose() * error.head(m_rows));
+    }
+    Eigen::Matrix<double, 6, 6> square = columns * columns.transpose();
+    square.diagonal().array() += damping;
+    return columns.transpose() * square.ldlt().solve(error);
+  }
+
+  // Takes out the columns of joints at their limits that the step would lead beyond, unless a turn less is within.
+  bool stopAtLimits(const ArmValues& values, const ArmValues& delta, ArmJacobian& columns) const {
+    bool isStopped = false;
+    for (Eigen::Index i = 0; i < delta.size(); ++i) {
+      const ArmJoint& joint = m_arm.joints()[static_cast<std::size_t>(i)];
+      const bool isAtLimit =
+          (values[i] >= joint.upper && delta[i] > 0.0) || (values[i] <= joint.lower && delta[i] < 0.0);
+      const bool mayTurn = !joint.isPrismatic && joint.upper - joint.lower >= 2.0 * M_PI;
+      if (!isAtLimit || mayTurn || columns.col(i).isZero(0.0)) continue;
+      columns.col(i).setZero();
+      isStopped = true;
+    }
+    return isStopped;
+  }
+
+  const SerialArm& m_arm;
+  const Pose& m_wanted;
+  const NumericalIkSettings& m_settings;
+  Eigen::Index m_rows;
+  ArmJacobian m_jacobian;
+};
+
+}  // namespace
+
+Eigen::Matrix<double, 6, 1> poseError(const Pose& at, const Pose& wanted) {
+  Error6 error;
+  error.head<3>() = wanted.translation() - at.translation();
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(wanted.linear() * at.linear().transpose()));
+  error.tail<3>() = turn.angle() * turn.axis();
+  return error;
+}
+
+NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const ArmValues& start,
+                                    const NumericalIkSettings& settings, Progress progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const auto isLate = [&] { return std::chrono::duration<double>(Clock::now() - begin).count() > settings.seconds; };
+  Search search(arm, tip, settings);
+  RandomSequence sequence(settings.seed);
+  NumericalIkResult result;
+  result.values = start;
+  search.keepWithin(result.values);
+  if (!tip.matrix().allFinite() || !start.allFinite()) return result;
+  double least = std::numeric_limits<double>::infinity();
+  ArmValues values = result.values;
+  while (true) {
+    ++result.starts;
+    double nearest = std::numeric_limits<double>::infinity();
+    int stalls = 0;
+    for (int i = 0; i < kMostIterations && stalls < kMostStalls; ++i) {
+      const Error6 error = search.measure(values);
+      const double size = error.norm();
+      ++result.iterations;
+      result.isSolved = search.isReached(error);
+      if (result.isSolved || size < least) {
+        least = size;
+        result.values = values;
+      }
+      if (result.isSolved) break;
+      stalls = size < 0.99 * nearest ? 0 : stalls + 1;
+      nearest = std::min(nearest, size);
+      if (!search.step(error, values)) break;
+      search.keepWithin(values);
+    }
+    if (result.isSolved || result.starts >= settings.mostStarts || progress.cancelled() || isLate()) break;
+    search.random(values, sequence);
+  }
+  const Error6 error = poseError(arm.tipPose(result.values), tip);
+  result.distance = error.head<3>().norm();
+  result.angle = error.tail<3>().norm();
+  return result;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collision/CollisionBody.h"
+
+#include "AnyBodies.h"
+#include "TestClass.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+double between(const CollisionPiece& a, const CollisionPiece& b, double enough = 1e9) {
+  return distanceBetween(CollisionBody({a}), Pose::Identity(), CollisionBody({b}), Pose::Identity(), enough);
+}
+
+}  // namespace
+
+class CollisionBodyTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void knownDistances() {
+    const Pose at = Pose(Eigen::Translation3d(100.0, 0.0, 0.0));
+    const CollisionPiece ball = CollisionPiece::sphere(Vec3::Zero(), 10.0);
+    QVERIFY(std::abs(between(ball, CollisionPiece::sphere({100, 0, 0}, 5.0)) - 85.0) < 1e-9);
+    QVERIFY(std::abs(between(ball, CollisionPiece::box(at, {20, 20, 20})) - 80.0) < 1e-9);
+    QVERIFY(std::abs(between(ball, CollisionPiece::cylinder(at, 15.0, 8.0)) - 75.0) < 1e-9);
+    const CollisionPiece block = CollisionPiece::box(Pose::Identity(), {20, 20, 20});
+    QVERIFY(std::abs(between(block, CollisionPiece::box(at, {30, 10, 10})) - 75.0) < 1e-3);
+    const auto mesh = std::make_shared<const CollisionMesh>(boxSoup({10, 10, 10}));
+    QVERIFY(mesh->isClosed());
+    QVERIFY(std::abs(between(CollisionPiece::ofMesh(at, mesh), block) - 80.0) < 1e-3);
+    QVERIFY(std::abs(between(CollisionPiece::ofMesh(at, mesh), CollisionPiece::ofMesh(Pose::Identity(), mesh)) - 80.0) <
+            1e-9);
+    QVERIFY(std::abs(between(ball, CollisionPiece::ofMesh(at, mesh)) - 80.0) < 1e-3);
+  }
+
+  // What is inside of something meets it, whatever the surfaces do.
+  void insideOfAnother() {
+    const CollisionPiece small = CollisionPiece::sphere({3, 2, 1}, 1.0);
+    const auto hollow = std::make_shared<const CollisionMesh>(boxSoup({50, 50, 50}));
+    const auto little = std::make_shared<const CollisionMesh>(boxSoup({1, 1, 1}));
+    QVERIFY(between(small, CollisionPiece::box(Pose::Identity(), {100, 100, 100})) <= 0.0);
+    QVERIFY(between(small, CollisionPiece::cylinder(Pose::Identity(), 50.0, 100.0)) <= 0.0);
+    QVERIFY(between(small, CollisionPiece::ofMesh(Pose::Identity(), hollow)) <= 0.0);
+    QVERIFY(between(CollisionPiece::ofMesh(Pose::Identity(), little),
+                    CollisionPiece::ofMesh(Pose::Identity(), hollow)) <= 0.0);
+    // An open box has no inside.
+    TriangleSoup open = boxSoup({50, 50, 50});
+    open.triangles.pop_back();
+    QVERIFY(between(small, CollisionPiece::ofMesh(Pose::Identity(), std::make_shared<const CollisionMesh>(open))) >
+            40.0);
+  }
+
+  // No two points of the pieces are nearer to each other than the distance; and it does not depend on the order.
+  void neverTooLarge() {
+    QVERIFY(rc::check([] {
+      const CollisionPiece a = anyPiece(50.0), b = anyPiece(50.0);
+      const double distance = between(a, b);
+      RC_ASSERT(std::abs(distance - between(b, a)) < 1e-3);
+      for (int i = 0; i < 50; ++i) {
+        const double apart = (a.pose * anyPointOf(a) - b.pose * anyPointOf(b)).norm();
+        RC_ASSERT(apart >= distance - 1e-9);
+      }
+      // A tolerance changes nothing below it.
+      const double enough = evenly(0.1, 60.0), bounded = between(a, b, enough);
+      if (distance < enough)
+        RC_ASSERT(std::abs(bounded - distance) < 1e-3);
+      else
+        RC_ASSERT(bounded >= enough - 1e-9 && bounded <= distance + 1e-3);
+    }));
+  }
+
+  // Spheres hold what they are to hold.
+  void bounds() {
+    QVERIFY(rc::check([] {
+      std::vector<CollisionPiece> pieces;
+      for (int i = *rc::gen::inRange(1, 6); i > 0; --i) pieces.push_back(anyPiece(50.0));
+      const CollisionBody body(pieces);
+      for (const CollisionPiece& piece : pieces) {
+        for (int i = 0; i < 20; ++i) {
+          const Vec3 p = piece.pose * anyPointOf(piece);
+          RC_ASSERT((p - piece.centre).norm() <= piece.radius + 1e-9);
+          RC_ASSERT((p - body.centre()).norm() <= body.radius() + 1e-9);
+        }
+      }
+    }));
+  }
+
+  void nothing() {
+    const CollisionBody none;
+    QVERIFY(std::isinf(distanceBetween(none, Pose::Identity(), none, Pose::Identity())));
+    TriangleSoup broken = boxSoup({1, 1, 1});
+    broken.points[0].x() = std::nan("");
+    const CollisionMesh mesh(broken);
+    QVERIFY(!mesh.isClosed() && mesh.bounds().sizes().allFinite());
+    const CollisionMesh empty((TriangleSoup()));
+    QVERIFY(empty.bounds().isEmpty());
+    const CollisionPiece piece =
+        CollisionPiece::ofMesh(Pose::Identity(), std::make_shared<const CollisionMesh>(TriangleSoup()));
+    QVERIFY(between(piece, CollisionPiece::sphere(Vec3::Zero(), 1.0), 5.0) >= 5.0);
+  }
+};
+
+HANDWHEEL_TEST(CollisionBodyTest)
+#include "CollisionBodyTest.moc"

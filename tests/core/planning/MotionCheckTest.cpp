@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/MotionCheck.h"
+
+#include "Scenes.h"
+#include "TestClass.h"
+#include "robot/Kinematics.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+ArmValues anyValues(Eigen::Index count) {
+  ArmValues values(count);
+  for (double& v : values) v = evenly(-3.0, 3.0);
+  return values;
+}
+
+}  // namespace
+
+class MotionCheckTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // One link of 1,000 mm sweeps a quarter of a circle past a ball that stands between two places.
+  void aThinObstacleIsNotMissed() {
+    const RobotModel robot = planarArm({1000.0}, 10.0);
+    RobotScene scene = sceneOf(robot);
+    QVERIFY(scene.isSound());
+    addBall(scene, {700.0 * std::cos(0.777), 700.0 * std::sin(0.777), 0.0}, 0.5, 7);
+    const ArmValues from = ArmValues::Constant(1, 0.0), to = ArmValues::Constant(1, M_PI / 2);
+    MotionCheck check(scene, from, to, {});
+    QVERIFY(check.run() == MotionCheck::State::Blocked);
+    QCOMPARE(check.blockedBy().owner, 7u);
+    QVERIFY(std::abs(check.blockedAt() * M_PI / 2 - 0.777) < 0.02);
+    MotionCheck before(scene, from, ArmValues::Constant(1, 0.75), {});
+    QVERIFY(before.run() == MotionCheck::State::Free);
+    // 10 mm of the link and 0.5 of the ball at 700 mm: from 0.777 - asin(10.5 / 700) on it is met.
+    const double touch = 0.777 - std::asin(10.5 / 700.0);
+    QVERIFY(MotionCheck(scene, from, ArmValues::Constant(1, touch - 1e-3), {}).run() == MotionCheck::State::Free);
+    QVERIFY(MotionCheck(scene, from, ArmValues::Constant(1, touch + 1e-3), {}).run() == MotionCheck::State::Blocked);
+  }
+
+  // What is found free is free at each of very many points, and keeps its clearance; what is blocked is too near there.
+  void freeIsFree() {
+    int free = 0;
+    QVERIFY(rc::check([&free] {
+      const RobotModel robot = planarArm({300.0, 250.0, 200.0}, 15.0);
+      RobotScene scene = sceneOf(robot);
+      for (std::uint32_t i = 0; i < 6; ++i)
+        addBall(scene, {evenly(-700, 700), evenly(-700, 700), evenly(-20, 20)}, evenly(1, 30), i);
+      MotionCheckSettings settings;
+      settings.clearance = *rc::gen::element(0.0, 5.0);
+      const ArmValues from = anyValues(3), to = anyValues(3);
+      MotionCheck check(scene, from, to, settings);
+      if (check.run() == MotionCheck::State::Free) {
+        ++free;
+        RC_ASSERT(leastAlong(scene, from, to, 2e-3) >= settings.clearance);
+      } else {
+        const ArmValues at = from + check.blockedAt() * (to - from);
+        RC_ASSERT(scene.nearest(at, 1e9).distance <= settings.clearance + settings.resolution);
+      }
+    }));
+    QVERIFY(free > 10);
+  }
+
+  // The other way round it is the same motion.
+  void bothWays() {
+    QVERIFY(rc::check([] {
+      const RobotModel robot = planarArm({300.0, 250.0}, 15.0);
+      RobotScene scene = sceneOf(robot);
+      addBall(scene, {evenly(-500, 500), evenly(-500, 500), 0.0}, 20.0, 1);
+      const ArmValues from = anyValues(2), to = anyValues(2);
+      const double least = leastAlong(scene, from, to, 1e-3);
+      if (std::abs(least) < 0.2) return;  // too near to tell
+      const auto expected = least > 0.0 ? MotionCheck::State::Free : MotionCheck::State::Blocked;
+      RC_ASSERT(MotionCheck(scene, from, to, {}).run() == expected);
+      RC_ASSERT(MotionCheck(scene, to, from, {}).run() == expected);
+    }));
+  }
+
+  // Links meet each other, too.
+  void aFoldedArmMeetsItself() {
+    const RobotModel robot = planarArm({300.0, 50.0, 300.0}, 15.0);
+    const RobotScene scene = sceneOf(robot);
+    ArmValues from = ArmValues::Zero(3), to = ArmValues::Zero(3);
+    to << 0.0, 1.6, 2.9;
+    MotionCheck check(scene, from, to, {});
+    QVERIFY(check.run() == MotionCheck::State::Blocked);
+    QCOMPARE(robot.links[check.blockedBy().link].name, std::string("link_1"));
+    QCOMPARE(robot.links[check.blockedBy().otherLink].name, std::string("link_3"));
+    to << 0.0, 1.6, 1.4;  // back along itself, 50 mm beside
+    QVERIFY(MotionCheck(scene, from, to, {}).run() == MotionCheck::State::Free);
+  }
+
+  void extremes() {
+    const RobotModel robot = planarArm({300.0, 250.0}, 15.0);
+    RobotScene scene = sceneOf(robot);
+    const ArmValues still = ArmValues::Zero(2);
+    QVERIFY(MotionCheck(scene, still, still, {}).run() == MotionCheck::State::Free);
+    addBall(scene, {400.0, 0.0, 0.0}, 100.0, 1);
+    MotionCheck inside(scene, still, still, {});
+    QVERIFY(inside.run() == MotionCheck::State::Blocked);
+    QVERIFY(inside.blockedBy().distance <= 0.0);
+    ArmValues broken = still;
+    broken[0] = std::nan("");
+    QVERIFY(MotionCheck(scene, still, broken, {}).run() == MotionCheck::State::Blocked);
+    // Many turns at once.
+    QVERIFY(MotionCheck(scene, still, ArmValues::Constant(2, 1e3), {}).run() == MotionCheck::State::Blocked);
+  }
+};
+
+HANDWHEEL_TEST(MotionCheckTest)
+#include "MotionCheckTest.moc"

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/arm/NumericalIk.h"
+
+#include "Arms.h"
+#include "TestClass.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// As many starts as it takes, whatever the machine does besides.
+NumericalIkSettings patient() {
+  NumericalIkSettings settings;
+  settings.seconds = 60.0;
+  settings.mostStarts = 500;
+  return settings;
+}
+
+}  // namespace
+
+class NumericalIkTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void reachesWhatCanBeReached_data() {
+    QTest::addColumn<QString>("id");
+    for (const LibraryRobot& each : robotLibrary()) QTest::newRow(each.id) << QString::fromLatin1(each.id);
+  }
+
+  void reachesWhatCanBeReached() {
+    QFETCH(QString, id);
+    const SerialArm arm = libraryArm(id.toStdString());
+    QVERIFY(rc::check([&] {
+      const Pose tip = arm.tipPose(anyValuesOf(arm));
+      const NumericalIkResult found = solvedNumerically(arm, tip, arm.middle(), patient());
+      RC_ASSERT(found.isSolved && arm.isWithinLimits(found.values));
+      RC_ASSERT(difference(arm.tipPose(found.values), tip, 1000.0) < 2e-5);
+      RC_ASSERT(found.distance < 2e-2 && found.angle < 2e-5);
+    }));
+  }
+
+  // Redundant arms, too, with slides among their joints.
+  void longerArms() {
+    QVERIFY(rc::check([] {
+      const SerialArm arm = anyArm(*rc::gen::inRange(7, 21));
+      const Pose tip = arm.tipPose(anyValuesOf(arm));
+      const NumericalIkResult found = solvedNumerically(arm, tip, arm.middle(), patient());
+      RC_ASSERT(found.isSolved && arm.isWithinLimits(found.values));
+      RC_ASSERT(difference(arm.tipPose(found.values), tip, 1000.0) < 2e-5);
+    }));
+  }
+
+  // An arm of three joints reaches places, not poses.
+  void placesOnly() {
+    const SerialArm arm = armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0},
+                                                   {.a = 300.0, .lower = -2.0, .upper = 2.0},
+                                                   {.a = 250.0, .lower = -2.5, .upper = 2.5}});
+    NumericalIkSettings settings = patient();
+    settings.ignoresOrientation = true;
+    QVERIFY(rc::check([&] {
+      Pose tip = arm.tipPose(anyValuesOf(arm));
+      tip.linear() = Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+      const NumericalIkResult found = solvedNumerically(arm, tip, arm.middle(), settings);
+      RC_ASSERT(found.isSolved && found.distance < 2e-2);
+    }));
+  }
+
+  // Nothing that is asked for makes it leave its limits, or give what is no number.
+  void extremes() {
+    NumericalIkSettings settings;
+    settings.mostStarts = 3;
+    const SerialArm arm = libraryArm("irb2400");
+    Pose far = Pose::Identity();
+    far.translation() = Vec3(1e9, 0, 0);
+    const NumericalIkResult beyond = solvedNumerically(arm, far, arm.middle(), settings);
+    QVERIFY(!beyond.isSolved && beyond.values.allFinite() && arm.isWithinLimits(beyond.values));
+    far.translation().x() = std::nan("");
+    QVERIFY(!solvedNumerically(arm, far, arm.middle(), settings).isSolved);
+    // Links of length zero: any place but its own is out of reach.
+    const SerialArm point = armOf(std::vector<DhRow>(6));
+    const NumericalIkResult still = solvedNumerically(point, Pose::Identity(), ArmValues::Zero(6), settings);
+    QVERIFY(still.isSolved);
+    // Limits that are equal: the joint stays there.
+    std::vector<DhRow> rows(6, DhRow{.a = 100.0, .alpha = 1.0, .lower = -2.0, .upper = 2.0});
+    rows[2].lower = rows[2].upper = 0.5;
+    const SerialArm stiff = armOf(rows);
+    const NumericalIkResult held =
+        solvedNumerically(stiff, stiff.tipPose(ArmValues::Constant(6, 0.5)), stiff.middle(), patient());
+    QVERIFY(held.isSolved && held.values[2] == 0.5);
+    // No joints at all.
+    const SerialArm none = armOf({});
+    QVERIFY(solvedNumerically(none, Pose::Identity(), ArmValues(), settings).isSolved);
+  }
+
+  void theSameSeedGivesTheSame() {
+    const SerialArm arm = libraryArm("ur10");
+    ArmValues values = ArmValues::Constant(6, 1.0);
+    const Pose tip = arm.tipPose(values);
+    const auto a = solvedNumerically(arm, tip, arm.middle(), patient());
+    const auto b = solvedNumerically(arm, tip, arm.middle(), patient());
+    QVERIFY(a.values == b.values && a.iterations == b.iterations);
+  }
+};
+
+HANDWHEEL_TEST(NumericalIkTest)
+#include "NumericalIkTest.moc"
