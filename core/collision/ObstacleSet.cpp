@@ -8,20 +8,12 @@
 
 namespace handwheel {
 
-namespace {
-
-// The distance of a point from a box around the origin; 0 inside.
-double distanceFromBox(const Vec3& half, const Vec3& p) {
-  return (p.cwiseAbs() - half).cwiseMax(0.0).norm();
-}
-
-}  // namespace
-
 void ObstacleSet::add(const CollisionBody& body, const Pose& pose, std::uint32_t owner) {
   for (const CollisionPiece& piece : body.pieces()) {
     const CollisionPiece placed = piece.moved(pose);
-    const Pose box = placed.pose * Eigen::Translation3d(placed.boxCentre);
-    m_obstacles.push_back({placed, box.inverse(Eigen::Isometry), placed.boxHalf, owner});
+    const Pose inverse = Pose(placed.pose * Eigen::Translation3d(placed.boxCentre)).inverse(Eigen::Isometry);
+    m_bounds.push_back({inverse.linear(), inverse.translation(), placed.boxHalf});
+    m_obstacles.push_back({placed, owner});
   }
 }
 
@@ -31,14 +23,16 @@ ObstacleSet::Nearest ObstacleSet::distance(const CollisionBody& body, const Pose
   if (body.isEmpty()) return nearest;
   QueryCounts done;
   const Vec3 centre = pose * body.centre();
-  for (const Obstacle& obstacle : m_obstacles) {
-    if (std::find(leftOut.begin(), leftOut.end(), obstacle.owner) != leftOut.end()) continue;
+  for (std::size_t i = 0; i < m_obstacles.size() && nearest.distance > 0.0; ++i) {
+    const Bound& bound = m_bounds[i];
     ++done.bounds;
-    if (distanceFromBox(obstacle.boxHalf, obstacle.toBox * centre) - body.radius() >= nearest.distance) continue;
+    if (bound.isApart(bound.inside(centre), nearest.distance + body.radius())) continue;
+    const Obstacle& obstacle = m_obstacles[i];
+    if (std::find(leftOut.begin(), leftOut.end(), obstacle.owner) != leftOut.end()) continue;
     for (const CollisionPiece& piece : body.pieces()) {
       ++done.bounds;
-      const Vec3 inBox = obstacle.toBox * (pose * piece.centre);
-      if (distanceFromBox(obstacle.boxHalf, inBox) - piece.radius >= nearest.distance) continue;
+      const Vec3 inBox = bound.inside(pose * piece.centre);
+      if (bound.isApart(inBox, nearest.distance + piece.radius)) continue;
       ++done.exact;
       const bool isSimple = piece.kind == CollisionPiece::Kind::Ball && !obstacle.piece.mesh;
       const double distance =
@@ -47,7 +41,6 @@ ObstacleSet::Nearest ObstacleSet::distance(const CollisionBody& body, const Pose
       if (distance < nearest.distance) nearest = {distance, obstacle.owner};
       if (nearest.distance <= 0.0) break;
     }
-    if (nearest.distance <= 0.0) break;
   }
   if (counts) {
     counts->bounds += done.bounds;

@@ -26,12 +26,22 @@ class ObstacleSet {
                    QueryCounts* counts = nullptr) const;
 
  private:
+  // A box around an obstacle, for the first look at it: by itself in memory, as it is looked at very often.
+  struct Bound {
+    Eigen::Matrix3d turn;  // from the world into the frame of the box
+    Vec3 shift, half;
+    Vec3 inside(const Vec3& p) const { return turn * p + shift; }
+    // Whether a sphere around a point in the frame of the box is at least so far from the box.
+    bool isApart(const Vec3& p, double distance) const {
+      const Vec3 out = (p.cwiseAbs() - half).cwiseMax(0.0);
+      return distance <= 0.0 || out.squaredNorm() >= distance * distance;
+    }
+  };
   struct Obstacle {
     CollisionPiece piece;  // in the world
-    Pose toBox;            // from the world into the frame of its box
-    Vec3 boxHalf;
     std::uint32_t owner;
   };
+  std::vector<Bound> m_bounds;
   std::vector<Obstacle> m_obstacles;
 };
 

@@ -8,6 +8,8 @@
 #include "cli/OperationJson.h"
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
+#include "cli/cell/IkCommand.h"
+#include "cli/cell/PlanningBenchmark.h"
 #include "document/Document.h"
 #include "document/scene/BodyDescription.h"
 #include "document/scene/BodyOwner.h"
@@ -86,7 +88,7 @@ std::vector<Command> cellCommands() {
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
-  return {{std::move(spec), runBody}};
+  return {{std::move(spec), runBody}, ikCommand(), planningBenchmarkCommand()};
 }
 
 }  // namespace handwheel

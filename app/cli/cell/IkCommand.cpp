@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/IkCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/ReportJson.h"
+#include "document/FileBytes.h"
+#include "robot/UrdfReader.h"
+#include "robot/arm/ClosedFormIk.h"
+#include "robot/arm/NumericalIk.h"
+#include "robot/dh/DhTable.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kFurthest = 1e9;  // mm
+
+const Operation& ikOperation() {
+  static const Operation kOperation = {
+      .id = "ik",
+      .title = QT_TRANSLATE_NOOP("Tool", "Inverse kinematics"),
+      .meaning = "Finds joint values for a pose of a robot's flange",
+      .parameters = {
+          {.property = {.id = "pose", .group = {}, .label = {}, .value = "", .least = -kFurthest, .largest = kFurthest},
+           .meaning = "The pose in the base: a place in mm, and a quaternion with its real part first",
+           .word = "X,Y,Z,QW,QX,QY,QZ",
+           .parts = {{"x"}, {"y"}, {"z"}, {"qw"}, {"qx"}, {"qy"}, {"qz"}},
+           .hasDefault = false},
+          {.property = {.id = "tip", .group = {}, .label = {}, .value = ""},
+           .meaning = "The link whose pose it is, of a URDF; without it the last one",
+           .word = "LINK",
+           .hasDefault = false},
+          {.property = {.id = "all", .group = {}, .label = {}, .value = false},
+           .meaning = "All ways to reach the pose, where they are known in closed form"},
+          {.property = {.id = "seed", .group = {}, .label = {}, .value = 1.0, .least = 0.0, .largest = 1e9},
+           .meaning = "Of the random starts of the numerical way",
+           .word = "N",
+           .isWhole = true}}};
+  return kOperation;
+}
+
+Error withSubject(Error error, const std::string& subject) {
+  error.subject = subject;
+  return error;
+}
+
+// A robot by its built-in name, a table in JSON or a URDF.
+Result<SerialArm> armCalled(const std::string& name, const std::string& tip) {
+  const auto ofTable = [](const DhTable& table) {
+    return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
+  };
+  if (const DhTable* const table = libraryTable(name)) return ofTable(*table);
+  const Result<std::string> bytes = readFileBytes(name);
+  if (!bytes) return bytes.error();
+  if (!looksLikeUrdf(*bytes)) {
+    const Result<DhTable> table = readDhTable(*bytes);
+    return table ? Result<SerialArm>(ofTable(*table)) : withSubject(table.error(), name);
+  }
+  const Result<ReadRobot> read = readUrdf(*bytes);
+  if (!read) return withSubject(read.error(), name);
+  const RobotModel& robot = read->robot;
+  const std::uint32_t link = tip.empty() ? toolLink(robot) : linkNamed(robot, tip);
+  if (link == kNone) return Error{ErrorCode::ReferenceMissing, {"link", tip, {}}, {}, name};
+  const auto arm = SerialArm::of(robot, robot.root, link);
+  return arm ? Result<SerialArm>(arm->arm) : withSubject(arm.error(), name);
+}
+
+struct FoundValues {
+  ArmValues values;
+  double distance = 0.0, angle = 0.0;  // mm, rad: that the flange is off
+};
+
+FoundValues measured(const SerialArm& arm, const Pose& pose, const ArmValues& values) {
+  const auto error = poseError(arm.tipPose(values), pose);
+  return {values, error.head<3>().norm(), error.tail<3>().norm()};
+}
+
+// The nearest to the middle of the joints first.
+std::vector<FoundValues> solutionsFor(const SerialArm& arm, const Pose& pose, const OperationValues& values) {
+  const ArmValues middle = arm.middle();
+  std::vector<FoundValues> found;
+  if (const auto closed = ClosedFormIk::of(arm)) {
+    IkSolutions solutions;
+    closed->solve(pose, middle, solutions);
+    for (const auto& solution : solutions) {
+      if (const auto within = withinLimits(arm, solution.values, middle)) found.push_back(measured(arm, pose, *within));
+    }
+    std::sort(found.begin(), found.end(), [&](const FoundValues& a, const FoundValues& b) {
+      return (a.values - middle).squaredNorm() < (b.values - middle).squaredNorm();
+    });
+    if (!values.flag("all") && found.size() > 1) found.resize(1);
+    return found;
+  }
+  NumericalIkSettings settings;
+  settings.seconds = 1.0;
+  settings.seed = values.whole("seed");
+  const NumericalIkResult result = solvedNumerically(arm, pose, middle, settings);
+  if (result.isSolved) found.push_back(measured(arm, pose, result.values));
+  return found;
+}
+
+std::string ikReport(const std::vector<FoundValues>& found, bool asJson) {
+  if (asJson) {
+    nlohmann::json solutions = nlohmann::json::array();
+    for (const FoundValues& each : found) {
+      solutions.push_back({{"q", std::vector<double>(each.values.begin(), each.values.end())},
+                           {"error_mm", each.distance},
+                           {"error_rad", each.angle}});
+    }
+    return textOf({{"solved", !found.empty()}, {"solutions", solutions}});
+  }
+  if (found.empty()) return "The pose cannot be reached within the limits of the joints.\n";
+  std::string text;
+  for (const FoundValues& each : found) {
+    for (const double q : each.values) text += roundedText(q, 9) + " ";
+    text += "rad, off by " + roundedText(each.distance, 3) + " mm and " + roundedText(each.angle, 3) + " rad\n";
+  }
+  return text;
+}
+
+int runIk(const Arguments& arguments, const DocumentKinds&) {
+  OperationValues values(ikOperation());
+  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, "ik");
+  if (!values.isSet("pose")) return failUsage("The option --pose=X,Y,Z,QW,QX,QY,QZ is missing.", "ik");
+  const std::vector<double> numbers = values.numbers("pose");
+  const Eigen::Quaterniond turn(numbers[3], numbers[4], numbers[5], numbers[6]);
+  if (!(turn.norm() > 1e-6)) return failUsage("The quaternion of --pose is zero.", "ik");
+  Pose pose(turn.normalized());
+  pose.translation() = Vec3(numbers[0], numbers[1], numbers[2]);
+  const std::string tip = values.isSet("tip") ? values.text("tip") : std::string();
+  const Result<SerialArm> arm = armCalled(arguments.operands[0], tip);
+  if (!arm) return fail(arm.error());
+  const std::vector<FoundValues> found = solutionsFor(*arm, pose, values);
+  const int printed = print(ikReport(found, arguments.has("json")));
+  return printed != kExitDone ? printed : found.empty() ? kExitSomethingLeft : kExitDone;
+}
+
+}  // namespace
+
+Command ikCommand() {
+  CommandSpec spec = {
+      ikOperation().id,
+      "ROBOT",
+      "Finds joint values for a pose of a robot's flange, in the frame of its base.\n"
+      "ROBOT is a URDF, a table after Denavit and Hartenberg (docs/robots.md), or a built-in name: irb120,\n"
+      "irb140, irb1600, irb2400, irb6640, kr6r900, kr6r700, lrmate200id, ur5, ur10, rx160, tx90, tx40,\n"
+      "puma560. Ends with 2 where the pose cannot be reached within the limits.",
+      {}};
+  spec.options = optionsOf(ikOperation());
+  spec.options.push_back({"json", 0, "", "Report as JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return {std::move(spec), runIk};
+}
+
+}  // namespace handwheel

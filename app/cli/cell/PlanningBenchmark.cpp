@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/PlanningBenchmark.h"
+
+#include "base/NumberText.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/ReportJson.h"
+#include "document/AtomicFile.h"
+#include "document/FileBytes.h"
+#include "planning/PathShortcuts.h"
+#include "planning/PlanningSet.h"
+#include "robot/UrdfReader.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace handwheel {
+
+namespace {
+
+Parameter fileParameter(const char* id, const char* value, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = value,
+          .hasDefault = false};
+}
+
+Parameter numberParameter(const char* id, const char* value, double standard, double largest, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = standard, .least = 0.0, .largest = largest},
+          .meaning = std::move(meaning),
+          .word = value};
+}
+
+const Operation& benchmarkOperation() {
+  static const Operation kOperation = [] {
+    Operation made = {.id = "benchmark-planning",
+                      .title = QT_TRANSLATE_NOOP("Tool", "Planning benchmark"),
+                      .meaning = "Plans the paths of a set of problems and measures them",
+                      .parameters = {fileParameter("robot", "URDF", "The robot; its collision shapes count"),
+                                     fileParameter("srdf", "FILE", "The pairs of its links that may touch"),
+                                     fileParameter("paths", "DIR", "A folder to write each path to, as JSON"),
+                                     numberParameter("time", "S", 2.0, 3600.0, "After which a problem is given up"),
+                                     numberParameter("clearance", "MM", 0.0, 1e4, "That is kept from everything"),
+                                     numberParameter("seed", "N", 1.0, 1e9, "Of the random numbers")}};
+    made.parameters.back().isWhole = true;
+    return made;
+  }();
+  return kOperation;
+}
+
+struct PlannedProblem {
+  std::string name;
+  PlanResult result;
+  JointPath path;  // made shorter
+  double seconds = 0.0;
+  double length = 0.0;  // rad
+  bool isCertified = false;
+};
+
+const char* wordFor(PlanResult::Outcome outcome) {
+  switch (outcome) {
+    case PlanResult::Outcome::Solved:
+      return "solved";
+    case PlanResult::Outcome::StartBlocked:
+      return "start_in_collision";
+    case PlanResult::Outcome::GoalBlocked:
+      return "goal_in_collision";
+    case PlanResult::Outcome::OutOfLimits:
+      return "out_of_limits";
+    case PlanResult::Outcome::TimeOut:
+      return "time_out";
+    case PlanResult::Outcome::Cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+// A robot that plans, without obstacles.
+struct BenchmarkRobot {
+  RobotModel model;
+  std::set<LinkPair> allowed;
+  std::vector<std::uint32_t> dofs;
+  std::set<LinkPair> alwaysMeeting;
+
+  RobotScene scene() const {
+    RobotScene made(model, Pose::Identity(), collisionBodies(model), dofs, restValues(model), allowed);
+    made.allowPairs(alwaysMeeting);
+    return made;
+  }
+};
+
+Result<BenchmarkRobot> readRobot(const OperationValues& values, const PlanningSet& set) {
+  const auto subject = [](Error error, const std::string& file) {
+    error.subject = file;
+    return error;
+  };
+  const std::string file = values.text("robot");
+  const Result<std::string> bytes = readFileBytes(file);
+  if (!bytes) return bytes.error();
+  Result<ReadRobot> read = readUrdf(*bytes);
+  if (!read) return subject(read.error(), file);
+  BenchmarkRobot robot{std::move(read->robot), {}, {}, {}};
+  robot.allowed = neighbours(robot.model);
+  if (values.isSet("srdf")) {
+    const std::string semantics = values.text("srdf");
+    const Result<std::string> text = readFileBytes(semantics);
+    if (!text) return text.error();
+    Result<RobotSemantics> found = readSrdf(*text, robot.model);
+    if (!found) return subject(found.error(), semantics);
+    robot.allowed.merge(found->allowed);
+  }
+  for (const std::string& joint : set.joints) {
+    const auto& dofs = robot.model.dofs;
+    const auto found =
+        std::find_if(dofs.begin(), dofs.end(), [&](std::uint32_t j) { return robot.model.joints[j].name == joint; });
+    if (found == dofs.end()) return Error{ErrorCode::ReferenceMissing, {"joint", joint, {}}, {}, file};
+    robot.dofs.push_back(static_cast<std::uint32_t>(found - dofs.begin()));
+  }
+  const RobotScene scene = robot.scene();
+  if (const Status sound = scene.isSound(); !sound) return subject(sound.error(), file);
+  robot.alwaysMeeting = scene.alwaysMeeting();
+  return robot;
+}
+
+ArmValues valuesOf(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+bool isCertified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (MotionCheck(scene, path[i - 1], path[i], check).run() != MotionCheck::State::Free) return false;
+  }
+  return path.size() > 1;
+}
+
+PlannedProblem planned(const PlanningProblem& problem, const BenchmarkRobot& robot, const OperationValues& values,
+                       Progress progress) {
+  RobotScene scene = robot.scene();
+  for (std::size_t i = 0; i < problem.obstacles.size(); ++i)
+    scene.addObstacle(CollisionBody({problem.obstacles[i]}), Pose::Identity(), static_cast<std::uint32_t>(i));
+  PlanSettings settings;
+  settings.seconds = values.number("time");
+  settings.seed = values.whole("seed");
+  settings.check.clearance = values.number("clearance");
+  constexpr int kRounds = 50;
+  const auto begin = std::chrono::steady_clock::now();
+  PlannedProblem made{problem.name, {}, {}};
+  made.result = planBySbl(scene, valuesOf(problem.start), valuesOf(problem.goal), settings, progress);
+  made.path = shortened(scene, made.result.path, settings.check, kRounds, settings.seconds, settings.seed, progress);
+  made.isCertified = isCertified(scene, made.path, settings.check);
+  made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  made.length = lengthOf(scene, made.path);
+  return made;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
+}
+
+nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robot,
+                              const std::vector<PlannedProblem>& all) {
+  std::vector<double> seconds;
+  double length = 0.0;
+  std::size_t certified = 0;
+  nlohmann::ordered_json problems = nlohmann::ordered_json::array(), touching = nlohmann::ordered_json::array();
+  for (const PlannedProblem& each : all) {
+    const bool isSolved = each.result.outcome == PlanResult::Outcome::Solved;
+    if (isSolved) {
+      seconds.push_back(each.seconds);
+      length += each.length;
+    }
+    certified += each.isCertified ? 1 : 0;
+    problems.push_back({{"name", each.name},
+                        {"outcome", wordFor(each.result.outcome)},
+                        {"certified", each.isCertified},
+                        {"seconds", each.seconds},
+                        {"length_rad", each.length},
+                        {"waypoints", each.path.size()},
+                        {"milestones", each.result.milestones},
+                        {"checks", each.result.steps}});
+  }
+  for (const auto& [a, b] : robot.alwaysMeeting)
+    touching.push_back({robot.model.links[a].name, robot.model.links[b].name});
+  const double count = std::max<double>(1.0, static_cast<double>(seconds.size()));
+  return {{"set", set.name},
+          {"problems", all.size()},
+          {"solved", seconds.size()},
+          {"certified", certified},
+          {"seconds_median", quantile(seconds, 0.5)},
+          {"seconds_mean", std::accumulate(seconds.begin(), seconds.end(), 0.0) / count},
+          {"seconds_p95", quantile(seconds, 0.95)},
+          {"length_rad_mean", length / count},
+          {"always_touching", touching},
+          {"results", problems}};
+}
+
+std::string planningText(const nlohmann::ordered_json& report) {
+  const auto ms = [&](const char* key) { return roundedText(1e3 * report[key].get<double>(), 3) + " ms"; };
+  std::string text = report["set"].get<std::string>() + ": " + std::to_string(report["solved"].get<int>()) + " of " +
+                     std::to_string(report["problems"].get<int>()) + " solved, " +
+                     std::to_string(report["certified"].get<int>()) + " certified; median " + ms("seconds_median") +
+                     ", 95 % within " + ms("seconds_p95") + "\n";
+  for (const auto& each : report["results"]) {
+    if (each["outcome"] != "solved")
+      text += each["name"].get<std::string>() + ": " + each["outcome"].get<std::string>() + "\n";
+  }
+  return text;
+}
+
+Status writePath(const PlannedProblem& problem, const std::filesystem::path& folder) {
+  std::error_code ignored;  // what is wrong shows when the file is written
+  std::filesystem::create_directories(folder, ignored);
+  nlohmann::json waypoints = nlohmann::json::array();
+  for (const ArmValues& values : problem.path) waypoints.push_back(std::vector<double>(values.begin(), values.end()));
+  const nlohmann::json json = {{"waypoints", waypoints}, {"certified", problem.isCertified}};
+  return writeFileAtomically(folder / (problem.name + ".json"), json.dump(), {});
+}
+
+int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
+  OperationValues values(benchmarkOperation());
+  const std::string& id = benchmarkOperation().id;
+  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
+  if (!values.isSet("robot")) return failUsage("The option --robot URDF is missing.", id);
+  const Result<std::string> text = readFileBytes(arguments.operands[0]);
+  if (!text) return fail(text.error());
+  const Result<PlanningSet> set = readPlanningSet(*text);
+  if (!set) {
+    Error error = set.error();
+    error.subject = arguments.operands[0];
+    return fail(error);
+  }
+  const Result<BenchmarkRobot> robot = readRobot(values, *set);
+  if (!robot) return fail(robot.error());
+  std::vector<PlannedProblem> all;
+  Status written = Done{};
+  runInterruptible("Planning", [&](CommandJob& job) {
+    const double share = 1.0 / std::max<double>(1.0, static_cast<double>(set->problems.size()));
+    for (std::size_t i = 0; i < set->problems.size() && written && !job.progress().cancelled(); ++i) {
+      const double done = share * static_cast<double>(i);
+      all.push_back(planned(set->problems[i], *robot, values, job.progress().part(done, done + share)));
+      if (values.isSet("paths") && !all.back().path.empty()) written = writePath(all.back(), values.text("paths"));
+    }
+  });
+  if (!written) return fail(written.error());
+  const nlohmann::ordered_json report = toJson(*set, *robot, all);
+  return print(arguments.has("json") ? textOf(report) : planningText(report));
+}
+
+}  // namespace
+
+Command planningBenchmarkCommand() {
+  CommandSpec spec = {benchmarkOperation().id,
+                      "SET.json",
+                      "Plans the paths of a set of problems, proves them free of collisions, and measures them.\n"
+                      "The set is one of MotionBenchMaker in JSON; docs/robots.md has its keys.",
+                      {}};
+  spec.options = optionsOf(benchmarkOperation());
+  spec.options.push_back({"json", 0, "", "Report as JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return {std::move(spec), runBenchmark};
+}
+
+}  // namespace handwheel

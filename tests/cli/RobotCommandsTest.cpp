@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json parsed(const Ran& run) {
+  return nlohmann::json::parse(run.out.toStdString());
+}
+
+// An arm in a plane with two links of 500 mm, as balls.
+QByteArray planarUrdf() {
+  QByteArray text = "<robot name='r'><link name='base'/>";
+  for (int i = 1; i <= 2; ++i) {
+    text += QStringLiteral("<link name='l%1'>").arg(i).toUtf8();
+    for (double x = 0.1; x < 0.55; x += 0.05)
+      text +=
+          QStringLiteral("<collision><origin xyz='%1 0 0'/><geometry><sphere radius='0.03'/></geometry></collision>")
+              .arg(x)
+              .toUtf8();
+    text += "</link>";
+    text += QStringLiteral(
+                "<joint name='j%1' type='revolute'><parent link='%2'/><child link='l%1'/><origin xyz='%3 0 0'/>"
+                "<axis xyz='0 0 1'/><limit lower='-3' upper='3' velocity='1' effort='1'/></joint>")
+                .arg(i)
+                .arg(i == 1 ? QStringLiteral("base") : QStringLiteral("l1"))
+                .arg(i == 1 ? 0.0 : 0.5)
+                .toUtf8();
+  }
+  return text + "</robot>";
+}
+
+// Past a ball in the middle; the second problem begins in it.
+QByteArray planarSet() {
+  const auto problem = [](int index, const char* start) {
+    return QStringLiteral(R"({"index": %1, "start": %2, "goal": [0.9, 0.2], "objects": [{"type": "sphere",
+      "dimensions": [0.1], "position": [0.8, 0, 0], "orientation": [0, 0, 0, 1]}]})")
+        .arg(index)
+        .arg(QLatin1String(start));
+  };
+  return (QStringLiteral(R"({"scene": "ball", "joints": ["j1", "j2"], "problems": [)") + problem(1, "[-0.9, -0.2]") +
+          QLatin1Char(',') + problem(2, "[0, 0]") + QStringLiteral("]}"))
+      .toUtf8();
+}
+
+}  // namespace
+
+// Robots on the command line: inverse kinematics, and planning for comparison.
+class RobotCommandsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The place of the flange with all joints at 0 is in the data sheet of the IRB 120: 374 mm ahead, 630 mm up.
+  void theHomeOfABuiltInRobot() {
+    const Bench bench;
+    const QString half = QString::number(std::sqrt(0.5), 'g', 17);
+    const QString home = QStringLiteral("--pose=374,0,630,%1,0,%1,0").arg(half);
+    const Ran one = bench.run({"ik", "irb120", home, "--json"});
+    QVERIFY2(one.code == 0, one.err);
+    const nlohmann::json first = parsed(one);
+    QVERIFY(first["solved"].get<bool>());
+    QCOMPARE(first["solutions"].size(), std::size_t{1});
+    const nlohmann::json all = parsed(bench.run({"ik", "irb120", home, "--all", "--json"}));
+    QVERIFY(all["solutions"].size() >= 2);
+    bool isAtHome = false;
+    for (const nlohmann::json& solution : all["solutions"]) {
+      QVERIFY(solution["error_mm"].get<double>() < 1e-6 && solution["error_rad"].get<double>() < 1e-9);
+      const auto q = solution["q"].get<std::vector<double>>();
+      QCOMPARE(q.size(), std::size_t{6});
+      isAtHome = isAtHome || (std::abs(q[0]) < 1e-6 && std::abs(q[1]) < 1e-6 && std::abs(q[2]) < 1e-6);
+    }
+    QVERIFY(isAtHome);
+    const Ran far = bench.run({"ik", "irb120", "--pose=3740,0,630,1,0,0,0", "--json"});
+    QCOMPARE(far.code, 2);
+    QVERIFY(!parsed(far)["solved"].get<bool>());
+  }
+
+  void tablesAndDescriptions() {
+    const Bench bench;
+    bench.put("scara.json", R"({"joints": [{"a": 300, "d": 400}, {"a": 200},
+      {"type": "prismatic", "lower": -150, "upper": 0}, {"theta": 0}]})");
+    // 300 mm along x, 200 along y at the elbow's 90°, 50 down, turned by 90° and 30° more.
+    const double half = (90.0 + 30.0) * M_PI / 360.0;
+    const Ran run = bench.run({"ik", "scara.json", "--json",
+                               QStringLiteral("--pose=300,200,350,%1,0,0,%2").arg(std::cos(half)).arg(std::sin(half))});
+    QVERIFY2(run.code == 0, run.err + run.out);
+    const auto q = parsed(run)["solutions"][0]["q"].get<std::vector<double>>();
+    QVERIFY(std::abs(q[2] + 50.0) < 0.02);
+    bench.put("arm.urdf", planarUrdf());
+    // A plane arm cannot turn its flange as it likes.
+    QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0"}).code, 2);
+    QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l2"}).code, 0);
+    const Ran noLink = bench.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l9"});
+    QVERIFY2(noLink.code == 1 && noLink.err.contains("l9"), noLink.err);
+    QCOMPARE(bench.run({"ik", "irb120"}).code, 1);
+    QCOMPARE(bench.run({"ik", "irb120", "--pose=0,0,0,0,0,0,0"}).code, 1);
+    QCOMPARE(bench.run({"ik", "no-robot", "--pose=0,0,0,1,0,0,0"}).code, 1);
+    bench.put("bad.json", R"({"joints": [{"a": "x"}]})");
+    QCOMPARE(bench.run({"ik", "bad.json", "--pose=0,0,0,1,0,0,0"}).code, 1);
+  }
+
+  void aBenchmarkOfTwo() {
+    const Bench bench;
+    bench.put("arm.urdf", planarUrdf());
+    bench.put("set.json", planarSet());
+    const Ran run = bench.run(
+        {"benchmark-planning", "set.json", "--robot", "arm.urdf", "--paths", "paths", "--json", "--time", "60"});
+    QVERIFY2(run.code == 0, run.err);
+    const nlohmann::json json = parsed(run);
+    QVERIFY(json["problems"] == 2 && json["solved"] == 1 && json["certified"] == 1);
+    QCOMPARE(json["results"][1]["outcome"].get<std::string>(), std::string("start_in_collision"));
+    const auto path = nlohmann::json::parse(bench.content("paths/ball_1.json").toStdString());
+    QVERIFY(path["certified"].get<bool>());
+    QVERIFY(path["waypoints"].front() == nlohmann::json({-0.9, -0.2}));
+    QVERIFY(path["waypoints"].back() == nlohmann::json({0.9, 0.2}));
+    QCOMPARE(bench.run({"benchmark-planning", "set.json"}).code, 1);
+  }
+};
+
+HANDWHEEL_TEST(RobotCommandsTest)
+#include "RobotCommandsTest.moc"
