@@ -186,6 +186,17 @@ class LatheWindowTest : public QObject {
     QVERIFY(std::abs((before.slides[0] - now.slides[0]) - 1.5 * (now.turns - before.turns)) < 1e-6);
     window.driver.click("latheHalfNut");
     QVERIFY(QTest::qWaitFor([&] { return window.machine().lead == 0.0; }, kPatienceMs));
+    // A left-hand thread leads away from the chuck.
+    auto* const left = window.driver.find<QPushButton>("latheLeftHand");
+    QTRY_VERIFY(left->isEnabled());
+    window.driver.click("latheLeftHand");
+    window.driver.click("latheHalfNut");
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().isNutClosed; }, kPatienceMs));
+    QCOMPARE(window.machine().lead, 1.5);
+    QTRY_VERIFY(!left->isEnabled());
+    const LatheState start = window.machine();
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().turns > start.turns + 1.0; }, kPatienceMs));
+    QVERIFY(window.machine().slides[0] > start.slides[0] + 1.0);
   }
 
   // Played back the view shows the bar as it was; closed, the part as it is, and the lathe stands where it stood.
