@@ -6,6 +6,7 @@
 #include "controls/machine/HandwheelDial.h"
 #include "panels/time/TimeLinePanel.h"
 #include "tools/workpiece/ManualLatheTool.h"
+#include "tools/workpiece/TurnTool.h"
 #include "window/tools/ToolHost.h"
 
 #include <QComboBox>
@@ -142,6 +143,22 @@ class LatheWindowTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window.slide(LatheAxis::Carriage) < far - 2.0; }, kPatienceMs));
     QTest::mouseRelease(left, Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return window.machine().rapids[0] == 0; }, kPatienceMs));
+  }
+
+  // Chosen while the feed runs, it begins with what was cut until then; coming back the lathe is another one.
+  void anotherToolKeepsTheCut() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe() && window.turnEnd());
+    window.driver.find<QAction>("turnTool")->trigger();
+    QVERIFY(window.driver.settle());
+    const auto* const turn = dynamic_cast<const TurnTool*>(window.tools().runner().tool());
+    QVERIFY(turn && window.workpiece().part);
+    QVERIFY(turn->state()->profile == window.workpiece().part->profile);
+    QCOMPARE(window.document().history()->count(), 1);
+    QVERIFY(std::abs(window.radiusAt(99.5) - 23.0) < 0.05);
+    window.driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(window.driver.settle());
+    QVERIFY(window.lathe() && window.lathe()->moment()->profile == window.workpiece().part->profile);
   }
 
   // One Ctrl+Z takes back the pass that is being cut, and the lathe rests.
