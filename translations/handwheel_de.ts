@@ -7878,6 +7878,14 @@
         <source>Rapid traverse out, while held (Alt+↓)</source>
         <translation>Eilgang nach außen, solange gedrückt (Alt+↓)</translation>
     </message>
+    <message>
+        <source>&amp;Left-hand</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Left-hand thread: while the spindle runs forward the lead screw takes the carriage away from the chuck. It is set while the half-nut is open.</source>
+        <translation>Linksgewinde: Bei Vorwärtslauf der Spindel führt die Leitspindel den Bettschlitten vom Futter weg. Wird bei offener Schlossmutter gestellt.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>

@@ -7817,6 +7817,14 @@
         <source>Rapid traverse out, while held (Alt+↓)</source>
         <translation>按住时快速向外移动 (Alt+↓)</translation>
     </message>
+    <message>
+        <source>&amp;Left-hand</source>
+        <translation>左旋(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Left-hand thread: while the spindle runs forward the lead screw takes the carriage away from the chuck. It is set while the half-nut is open.</source>
+        <translation>左旋螺纹：主轴正转时，丝杠带动大拖板离开卡盘。在开合螺母打开时设定。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>

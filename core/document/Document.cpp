@@ -57,7 +57,7 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   m_file.lostOther.clear();
   m_file.notes.clear();
   m_recovered = false;
-  m_isAssignedAnew = false;
+  m_isRecordedAnew = false;
   m_isStroking = false;  // what follows is a step of its own
   m_history.setClean();
   emit fileChanged();
@@ -71,8 +71,11 @@ void Document::markRecovered(const QString& path) {
 
 void Document::assign(AssignedExercise assigned, bool isChange) {
   m_file.assigned = std::move(assigned);
-  if (!isChange) return;
-  m_isAssignedAnew = true;
+  if (isChange) wasRecorded();
+}
+
+void Document::wasRecorded() {
+  m_isRecordedAnew = true;
   countChange();
   emit fileChanged();
 }

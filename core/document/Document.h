@@ -36,7 +36,7 @@ class Document : public QObject {
 
   QUndoStack* history() { return &m_history; }
   const QUndoStack* history() const { return &m_history; }
-  bool isModified() const { return m_recovered || m_isAssignedAnew || !m_history.isClean(); }
+  bool isModified() const { return m_recovered || m_isRecordedAnew || !m_history.isClean(); }
   // To be called after its present state was written to this path; a container keeps id and unknown keys.
   void markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp = {});
   // Marks it as restored from an autosave: it belongs to this path, but differs from the file there.
@@ -45,6 +45,10 @@ class Document : public QObject {
   // Sets the exercise that it is work on, and the attempt. No undo step, so that an undo takes back what was made, but
   // no time and no hint. isChange: it is modified then; else the next save takes it along.
   void assign(AssignedExercise assigned, bool isChange);
+
+  // To be called before it is read for good: saved, handed in, closed. What is under way, as the pass of a tool, is
+  // committed then.
+  void settle() { emit settling(); }
 
   virtual SnapshotPointer snapshot() const = 0;
 
@@ -68,6 +72,7 @@ class Document : public QObject {
  signals:
   void changed();      // the value; also by undo and redo
   void fileChanged();  // path, format, clean state, display unit, recordings or attempt
+  void settling();     // whoever has something under way in it commits that now
 
  protected:
   // To be called by every edit. Classes with signals of their own emit them between countChange() and changed().
@@ -76,6 +81,8 @@ class Document : public QObject {
     countChange();
     emit changed();
   }
+  // Of what is recorded and no undo step: it differs from its file then.
+  void wasRecorded();
 
  private:
   friend class DisplayUnitEdit;
@@ -88,7 +95,7 @@ class Document : public QObject {
   int m_stroke = 0;
   bool m_isStroking = false;
   bool m_recovered = false;
-  bool m_isAssignedAnew = false;
+  bool m_isRecordedAnew = false;  // wasRecorded() since it was saved
   QUndoStack m_history;
 };
 

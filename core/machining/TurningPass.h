@@ -18,6 +18,7 @@ enum class TurningMethod { Trim, Poles };
 // same profile, bit for bit.
 struct TurningPass {
   static constexpr std::size_t kMostPoints = 10'000'000;
+  static constexpr double kTouch = 1e-3;  // mm: what takes less off touches only, as where the work has sprung back
   static constexpr double kLeastNose = 0.05, kLargestNose = 50.0;  // mm, of the noses that a user may choose
 
   double noseRadius = 1.0;          // mm; 0: an ideal point, which cuts by Trim

@@ -144,6 +144,10 @@ class Tool {
   virtual std::vector<DeviceSpring> forces() const { return {}; }
   virtual SnapTargets snapTargets() const { return {}; }
 
+  // Called before the tool ends, and before its document is saved, handed in or closed: a tool whose work is real as
+  // soon as it is done commits it here. What others have begun is a proposal, which is dropped.
+  virtual void settle() {}
+
   // Called when the document has changed: what the tool had begun is discarded.
   virtual void documentChanged() {}
 

@@ -16,15 +16,25 @@ void ToolRunner::start(std::unique_ptr<Tool> tool, Document& document) {
   m_isToStop = false;
   m_tool->whenUpdated([this] { emit updated(); });
   m_changed = connect(&document, &Document::changed, this, &ToolRunner::documentChanged);
+  m_settling = connect(&document, &Document::settling, this, &ToolRunner::settle);
   m_destroyed = connect(&document, &QObject::destroyed, this, &ToolRunner::stop);
   emit updated();
 }
 
 void ToolRunner::stop() {
   if (!m_tool) return;
-  m_isToStop = true;
-  if (m_depth > 0) return;  // the tool asks for it itself, or its own edit led here
+  if (m_depth > 0) {  // the tool asks for it itself, or its own edit led here
+    m_isToStop = true;
+    return;
+  }
+  if (!m_document) return drop();
+  guarded([] { return ToolReply::Finished; });
+}
+
+void ToolRunner::drop() {
+  if (!m_tool) return;
   disconnect(m_changed);
+  disconnect(m_settling);
   disconnect(m_destroyed);
   m_tool.reset();
   m_document.clear();
@@ -39,16 +49,18 @@ ToolReply ToolRunner::guarded(Call call) {
   const int before = m_document->history()->index();
   ++m_depth;
   const ToolReply reply = attempt(call);
+  const bool isEnding = m_depth == 1 && (reply == ToolReply::Finished || m_isToStop);
+  if (isEnding && !m_failure && m_document) attempt([this] { return m_tool->settle(), ToolReply::Finished; });
   --m_depth;
   if (m_depth > 0) return reply;
   if (m_failure) {
     disconnect(m_changed);
     if (m_document) m_document->history()->setIndex(before);
     const QString reason = *std::exchange(m_failure, std::nullopt);
-    stop();
+    drop();
     emit failed(reason);
-  } else if (reply == ToolReply::Finished || m_isToStop) {
-    stop();
+  } else if (isEnding || m_isToStop) {
+    drop();
   } else {
     emit updated();
   }
@@ -96,6 +108,10 @@ void ToolRunner::deliver(const std::function<void()>& result) {
     result();
     return ToolReply::Used;
   });
+}
+
+void ToolRunner::settle() {
+  guarded([&] { return m_tool->settle(), ToolReply::Used; });
 }
 
 void ToolRunner::documentChanged() {

@@ -14,14 +14,14 @@
 namespace handwheel {
 
 // Runs one tool at a time on a document. A tool keeps what it previews to itself and makes one edit of it in the end;
-// so dropping the tool reverts it. A tool that throws is dropped, and the document's history set back to where it was
-// before the event; so is a tool whose document goes. Window thread.
+// so dropping the tool reverts it, but for what Tool::settle() commits. A tool that throws is dropped, and the
+// document's history set back to where it was before the event; so is a tool whose document goes. Window thread.
 class ToolRunner : public QObject {
   Q_OBJECT
 
  public:
   explicit ToolRunner(QObject* parent = nullptr) : QObject(parent) {}
-  ~ToolRunner() override { stop(); }
+  ~ToolRunner() override { drop(); }  // who wants its work to be kept stops the tool before
 
   // Starts a tool in place of the previous one. The destructor of a tool must not touch its document, which may be
   // gone.
@@ -51,11 +51,13 @@ class ToolRunner : public QObject {
   ToolReply guarded(Call call);
   template <class Call>
   ToolReply attempt(Call call);
+  void drop();
+  void settle();
   void documentChanged();
 
   std::unique_ptr<Tool> m_tool;
   QPointer<Document> m_document;
-  QMetaObject::Connection m_changed, m_destroyed;
+  QMetaObject::Connection m_changed, m_settling, m_destroyed;
   int m_depth = 0;          // of calls into the tool: its own edits come back as documentChanged()
   bool m_isToStop = false;  // as soon as no call is under way
   std::optional<QString> m_failure;

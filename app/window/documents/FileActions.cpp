@@ -238,7 +238,10 @@ void FileActions::offerContainer(DocumentTab* document, Message message) {
 
 void FileActions::requestClose(DocumentTab* document, std::function<void()> then) {
   const bool isUnderWay = m_closing.contains(document);
-  if (!isUnderWay) emit aboutToClose();
+  if (!isUnderWay) {
+    emit aboutToClose();
+    document->document.settle();
+  }
   auto& waiting = m_closing[document];
   if (then) waiting.push_back(std::move(then));
   if (isUnderWay) return;
@@ -277,6 +280,7 @@ void FileActions::endClosing(DocumentTab* document, bool close) {
 
 void FileActions::requestCloseAll(std::function<void()> then) {
   emit aboutToClose();
+  for (const auto& each : m_tabs.all()) each->document.settle();
   decideNext({}, std::move(then));
 }
 

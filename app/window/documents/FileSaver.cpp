@@ -44,6 +44,7 @@ FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, L
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
 void FileSaver::save(DocumentTab* document, const QString& path, std::function<void(bool)> ended, Changed changed) {
+  document->document.settle();
   Written state{path,
                 document->ui.saveCommand(*document, path),
                 document->document.revision(),

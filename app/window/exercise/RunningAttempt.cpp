@@ -193,6 +193,7 @@ void RunningAttempt::tick() {
 void RunningAttempt::measure() {
   Work* const measured = current();
   if (!measured) return;
+  measured->tab->document.settle();
   Job job;
   job.name = tr("Measuring");
   job.owner = measured->tab;
@@ -234,6 +235,7 @@ void RunningAttempt::writeSubmission(const QString& path) {
                   tr("Choose another name for the file.")});
     return;
   }
+  work->tab->document.settle();
   tick();
   Job job;
   job.name = tr("Handing in");

@@ -69,8 +69,8 @@ void ToolChoice::choose(const QString& id) {
 void ToolChoice::start() {
   const ToolDescriptor* chosen = offer(m_document->tool);
   for (QAction* action : m_group.actions()) action->setChecked(chosen && action->objectName() == chosen->id);
-  if (!chosen) return m_host.stop();
-  m_host.start(chosen->make(), m_document->document);
+  m_host.stop();  // first: what it commits in the end, the next one begins with
+  if (chosen) m_host.start(chosen->make(), m_document->document);
 }
 
 void ToolChoice::ended() {

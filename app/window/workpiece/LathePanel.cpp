@@ -173,8 +173,15 @@ QWidget* LathePanel::makeThreadAndRapid() {
   m_lead = field(tr("Pitch of the thread, mm"), "latheLead", 1.5, 0.0, 100.0);
   m_nut = button(tr("&Half-nut"), "latheHalfNut", tr("Closes the half-nut: the carriage follows the lead screw"));
   m_nut->setCheckable(true);
+  m_isLeft =
+      button(tr("&Left-hand"), "latheLeftHand",
+             tr("Left-hand thread: while the spindle runs forward the lead screw takes the carriage away from the "
+                "chuck. It is set while the half-nut is open."));
+  m_isLeft->setCheckable(true);
+  m_isLeft->setMaximumWidth(fontMetrics().horizontalAdvance(m_isLeft->text()) + 20);
   connect(m_nut, &QPushButton::clicked, this, [this](bool isClosed) {
-    emit commanded({Do::HalfNut, LatheAxis::Carriage, isClosed ? -m_lead->value() : 0.0});
+    const double lead = m_isLeft->isChecked() ? m_lead->value() : -m_lead->value();
+    emit commanded({Do::HalfNut, LatheAxis::Carriage, isClosed ? lead : 0.0});
   });
   const auto hold = [this](const QString& text, const char* name, const QString& tip, LatheAxis axis, double way) {
     QPushButton* const made = button(text, name, tip);
@@ -185,7 +192,7 @@ QWidget* LathePanel::makeThreadAndRapid() {
     return made;
   };
   return rowOf(
-      {new QLabel(tr("Thread, pitch")), m_lead, new QLabel(tr("mm")), m_nut, new QLabel(tr("Rapid")),
+      {new QLabel(tr("Thread, pitch")), m_lead, new QLabel(tr("mm")), m_isLeft, m_nut, new QLabel(tr("Rapid")),
        hold(QStringLiteral("←"), "latheRapidLeft", tr("Rapid traverse to the chuck, while held (Alt+←)"),
             LatheAxis::Carriage, -1.0),
        hold(QStringLiteral("→"), "latheRapidRight", tr("Rapid traverse away from the chuck, while held (Alt+→)"),
@@ -222,6 +229,7 @@ void LathePanel::show(const ManualLatheTool& tool) {
   }
   m_feedWays->button(way)->setChecked(true);
   m_nut->setChecked(now->machine.lead != 0.0);
+  m_isLeft->setEnabled(now->machine.lead == 0.0);
   m_post->show(tool);
   m_wheels->show(tool);
   m_figures->show(tool);
@@ -238,6 +246,7 @@ void LathePanel::begin(const ManualLatheTool& tool) {
   if (machine.speedClamp > 0.0) m_clamp->setValue(machine.speedClamp);
   if (machine.feed != 0.0) m_feed->setValue(std::abs(machine.feed));
   if (machine.lead != 0.0) m_lead->setValue(std::abs(machine.lead));
+  m_isLeft->setChecked(machine.lead > 0.0);
   m_wheels->setZero(tool);
   show(tool);
 }

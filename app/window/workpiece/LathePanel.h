@@ -60,6 +60,7 @@ class LathePanel : public QWidget {
   NumberField* m_feed;
   QButtonGroup* m_feedWays;
   NumberField* m_lead;
+  QPushButton* m_isLeft;  // left-hand thread
   QPushButton* m_nut;
   LatheWheels* m_wheels;
   LatheFigures* m_figures;

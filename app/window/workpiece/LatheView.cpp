@@ -50,9 +50,7 @@ LatheView::~LatheView() {
 
 std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double spacing, ForceLaw law) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
-  auto made = std::make_unique<ManualLatheTool>(document, services, spacing, shippedLatheTools(), law);
-  m_made = made.get();
-  return made;
+  return std::make_unique<ManualLatheTool>(document, services, spacing, shippedLatheTools(), law);
 }
 
 // As a turner stands before it: the axis from left to right, the chuck on the left, the tool on this side. Who has
@@ -76,7 +74,8 @@ void LatheView::face(const ManualLatheTool& lathe) {
 }
 
 ManualLatheTool* LatheView::tool() const {
-  return m_made && m_window.tools.runner().tool() == m_made ? m_made : nullptr;
+  // Only this view makes one, and changes it within calls of the runner alone.
+  return const_cast<ManualLatheTool*>(dynamic_cast<const ManualLatheTool*>(m_window.tools.runner().tool()));
 }
 
 void LatheView::makeDock() {
@@ -186,9 +185,7 @@ void LatheView::showDock(bool isShown) {
 void LatheView::refresh() {
   ManualLatheTool* const lathe = tool();
   if (!lathe || !m_panel) return;
-  const auto now = lathe->moment();
-  if (now->isCut && (now->sinceCut >= ManualLatheTool::kIdle || now->isFull))
-    m_window.tools.runner().deliver([&] { lathe->endPass(); });
+  if (lathe->hasToCommit()) m_window.tools.runner().deliver([&] { lathe->endPass(); });
   if (!tool()) return;  // it failed
   if (std::exchange(m_wasLive, lathe->isLive()) != lathe->isLive()) m_window.tools.refresh();
   m_panel->show(*lathe);

@@ -51,7 +51,6 @@ class LatheView : public QObject {
   void mount(const QString& tool);
 
   WindowContext m_window;
-  ManualLatheTool* m_made = nullptr;  // the last one; it may be gone
   QPointer<QDockWidget> m_dock;
   QPointer<LathePanel> m_panel;
   QTimer m_refresh;   // while the lathe runs

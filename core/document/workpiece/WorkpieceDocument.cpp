@@ -4,6 +4,9 @@
 
 #include "document/workpiece/WorkpieceEdit.h"
 #include "document/workpiece/WorkpieceErrors.h"
+#include "machining/lathe/LatheRun.h"
+
+#include <algorithm>
 
 namespace handwheel {
 
@@ -25,6 +28,19 @@ Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string&
   if (!checked) return checked.error();
   if (propertyOf(*m_workpiece, *field).value == value) return std::unique_ptr<Edit>();
   return std::unique_ptr<Edit>(std::make_unique<WorkpieceEdit>(*field, value));
+}
+
+void WorkpieceDocument::addCrashes(std::span<const LatheCollision> crashes) {
+  const auto& before = m_workpiece->crashes;
+  auto all =
+      before ? std::make_shared<std::vector<LatheCollision>>(*before) : std::make_shared<std::vector<LatheCollision>>();
+  const std::size_t count = std::min(crashes.size(), LatheRun::kMostCollisions - all->size());
+  if (count == 0) return;
+  all->insert(all->end(), crashes.begin(), crashes.begin() + static_cast<std::ptrdiff_t>(count));
+  WorkpieceSnapshot workpiece = *m_workpiece;
+  workpiece.crashes = std::move(all);
+  m_workpiece = std::make_shared<const WorkpieceSnapshot>(std::move(workpiece));
+  wasRecorded();
 }
 
 void WorkpieceDocument::set(WorkpieceSnapshot workpiece) {

@@ -5,6 +5,8 @@
 #include "document/Document.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 
+#include <span>
+
 namespace handwheel {
 
 // Document of a workpiece: a bar for turning on a lathe.
@@ -16,6 +18,9 @@ class WorkpieceDocument : public Document {
   explicit WorkpieceDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const WorkpieceSnapshot& workpiece() const { return *m_workpiece; }
+
+  // Adds crashes of the manual lathe. No undo step: what was struck stays struck.
+  void addCrashes(std::span<const LatheCollision> crashes);
 
   SnapshotPointer snapshot() const override { return m_workpiece; }
   // Those of workpieceProperties(), then those of every document.

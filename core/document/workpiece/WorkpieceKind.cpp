@@ -17,6 +17,7 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/WorkpieceShape.h"
 #include "machining/drawing/DrawnThreads.h"
+#include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
@@ -125,6 +126,7 @@ void WorkpieceKind::save(const Snapshot& content, Container& container) const {
   writeTurnedPart(workpieceOf(content), container);
   writeTarget(workpieceOf(content), container);
   if (const auto& lathe = workpieceOf(content).lathe) document["lathe"] = toJson(*lathe);
+  if (const auto& crashes = workpieceOf(content).crashes) document["crashes"] = crashesToJson(*crashes);
 }
 
 Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vector<Error>& damage,
@@ -156,6 +158,8 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
   if (!part) return part.error();
   workpiece.part = std::move(part.value());
   workpiece.target = readTarget(*found, container, damage);
+  if (auto crashes = crashesFrom(found->value("crashes", nlohmann::json())); !crashes.empty())
+    workpiece.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(crashes));
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(workpiece)));
 }
 

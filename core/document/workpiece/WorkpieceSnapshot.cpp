@@ -13,4 +13,12 @@ double TurnedPart::volume() const {
   return profile.volume() - (threads() ? threads()->volume(profile) : 0.0);
 }
 
+std::shared_ptr<const std::vector<LatheCollision>> allCrashes(const WorkpieceSnapshot& workpiece) {
+  const auto ofPasses = workpiece.part ? workpiece.part->crashes : nullptr;
+  if (!ofPasses || !workpiece.crashes) return ofPasses ? ofPasses : workpiece.crashes;
+  auto all = std::make_shared<std::vector<LatheCollision>>(*workpiece.crashes);
+  all->insert(all->end(), ofPasses->begin(), ofPasses->end());
+  return all;
+}
+
 }  // namespace handwheel

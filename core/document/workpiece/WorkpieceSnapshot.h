@@ -20,7 +20,7 @@ struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
   TurningPasses passes;
-  // Of the manual lathe, while these passes were cut; null: none.
+  // That came with these passes, and go with them by undo; null: none.
   std::shared_ptr<const std::vector<LatheCollision>> crashes = {};
   SurfaceFinish finish = SurfaceFinish();  // of the profile; of no samples where nothing is known
 
@@ -51,6 +51,11 @@ struct WorkpieceSnapshot : Snapshot {
   std::shared_ptr<const TurnedPart> part;         // null: nothing was cut yet
   std::shared_ptr<const LatheSetup> lathe;        // null: the usual one
   std::shared_ptr<const WorkpieceTarget> target;  // null: none is given
+  // Of the manual lathe, in order, at most LatheRun::kMostCollisions; no undo takes them back. Null: none.
+  std::shared_ptr<const std::vector<LatheCollision>> crashes;
 };
+
+// The crashes of the lathe and of the passes of a part; null: none.
+std::shared_ptr<const std::vector<LatheCollision>> allCrashes(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

@@ -19,6 +19,11 @@ double radiusOf(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
 }
 
+// Whether the way to a point goes on with the way before: not back, nor around a corner.
+bool goesOn(const TurningPass& pass, std::size_t i) {
+  return i < 2 || (pass.path[i] - pass.path[i - 1]).dot(pass.path[i - 1] - pass.path[i - 2]) > 0.0;
+}
+
 }  // namespace
 
 void FeedMeter::clear() {
@@ -42,14 +47,29 @@ double FeedMeter::add(double way, double turns, bool isTurning) {
 FinishMeter::FinishMeter(TurnedProfile profile, SurfaceFinish finish, double usualSpeed)
     : m_profile(std::move(profile)),
       m_finish(finish.size() == m_profile.size() ? std::move(finish) : SurfaceFinish::unknown(m_profile)),
-      m_usualSpeed(usualSpeed) {}
+      m_usualSpeed(usualSpeed) {
+  for (auto& each : m_taken) each.resize(m_profile.size());
+}
+
+void FinishMeter::endContact() {
+  for (auto& each : m_taken) {
+    const auto first = each.begin();
+    std::fill(first + static_cast<std::ptrdiff_t>(m_touched.first), first + static_cast<std::ptrdiff_t>(m_touched.last),
+              0.0);
+  }
+  m_touched = {};
+}
 
 void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t number, const TurnedProfile& profile,
                       const TurnedProfile::Range& changed) {
   m_feed = 0.0;
-  if (i == 0 || changed.isEmpty() || number != m_number) m_meter.clear();
+  const bool isOther = i == 0 || changed.isEmpty() || number != m_number;
+  if (isOther) m_meter.clear();
+  if (isOther || !goesOn(pass, i)) endContact();
   m_number = number;
   if (changed.isEmpty()) return;
+  m_touched.extend(changed);
+  const bool isAbrasive = pass.tool && pass.tool->isAbrasive();
   const double way = i == 0 ? 0.0 : (pass.path[i] - pass.path[i - 1]).norm();
   const double seconds = i == 0 ? 0.0 : pass.times[i] - pass.times[i - 1];
   const double speed = i < pass.speeds.size() ? pass.speeds[i] : m_usualSpeed;
@@ -59,10 +79,13 @@ void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t numb
     for (std::size_t k = changed.first; k < changed.last; ++k) {
       const double radius = radiusOf(profile, side, k), removed = std::abs(radiusOf(m_profile, side, k) - radius);
       if (removed == 0.0) continue;
+      double& taken = m_taken[static_cast<std::size_t>(side)][k];
+      taken += removed;
+      follow(side, k, radius);
+      if (!isAbrasive && !(taken > TurningPass::kTouch)) continue;
       FinishMark mark = markOf(pass, m_finish.at(side, k), removed);
       mark.pass = number;
       m_finish.set(side, k, mark);
-      follow(side, k, radius);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "machining/finish/SurfaceFinish.h"
 
 #include <deque>
+#include <vector>
 
 namespace handwheel {
 
@@ -28,8 +29,10 @@ class FeedMeter {
 // Follows passes move by move and marks the finish that they leave. An edge leaves what its feed and nose leave:
 // f²/(32 R). What is abrasive takes the crests off: those of a nose are four times as high as their Ra, f²/(8 R) and
 // f²/(32 R), so that Ra falls by a quarter of what leaves; once as much has gone, the surface is that of the abrasive,
-// which no further passes make finer. Only samples whose radius changes are marked. The finish is a function of bar and
-// passes: whoever follows the same moves gets the same. One thread.
+// which no further passes make finer. Only samples whose radius changes are marked; of an edge those alone of which it
+// takes more than TurningPass::kTouch while it goes one way: work that has sprung back is touched by the tool on its
+// way home, and stays as it is. The finish is a function of bar and passes: whoever follows the same moves gets the
+// same. One thread.
 class FinishMeter {
  public:
   // profile: the part before the next move. finish: of it; of another size: nothing is known. usualSpeed: r/min of
@@ -48,6 +51,7 @@ class FinishMeter {
  private:
   FinishMark markOf(const TurningPass& pass, const FinishMark& before, double removed) const;
   void follow(TurningSide side, std::size_t i, double radius);
+  void endContact();
 
   TurnedProfile m_profile;
   SurfaceFinish m_finish;
@@ -55,6 +59,8 @@ class FinishMeter {
   FeedMeter m_meter;
   std::uint32_t m_number = FinishMark::kNoPass;
   double m_feed = 0.0;
+  std::vector<double> m_taken[2];  // mm, by side: off each sample in this contact
+  TurnedProfile::Range m_touched;  // in this contact
 };
 
 // Cuts a pass as cut() does, and marks the finish. Incomplete when it was cancelled.

@@ -12,13 +12,14 @@ void CutMeter::add(const Move& move, double spacing) {
   constexpr double kStill = 0.5;  // s
   m_spacing = spacing;
   const double kept = std::exp(-move.length / (kSamples * spacing));
-  const bool isCut = move.area > 0.0 || move.isThread;
+  const bool isCut = move.area > 0.0;
   m_area = kept * m_area + move.area;
   m_volume = kept * m_volume + move.volume;
   m_way = kept * m_way + move.length;
   m_turns = kept * m_turns + move.turns;
   m_wayClear = isCut ? 0.0 : m_wayClear + move.length;
   m_isCut = m_isCut || isCut;
+  if (isCut) m_edge = move.edge;
   m_sinceCut = isCut ? 0.0 : m_sinceCut + move.time;
   m_isCutting = m_isCut && m_wayClear < kClear * spacing && m_sinceCut < kStill;
   if (!m_isCutting) m_area = m_volume = m_way = m_turns = 0.0;
@@ -28,8 +29,9 @@ void CutMeter::add(const Move& move, double spacing) {
 CutConditions CutMeter::cut(double speed) const {
   CutConditions cut;
   if (!m_isCutting) return cut;
-  cut.depth = m_area / std::max(m_way, m_spacing);
-  cut.feed = m_turns > 0.0 ? m_way / m_turns : 0.0;
+  const double way = std::max(m_way, m_spacing), turns = m_way > 0.0 ? m_turns * way / m_way : 0.0;
+  cut.depth = m_edge > 0.0 ? m_edge : m_area / way;
+  if (turns > 0.0) cut.feed = m_edge > 0.0 ? m_area / (turns * m_edge) : m_way / m_turns;
   cut.speed = surfaceSpeed(std::abs(speed), 2.0 * radius());
   return cut;
 }

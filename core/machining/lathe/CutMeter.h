@@ -14,6 +14,7 @@ struct LatheLoad {
   double radius = 0.0;          // mm, mean, of what leaves
   CutForces forces;             // N
   ProfilePoint press{0, 0};     // N, of these on what grinds, in (r, z)
+  ProfilePoint passive{1, 0};   // the way of the radial one on the tool, in (r, z), of length 1 at most
   double torque = 0.0;          // N·m, at the spindle
   double power = 0.0;           // kW, of the motor
   bool isOutsideModel = false;  // the law was not made for such a cut
@@ -31,12 +32,14 @@ class CutMeter {
 
   // What a step did.
   struct Move {
-    double length = 0.0;    // mm, of the way of the tool
-    double area = 0.0;      // mm², of the half section, that left
-    double volume = 0.0;    // mm³, that left
-    double turns = 0.0;     // of the spindle
-    double time = 0.0;      // s
-    bool isThread = false;  // in the material, with a tool whose groove has no section
+    double length = 0.0;  // mm, of the way of the tool
+    double area = 0.0;    // mm², of the half section, that left; so that volume = 2π r · area
+    double volume = 0.0;  // mm³, that left
+    double turns = 0.0;   // of the spindle
+    double time = 0.0;    // s
+    // mm, of a thread: of the edge that cuts. Its chip is as wide as that, and as thick as what the groove has grown by
+    // over it: the lead is no feed.
+    double edge = 0.0;
   };
   // spacing: mm, between the samples of the profile.
   void add(const Move& move, double spacing);
@@ -50,6 +53,7 @@ class CutMeter {
  private:
   double m_spacing = 1.0;
   double m_area = 0.0, m_volume = 0.0, m_way = 0.0, m_turns = 0.0;  // weighted
+  double m_edge = 0.0;                                              // mm, of the last cut of a thread
   double m_wayClear = 0.0;                                          // mm since material left
   double m_sinceCut = 0.0;
   bool m_isCut = false;  // ever

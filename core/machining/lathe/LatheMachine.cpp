@@ -140,6 +140,15 @@ double LatheMachine::nextSpeed(double dt, double torque) const {
   return speed + std::clamp(target - speed, -left * ramp, left * ramp);
 }
 
+// The share of what they have yet to turn that the hands come to, when they move neither a slide nor the tool by more
+// than this, mm: two wheels at once do not go through material faster than one.
+double LatheMachine::shareOfHands(double most) const {
+  const std::array<double, kLatheAxes> none{};
+  double longest = (tipAt(m_setup, slot(), m_state.demands) - tipAt(m_setup, slot(), none)).norm();
+  for (const double demand : m_state.demands) longest = std::max(longest, std::abs(demand));
+  return longest > most ? most / longest : 1.0;
+}
+
 LatheMotion LatheMachine::advance(double dt, double mostByHand, double torque) {
   LatheMotion motion;
   m_state.speed = nextSpeed(dt, torque);
@@ -147,9 +156,10 @@ LatheMotion LatheMachine::advance(double dt, double mostByHand, double torque) {
   m_state.turns += turned;
   m_state.time += dt;
   motion.turns = std::abs(turned);
+  const double share = shareOfHands(mostByHand);
   for (std::size_t i = 0; i < kLatheAxes; ++i) {
     const LatheAxis axis = static_cast<LatheAxis>(i);
-    const double byHand = std::clamp(m_state.demands[i], -mostByHand, mostByHand);
+    const double byHand = share * m_state.demands[i];
     m_state.demands[i] -= byHand;
     if (byHand != 0.0) turnWheel(axis, byHand);
     motion.isByHand = motion.isByHand || byHand != 0.0;

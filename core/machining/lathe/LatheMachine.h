@@ -77,8 +77,8 @@ class LatheMachine {
   void restore(const LatheState& state) { m_state = state; }
 
   void apply(const LatheCommand& command);
-  // Moves everything by dt (s, > 0). mostByHand: mm that a hand can move a slide by in this step. torque: N·m, of the
-  // cut at the spindle: what is left of the drive's accelerates it, and what it lacks slows it down.
+  // Moves everything by dt (s, > 0). mostByHand: mm that hands can move a slide, and the tool, by in this step. torque:
+  // N·m, of the cut at the spindle: what is left of the drive's accelerates it, and what it lacks slows it down.
   LatheMotion advance(double dt, double mostByHand, double torque = 0.0);
   // r/min, signed: what the levers ask for.
   double targetSpeed() const;
@@ -91,6 +91,7 @@ class LatheMachine {
 
  private:
   double nextSpeed(double dt, double torque) const;
+  double shareOfHands(double most) const;
   void turnWheel(LatheAxis axis, double by);
   void moveSlide(LatheAxis axis, double by);
   void followNut(double before);

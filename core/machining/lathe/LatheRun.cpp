@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/lathe/LatheRun.h"
+#include "machining/lathe/LatheRunTry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +26,6 @@ double largestRadius(const TurnedProfile& profile) {
 
 }  // namespace
 
-// A step as the levers and hands would have it, before it is known whether it can be made.
-struct LatheRun::Try {
-  LatheMotion motion;
-  std::shared_ptr<const LatheTool> tool;  // that moved; of the post, or the drill in the quill
-  ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};
-  SectionCut cut;
-  bool isQuill = false;    // the quill moved
-  bool isIndexed = false;  // another tool of the post
-  bool isPressed = false;  // an abrasive tool against the work
-  bool hasMoved() const { return isQuill || isIndexed || isPressed || from != to; }
-};
-
 double LatheStep::depthOfCut() const {
   const double way = (to - from).norm();
   return way > 0.0 ? cut.area / way : 0.0;
@@ -48,10 +36,11 @@ double LatheStep::feed() const {
 }
 
 LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
-                   std::shared_ptr<const LatheMaterial> material)
+                   std::shared_ptr<const LatheMaterial> material, std::shared_ptr<const PartThreads> threads)
     : m_machine(std::move(setup), state),
       m_tools(std::move(tools)),
       m_profile(std::move(profile)),
+      m_threads(std::move(threads)),
       m_material(std::move(material)) {
   m_gripped = grippedRadius(m_profile, m_machine.setup().chuck);
   m_within = largestRadius(m_profile);
@@ -86,7 +75,10 @@ LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double most
   tried.from = tried.isQuill ? ProfilePoint(0.0, quillBefore) : tipBefore;
   tried.to = tried.isQuill ? ProfilePoint(0.0, m_machine.quillTip()) : m_machine.tip();
   tried.isPressed = tried.tool && tried.tool->isAbrasive() && tried.tool == m_lastTool && m_lastPlace != tried.to;
-  if (tried.tool && tried.hasMoved()) tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
+  if (!tried.tool || !tried.hasMoved()) return tried;
+  tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
+  tried.pushed = tried.cut.depth;
+  if (tried.tool->kind == LatheToolKind::Threading && !tried.isIndexed && !tried.isQuill) meetThreads(tried);
   return tried;
 }
 
@@ -99,7 +91,7 @@ std::optional<LatheCollision> LatheRun::cutCrash(const Try& tried) const {
   collision.depth = tried.cut.depth;
   if (tried.isIndexed)
     collision.cause = CrashCause::Contact;
-  else if (tried.motion.isRapid)
+  else if (tried.motion.isRapid && tried.pushed > kTouch)
     collision.cause = CrashCause::Rapid;
   else if (std::abs(speed) < kAtRest)
     collision.cause = CrashCause::SpindleAtRest;
@@ -174,28 +166,21 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
     if (!goesOn) step.from = step.to;  // its slide may be in the work already
   } else if (tool.side == TurningSide::Outside) {
-    step.to.x() += m_compliance * m_load.forces.radial;
+    step.to.x() += m_compliance * m_thrust;
   }
-  step.thread = threadOf(tried);
-  if (step.thread)
-    step.cut.depth = tried.cut.depth;
-  else
+  step.thread = tried.thread;
+  if (step.thread) {
+    const ThreadsInWork::Place place{step.to, -2.0 * M_PI * m_machine.state().turns};
+    const ThreadsInWork::Cut groove = m_threads.cut(m_profile, tool, *step.thread, step.from.y(), place);
+    step.cut = groove.removed;
+    step.edge = groove.edge;
+  } else if (!tried.isInGroove) {
     step.cut = cutWithTool(m_profile, tool, step.from, step.to);
+  }
+  m_isInThread = step.thread.has_value();
+  step.isRing = tried.isRing;
   m_lastTool = tried.tool;
   m_lastPlace = step.to;
-}
-
-// The tool is at a height for each turn; turns are those of the work, against which the tool goes about it.
-std::optional<ThreadCut> LatheRun::threadOf(const Try& tried) const {
-  const LatheState& state = m_machine.state();
-  const bool isLed = state.lead != 0.0 && state.isNutClosed && !tried.isQuill && !tried.isIndexed;
-  if (!isLed || tried.tool->kind != LatheToolKind::Threading) return std::nullopt;
-  ThreadCut thread;
-  thread.pitch = std::abs(state.lead);
-  thread.isLeft = state.lead > 0.0;
-  const double middle = tried.to.y() + tried.tool->noseCentre().y() - state.lead * state.turns;
-  thread.offset = middle - thread.pitch * std::floor(middle / thread.pitch);
-  return thread.isSound() ? std::optional(thread) : std::nullopt;
 }
 
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {
@@ -214,7 +199,7 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
   Try tried = attempt(start, dt, setup.handSpeed * dt);
   // A hand feels material, and goes through it as fast as it can push only.
   const bool isTurning = std::abs(m_machine.state().speed) >= kAtRest;
-  if (isTurning && tried.motion.isByHand && !tried.motion.isRapid && tried.cut.depth > kTouch) {
+  if (isTurning && tried.motion.isByHand && !tried.motion.isRapid && tried.pushed > kTouch) {
     m_machine.restore(before);
     tried = attempt(start, dt, setup.handFeed * tried.motion.turns);
   }

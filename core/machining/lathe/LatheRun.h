@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "machining/TurningPass.h"
 #include "machining/lathe/CutMeter.h"
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheMaterial.h"
 #include "machining/lathe/LatheWarnings.h"
-#include "machining/thread/ThreadCut.h"
+#include "machining/lathe/ThreadsInWork.h"
 
 #include <span>
 
@@ -14,13 +15,15 @@ namespace handwheel {
 
 // What happened in one step of a lathe.
 struct LatheStep {
-  SectionCut cut;                             // what left
+  SectionCut cut;                             // what left; of a thread beyond the groove that was there
+  double edge = 0.0;                          // mm, of a thread: of the edge that cut
   std::shared_ptr<const LatheTool> tool;      // that moved; null: none was in use
   ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm: where its tip went, as far as it cut, (r, z)
   double turns = 0.0;                         // of the spindle, not signed
   std::optional<ThreadCut> thread;            // the half-nut leads a threading tool, which leaves the profile as it is
   double time = 0.0;                          // s, of the machine after the step
   bool isCrash = false;                       // the last of LatheRun::collisions() is of this step
+  bool isRing = false;                        // the end of a groove that was there has become a ring
   bool isHeld = false;                        // the depth limit, or the work, held the slide back
 
   bool hasMoved() const { return from != to; }
@@ -37,15 +40,16 @@ struct LatheStep {
 // function of the calls.
 class LatheRun {
  public:
-  static constexpr double kTouch = 1e-3;                // mm: a cut that is less deep touches only
+  static constexpr double kTouch = TurningPass::kTouch;
   static constexpr double kAtRest = 1.0;                // r/min: a slower spindle cuts nothing
   static constexpr std::size_t kMostCollisions = 1000;  // that are recorded
   static constexpr double kJudged = 0.1;                // s, between two judgements by the rules
 
   // The setup must be sound. tools: those that it names; a slot whose tool is missing has none. material: its laws are
-  // of these tools; null: nothing has a force.
+  // of these tools; null: nothing has a force. threads: of the part; null: none.
   LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
-           std::shared_ptr<const LatheMaterial> material = nullptr);
+           std::shared_ptr<const LatheMaterial> material = nullptr,
+           std::shared_ptr<const PartThreads> threads = nullptr);
 
   LatheStep step(double dt, std::span<const LatheCommand> commands);
 
@@ -71,10 +75,11 @@ class LatheRun {
   std::size_t indexOf(const LatheTool* tool) const;
   std::shared_ptr<const LatheTool> drill() const;
   void crash(LatheStep& step, LatheCollision collision, const LatheState& before);
+  void meetThreads(Try& tried) const;
   void cut(LatheStep& step, const Try& tried);
   LatheStep move(double dt, std::span<const LatheCommand> commands);
   void measure(const LatheStep& step, double dt);
-  void press(LatheLoad& load, double dt);
+  void press(LatheLoad& load, const ProfilePoint& velocity);
   void judge();
   bool isStalled(double speedBefore) const;
   std::optional<ThreadCut> threadOf(const Try& tried) const;
@@ -83,6 +88,8 @@ class LatheRun {
   LatheTools m_tools;
   std::vector<std::vector<LatheSolid>> m_solids;  // of m_tools
   TurnedProfile m_profile;
+  ThreadsInWork m_threads;
+  bool m_isInThread = false;  // the tool stands in the groove that it has cut last
   double m_gripped = 0.0;
   double m_within = 0.0;  // mm: no material is further from the axis
   std::vector<LatheSolid> m_chuck;
@@ -97,6 +104,7 @@ class LatheRun {
   ProfilePoint m_tip{0.0, 0.0};    // mm, after the last step
   double m_sinceJudged = kJudged;  // s
   double m_compliance = 0.0;       // mm/N, of the work at the cut
+  double m_thrust = 0.0;           // N, of the tool on the work, towards the axis
   double m_chatter = 0.0;          // as in LatheLoad
 };
 

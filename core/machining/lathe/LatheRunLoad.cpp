@@ -19,20 +19,28 @@ bool LatheRun::isStalled(double speedBefore) const {
 
 // The law says the force of the cut as it was over the last samples.
 void LatheRun::measure(const LatheStep& step, double dt) {
-  const double length = (step.to - step.from).norm();
-  m_meter.add({length, step.cut.area, step.cut.volume, step.turns, dt, step.cutsThread()}, m_profile.spacing());
+  const ProfilePoint tip = m_machine.tip(), way = tip - std::exchange(m_tip, tip);
+  CutMeter::Move move{(step.to - step.from).norm(), step.cut.area, step.cut.volume, step.turns, dt, step.edge};
+  if (step.isRing) move.area = move.volume = 0.0;  // of a groove that was there
+  m_meter.add(move, m_profile.spacing());
   const double speed = m_machine.state().speed;
   LatheLoad load;
   load.isCutting = m_meter.isCutting();
   load.cut = m_meter.cut(speed);
   load.radius = m_meter.radius();
-  press(load, dt);
+  load.passive = m_load.passive;
+  if (!way.isZero() && m_lastTool) load.passive = m_lastTool->passiveWay(way);
+  press(load, way / dt);
+  m_thrust = 0.0;
   const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
   if (law) {
     const LatheSpindle& spindle = m_machine.setup().spindle;
     load.forces = worn(law->at(load.cut), m_machine.setup().wear);
     load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
     load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
+    // Drawn out of its cut no tool pulls the work after it.
+    const double back = way.isZero() ? 0.0 : -way.x() / way.norm();
+    m_thrust = std::max(0.0, load.passive.x() * load.forces.radial + back * load.forces.feed);
     load.isOutsideModel = !law->covers(load.cut);
     load.isOverloaded = load.torque > spindleTorque(spindle, speed);
   }
@@ -46,9 +54,8 @@ void LatheRun::measure(const LatheStep& step, double dt) {
 }
 
 // What grinds is pressed against the work, and rubs on it while that turns.
-void LatheRun::press(LatheLoad& load, double dt) {
+void LatheRun::press(LatheLoad& load, const ProfilePoint& velocity) {
   const ProfilePoint tip = m_machine.tip();
-  const ProfilePoint velocity = (tip - std::exchange(m_tip, tip)) / dt;
   const auto inPost = tool();
   if (!inPost || !inPost->isAbrasive()) return;
   const GrindingContact contact = grindingContact(m_profile, *inPost, tip);
@@ -76,7 +83,9 @@ void LatheRun::judge() {
   m_compliance = beam.place > 0.0 ? deflection(beam, 1.0) : 0.0;
   CutConditions asked = m_load.cut;
   asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
-  const auto broken = warningsFor(asked, m_load.forces, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
+  CutForces bending = m_load.forces;
+  bending.radial = m_thrust;
+  const auto broken = warningsFor(asked, bending, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
   m_warnings.judge(broken, m_machine.state().time, m_lastTool->id);
   m_chatter = 0.0;
   for (const CutWarning& warning : broken) {

@@ -57,6 +57,18 @@ ProfilePoint LatheTool::noseCentre() const {
   return {-noseRadius * way[0], -noseRadius * way[1]};
 }
 
+// For a corner between two edges this is 1 along either of them.
+ProfilePoint LatheTool::passiveWay(const ProfilePoint& way) const {
+  const double length = way.norm();
+  if (!(length > 0.0) || kind == LatheToolKind::Drill) return ProfilePoint::Zero();
+  const auto& tip = kTipFromNose[static_cast<std::size_t>(std::clamp(orientation, 1, 9))];
+  ProfilePoint out(-tip[0], -tip[1]);
+  const bool isBlade = kind == LatheToolKind::Parting || kind == LatheToolKind::Grooving;
+  if (isBlade || out.isZero()) out = {side == TurningSide::Bore ? -1.0 : 1.0, 0.0};
+  const ProfilePoint ahead = way / length, across = out - out.dot(ahead) * ahead;
+  return across / std::max(1.0, across.norm());
+}
+
 double LatheTool::width() const {
   double least = 0.0, largest = 0.0;
   for (const RoundedSection& section : cutting) {

@@ -59,6 +59,10 @@ struct LatheTool {
   bool isAbrasive() const { return depthPerTurn > 0.0; }
   // From the tip to the centre of the nose, mm.
   ProfilePoint noseCentre() const;
+  // The way of the radial force of a cut on this tool, which moves this way: across it, and out of the material that
+  // the edge leaves. The shorter, of length 1 at most, the more the edge cuts to both sides, where what pushes it to
+  // the one balances the other: a blade that plunges is pushed back only, by the feed force. A way of no length: none.
+  ProfilePoint passiveWay(const ProfilePoint& way) const;
   double width() const;  // mm, of the cutting part along z
 
   bool operator==(const LatheTool&) const = default;

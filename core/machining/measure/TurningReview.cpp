@@ -14,6 +14,9 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostCrashes = 1'000;
+// Beyond the largest feed, as a share of it: work that gives way makes the path of a tool longer than that of its
+// slides, which keep the feed.
+constexpr double kFeedSlack = 0.01;
 
 double sideRadius(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
@@ -96,9 +99,10 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     const TurnedProfile::Range changed = cut(m_profile, pass, from, to);
     const double speed = speedAt(pass, i, lathe), turns = seconds * speed / 60.0;
     meter.add(pass, i, static_cast<std::uint32_t>(number), m_profile, changed);
-    const bool isRapid = !isThreading && meter.feed() > lathe.largestFeed;
+    const bool isFast = !isThreading && meter.feed() > (1.0 + kFeedSlack) * lathe.largestFeed;
+    const bool isRapid = take(cutting, pass.side, changed) > TurningPass::kTouch && isFast;
     if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, to);
-    wasRapid = isRapid;
+    wasRapid = isFast && (isRapid || wasRapid);
     if (changed.isEmpty()) {
       endWay(cutting);
       continue;
@@ -108,25 +112,28 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     cutting.turns += turns;
     cutting.time = time;
     cutting.place = to;
-    take(cutting, pass.side, changed);
     if (cutting.length >= Way::kLongest) endWay(cutting);
   }
   endWay(cutting);
   if (!pass.times.empty()) m_seconds += pass.times.back();
 }
 
-void TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range changed) {
+double TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range changed) {
+  double deepest = 0.0;
   std::vector<double>& radii = side == TurningSide::Outside ? m_outerRadii : m_boreRadii;
   for (std::size_t i = changed.first; i < changed.last; ++i) {
     const double before = std::exchange(radii[i], sideRadius(m_profile, side, i));
-    way.area += std::abs(before - radii[i]) * m_profile.spacing();
+    const double depth = std::abs(before - radii[i]);
+    way.area += depth * m_profile.spacing();
     way.largest = std::max({way.largest, before, radii[i]});
+    deepest = std::max(deepest, depth);
   }
+  return deepest;
 }
 
 void TurningReview::endWay(Way& way) {
   const Way done = std::exchange(way, Way());
-  if (!(done.length > 0.0)) return;
+  if (!(done.length > 0.0 && done.turns > 0.0)) return;  // work at rest is not cut: that is a crash
   const double feed = done.length / done.turns;
   const double speed =
       done.seconds > 0.0 ? 2.0 * M_PI * done.largest * (60.0 * done.turns / done.seconds) / 1000.0 : 0.0;

@@ -15,7 +15,7 @@ struct ReviewedLathe {
   double spindleSpeed = 800.0;  // revolutions a minute, of passes that do not tell theirs
   double chuckHeight = 0.0;     // mm above the lower end of the part that the chuck holds it; 0: no chuck
   double chuckDiameter = 0.0;   // mm
-  double largestFeed = 2.0;     // mm per revolution that a tool survives in the material
+  double largestFeed = 2.0;     // mm per revolution that a tool survives in the material, deeper than kTouch
 };
 
 // A tool that touched what it must not touch.
@@ -66,7 +66,7 @@ class TurningReview {
   struct Way;
   void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, FinishMeter& meter,
               Progress progress);
-  void take(Way& way, TurningSide side, TurnedProfile::Range changed);
+  double take(Way& way, TurningSide side, TurnedProfile::Range changed);  // mm, the largest change of a radius
   void endWay(Way& way);
   void thinMoments();
 

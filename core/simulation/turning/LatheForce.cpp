@@ -73,11 +73,11 @@ double LatheForce::planeForce(double y) const noexcept {
 }
 
 // What grinds is pressed along the normal of the surface. Along the way of the surface, which turns about +z at a
-// positive speed: the tool is at +x. Against the feed, and away from the axis.
+// positive speed: the tool is at +x. Against the feed, and across it out of the material.
 Vec3 LatheForce::cutForce(double period) const noexcept {
   const ProfilePoint way = m_patch.velocity.norm() > 0.0 ? m_patch.velocity.normalized() : ProfilePoint(0.0, 0.0);
-  Vec3 cut(m_cut.radial - m_cut.feed * way.x() + m_press.x(), std::copysign(m_cut.cutting, m_patch.spindleSpeed),
-           m_press.y() - m_cut.feed * way.y());
+  const ProfilePoint push = m_cut.radial * m_patch.passive - m_cut.feed * way + m_press;
+  Vec3 cut(push.x(), std::copysign(m_cut.cutting, m_patch.spindleSpeed), push.y());
   cut *= m_touch.forceShare;
   if (const double norm = cut.norm(); norm > m_touch.mostForce) cut *= m_touch.mostForce / norm;
   cut.y() += std::copysign(

@@ -25,9 +25,9 @@ struct LatheTouch {
 
 // The force of a manual lathe. A plane through the axis, y = 0, attracts the hand; the tool that it holds in a gesture
 // is on a spring, since the slides go as fast as the machine lets them only; and while it cuts, the force of the
-// cutting law, or the press of what grinds, pushes it along with the work, back and away from the axis; and the slides
-// that it moves have friction and drag. A hand that holds no tool feels the part from outside, and the grooves of its
-// threads while it does not turn. The tick allocates nothing and takes no lock.
+// cutting law, or the press of what grinds, pushes it along with the work, back, and out of the material; and the
+// slides that it moves have friction and drag. A hand that holds no tool feels the part from outside, and the grooves
+// of its threads while it does not turn. The tick allocates nothing and takes no lock.
 class LatheForce : public ForceSource {
  public:
   // material: of the simulation's tools; never null. base: mm, z of the part's lower end in the scene.

@@ -38,10 +38,6 @@ LatheSimulation::LatheSimulation(LatheRun run, TurnedSurface surface, double bas
       m_passesBefore(passesBefore),
       m_number(++m_channel->simulations),
       m_now(m_run.profile(), m_surface) {
-  m_recording.setup = m_run.machine().setup();
-  m_recording.start = m_run.machine().state();
-  m_recording.part = std::make_shared<const TurnedProfile>(m_run.profile());
-  m_recording.material = m_run.material();
   m_now.collisions = std::make_shared<const std::vector<LatheCollision>>();
   m_now.warnings = std::make_shared<const std::vector<LatheWarning>>();
   publish();
@@ -67,7 +63,7 @@ void LatheSimulation::takeCommands(std::span<const SimulationInput> inputs) {
 
 // Each tool makes a pass of its own. The path goes on from point to point, since each cut begins where the last move
 // of the same tool ended.
-void LatheSimulation::record(const LatheStep& step) {
+void LatheSimulation::record(const LatheStep& step, double dt) {
   if (!step.tool || (!step.hasMoved() && step.cut.isEmpty())) return;
   const bool isOther = m_passes.empty() || m_passes.back().tool != step.tool ||
                        m_passes.back().path.back() != step.from || !goesOn(m_passes.back(), step);
@@ -80,8 +76,8 @@ void LatheSimulation::record(const LatheStep& step) {
     pass.thread = step.thread;
     pass.path.push_back(step.from);
     pass.times.push_back(0.0);
-    pass.speeds.push_back(60.0 * step.turns / m_recording.dt);
-    m_begin = step.time - m_recording.dt;
+    pass.speeds.push_back(60.0 * step.turns / dt);
+    m_begin = step.time - dt;
     m_passes.push_back(std::move(pass));
   }
   TurningPass& pass = m_passes.back();
@@ -92,7 +88,7 @@ void LatheSimulation::record(const LatheStep& step) {
   }
   pass.path.push_back(step.to);
   pass.times.push_back(step.time - m_begin);
-  pass.speeds.push_back(60.0 * step.turns / m_recording.dt);
+  pass.speeds.push_back(60.0 * step.turns / dt);
   if (pass.thread) m_threaded.extend(samplesBeside(step));
   m_finish.add(pass, pass.path.size() - 1, static_cast<std::uint32_t>(m_passesBefore + m_passes.size() - 1),
                m_run.profile(), step.cut.changed);
@@ -121,13 +117,8 @@ ProfilePatch LatheSimulation::patchAt(const SimulationInput& input) const {
 
 void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   takeCommands(inputs);
-  m_recording.dt = dt;
-  if (!m_recording.isFull()) {
-    for (const LatheCommand& command : m_commands) m_recording.entries.push_back({m_recording.steps, command});
-  }
-  ++m_recording.steps;
   const LatheStep step = m_run.step(dt, m_commands);
-  record(step);
+  record(step, dt);
   m_changed.extend(step.cut.changed);
   const LatheMachine& machine = m_run.machine();
   m_now.isCut = m_now.isCut || !step.cut.isEmpty() || step.cutsThread();
@@ -135,7 +126,7 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   m_now.load = m_run.load();
   m_now.isHeld = step.isHeld;
   m_now.removed += step.cut.volume;
-  m_now.isFull = m_recording.isFull() || (!m_passes.empty() && m_passes.back().path.size() >= TurningPass::kMostPoints);
+  m_now.isFull = !m_passes.empty() && m_passes.back().path.size() >= TurningPass::kMostPoints;
   m_now.machine = machine.state();
   m_now.tool = m_run.tool();
   m_now.quillTip = machine.quillTip();
@@ -145,6 +136,7 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   patch.velocity = (patch.tip - m_now.tip) / dt;
   patch.time = inputs.empty() ? 0.0 : inputs.back().tip.time;
   patch.cut = m_now.load.cut;
+  patch.passive = m_now.load.passive;
   patch.press = m_now.load.press;
   if (!patch.press.isZero(0.0)) patch.rub = m_now.load.forces.cutting;
   patch.wear = machine.setup().wear;

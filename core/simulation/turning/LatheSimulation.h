@@ -5,7 +5,7 @@
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPass.h"
 #include "machining/finish/FinishMeter.h"
-#include "machining/lathe/LatheRecording.h"
+#include "machining/lathe/LatheRun.h"
 #include "simulation/Simulation.h"
 #include "simulation/turning/TurningContact.h"
 
@@ -17,6 +17,7 @@ struct LathePatch {
   ProfilePoint velocity{0.0, 0.0};  // mm/s
   double time = 0.0;                // s, of the input that it follows
   CutConditions cut;                // of no depth: nothing is cut
+  ProfilePoint passive{1.0, 0.0};   // the way of its radial force on the tool, as in LatheLoad
   ProfilePoint press{0.0, 0.0};     // N, on what grinds, in (r, z)
   double rub = 0.0;                 // N, on it along the way of the surface
   double wear = 0.0;                // mm, of the flank
@@ -71,12 +72,11 @@ class LatheSimulation : public Simulation {
   // Shows all that was cut so far, to be called after the last step.
   void finish();
   const std::vector<TurningPass>& passes() const { return m_passes; }
-  const LatheRecording& recording() const { return m_recording; }
   const LatheRun& run() const { return m_run; }
 
  private:
   void takeCommands(std::span<const SimulationInput> inputs);
-  void record(const LatheStep& step);
+  void record(const LatheStep& step, double dt);
   ProfilePatch patchAt(const SimulationInput& input) const;
   TurnedProfile::Range samplesBeside(const LatheStep& step) const;
   void publish();
@@ -85,7 +85,6 @@ class LatheSimulation : public Simulation {
   TurnedSurface m_surface;
   double m_base;
   std::shared_ptr<LatheChannel> m_channel;
-  LatheRecording m_recording;
   std::vector<LatheCommand> m_commands;
   std::vector<TurningPass> m_passes;
   FinishMeter m_finish;

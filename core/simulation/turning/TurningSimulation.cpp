@@ -16,14 +16,22 @@ ProfilePoint toolAt(const SimulationInput& input, double base) {
 }  // namespace
 
 TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surface, TurningPass blank, double base,
-                                     std::shared_ptr<TurningChannel> channel, std::size_t mostPoints)
+                                     std::shared_ptr<TurningChannel> channel, std::size_t mostPoints,
+                                     TurningFinish finish)
     : m_state(std::make_shared<const TurningState>(profile, std::move(surface))),
       m_profile(std::move(profile)),
       m_pass(std::move(blank)),
       m_base(base),
       m_channel(std::move(channel)),
       m_mostPoints(mostPoints),
-      m_number(++m_channel->simulations) {}
+      m_finish(m_profile, std::move(finish.before)),
+      m_passNumber(finish.pass),
+      m_speed(finish.speed),
+      m_number(++m_channel->simulations) {
+  auto state = std::make_shared<TurningState>(*m_state);
+  state->finish = m_finish.finish();
+  m_state = std::move(state);
+}
 
 void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   TurnedProfile::Range changed;
@@ -31,6 +39,7 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   if (!changed.isEmpty() || isFull() != m_state->isFull) {
     auto state = std::make_shared<TurningState>(m_profile, m_state->surface);
     state->surface.update(m_profile, changed);
+    state->finish = m_finish.finish();
     state->isCut = m_state->isCut || !changed.isEmpty();
     state->isFull = isFull();
     m_state = std::move(state);
@@ -50,7 +59,10 @@ TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {
   if (m_pass.path.empty()) m_begin = input.tip.time;
   m_pass.times.push_back(std::max(input.tip.time - m_begin, m_pass.times.empty() ? 0.0 : m_pass.times.back()));
   m_pass.path.push_back(place);
-  return cut(m_profile, m_pass, from, place);
+  if (m_speed > 0.0) m_pass.speeds.push_back(m_speed);
+  const TurnedProfile::Range changed = cut(m_profile, m_pass, from, place);
+  m_finish.add(m_pass, m_pass.path.size() - 1, m_passNumber, m_profile, changed);
+  return changed;
 }
 
 }  // namespace handwheel

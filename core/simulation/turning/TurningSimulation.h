@@ -4,6 +4,7 @@
 
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPass.h"
+#include "machining/finish/FinishMeter.h"
 #include "simulation/turning/TurningForce.h"
 
 namespace handwheel {
@@ -13,8 +14,16 @@ struct TurningState : SimulationState {
   TurningState(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
   TurnedProfile profile;
   TurnedSurface surface;
-  bool isCut = false;   // since the simulation began
-  bool isFull = false;  // the pass has as many points as one can have: nothing more is cut
+  SurfaceFinish finish;  // of the profile
+  bool isCut = false;    // since the simulation began
+  bool isFull = false;   // the pass has as many points as one can have: nothing more is cut
+};
+
+// What the finish of a pass begins with.
+struct TurningFinish {
+  SurfaceFinish before = SurfaceFinish();  // of the part
+  std::uint32_t pass = 0;                  // its number in the part
+  double speed = 0.0;                      // r/min of the spindle; 0: not known
 };
 
 // The simulation of turning: the profile loses what the tool passes in a gesture, which is one pass.
@@ -23,7 +32,8 @@ class TurningSimulation : public Simulation {
   // blank: a pass without points, which says what cuts. base: mm, z of the part's lower end in the scene. mostPoints:
   // of the pass.
   TurningSimulation(TurnedProfile profile, TurnedSurface surface, TurningPass blank, double base,
-                    std::shared_ptr<TurningChannel> channel, std::size_t mostPoints = TurningPass::kMostPoints);
+                    std::shared_ptr<TurningChannel> channel, std::size_t mostPoints = TurningPass::kMostPoints,
+                    TurningFinish finish = {});
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
@@ -40,8 +50,11 @@ class TurningSimulation : public Simulation {
   double m_base;
   std::shared_ptr<TurningChannel> m_channel;
   std::size_t m_mostPoints;
-  std::uint32_t m_number;  // in the channel
-  double m_begin = 0.0;    // s, of the first point of the pass
+  FinishMeter m_finish;
+  std::uint32_t m_passNumber;  // in the part
+  double m_speed;              // r/min; 0: not known
+  std::uint32_t m_number;      // in the channel
+  double m_begin = 0.0;        // s, of the first point of the pass
 };
 
 }  // namespace handwheel

@@ -3,10 +3,10 @@
 #include "tools/workpiece/ManualLatheTool.h"
 
 #include "document/workpiece/TurnedPartDisplay.h"
+#include "tools/workpiece/AxisPlane.h"
 #include "tools/workpiece/LatheChips.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 namespace handwheel {
@@ -15,27 +15,17 @@ namespace {
 
 using LatheKind = LatheCommand::Kind;
 
-// The plane through the axis that faces the viewer; seen along the axis there is none. The tool is on the side of +x.
-std::optional<Vec3> inPlaneOfAxis(const Ray& ray) {
-  const Vec3 across(ray.direction.x(), ray.direction.y(), 0.0);
-  if (!(across.norm() > 1e-3)) return std::nullopt;
-  const Vec3 normal = across.normalized();
-  const double distance = -ray.origin.dot(normal) / ray.direction.dot(normal);
-  if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
-  const Vec3 place = ray.origin + distance * ray.direction;
-  const double r = std::hypot(place.x(), place.y());
-  return Vec3(place.x() < 0.0 ? -r : r, 0.0, place.z());
+// The tool is on the side of +x.
+std::optional<Vec3> inPlaneOfTool(const Ray& ray) {
+  const std::optional<Vec3> place = placeInAxisPlane(ray);
+  if (!place) return std::nullopt;
+  const double r = std::hypot(place->x(), place->y());
+  return Vec3(place->x() < 0.0 ? -r : r, 0.0, place->z());
 }
 
 std::shared_ptr<const LatheMaterial> materialCalled(const std::string& name, ForceLaw law, const LatheTools& tools) {
   const WorkMaterials& materials = WorkMaterials::standard();
   return std::make_shared<const LatheMaterial>(latheMaterial(materials.called(name), law, tools));
-}
-
-QString passesText(std::size_t count, double removed) {
-  const QLocale locale;
-  return QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
-      .arg(locale.toString(count), locale.toString(removed, 'f', removed < 10.0 ? 2 : 0));
 }
 
 }  // namespace
@@ -49,7 +39,6 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_materialName(document.workpiece().material),
       m_material(materialCalled(m_materialName, law, m_tools)),
       m_part(document.workpiece().part),
-      m_crashesBefore(m_part ? m_part->crashes : nullptr),
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {
   showLathe(setup());
   m_places.note(m_part, moment()->machine);
@@ -59,8 +48,8 @@ std::unique_ptr<Simulation> ManualLatheTool::simulation() const {
   TurnedPart part = m_present.of(m_document.workpiece());
   const LatheSetup lathe = setup();
   const LatheState state = m_machine.value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
-  return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material), part.surface,
-                                           base(), m_channel, part.finish, part.passes.size());
+  return std::make_unique<LatheSimulation>(LatheRun(lathe, m_tools, part.profile, state, m_material, part.threads()),
+                                           part.surface, base(), m_channel, part.finish, part.passes.size());
 }
 
 void ManualLatheTool::renewMaterial() {
@@ -140,70 +129,6 @@ bool ManualLatheTool::setUp(const LatheSetup& lathe, const QString& text) {
   return true;
 }
 
-// Ends the simulation, and goes on with the lathe as it leaves it.
-std::unique_ptr<LatheSimulation> ManualLatheTool::endSimulation() {
-  std::unique_ptr<LatheSimulation> ended(static_cast<LatheSimulation*>(m_gesture.end().release()));
-  ended->finish();
-  const auto last = std::static_pointer_cast<const LatheMoment>(ended->state());
-  m_machine = last->machine;
-  m_collisions.insert(m_collisions.end(), last->collisions->begin(), last->collisions->end());
-  m_warnings.insert(m_warnings.end(), last->warnings->begin(), last->warnings->end());
-  return ended;
-}
-
-bool ManualLatheTool::endPass(bool isAtOnce) {
-  m_gesture.rethrow();
-  const auto now = moment();
-  const bool isDue = isAtOnce || now->isFull || now->sinceCut >= kIdle;
-  if (!now->isCut || m_isDragging || !isDue) return false;
-  const std::unique_ptr<LatheSimulation> lathe = endSimulation();
-  const auto last = std::static_pointer_cast<const LatheMoment>(lathe->state());
-  TurnedPart part = m_present.of(m_document.workpiece());
-  part.profile = last->profile;
-  part.surface = last->surface;
-  part.finish = last->finish;
-  for (const TurningPass& pass : lathe->passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
-  if (!m_collisions.empty()) part.crashes = recordedCrashes();
-  const QString text = passesText(part.passes.size(), last->removed);
-  m_isCommitting = true;
-  m_document.commit(text, std::make_unique<TurnedPartEdit>(std::make_shared<const TurnedPart>(std::move(part))));
-  m_isCommitting = false;
-  m_part = m_document.workpiece().part;
-  m_places.note(m_part, *m_machine);
-  m_gesture.restart();
-  return true;
-}
-
-// Those that the part had already, and all since: what is undone takes none back.
-std::shared_ptr<const std::vector<LatheCollision>> ManualLatheTool::recordedCrashes() const {
-  auto all = m_crashesBefore ? std::make_shared<std::vector<LatheCollision>>(*m_crashesBefore)
-                             : std::make_shared<std::vector<LatheCollision>>();
-  all->insert(all->end(), m_collisions.begin(), m_collisions.end());
-  return all;
-}
-
-// With another part, as by undo, the lathe is where it had made that one, and at rest: elsewhere its tool may be in
-// material that comes back. What was cut and is not in the document yet is dropped.
-void ManualLatheTool::documentChanged() {
-  if (m_isCommitting) return;
-  m_isDragging = false;
-  renewMaterial();
-  const LatheSetup lathe = setup();
-  showLathe(lathe);
-  const bool isDropped = moment()->isCut;
-  endSimulation();
-  const auto before = std::exchange(m_part, m_document.workpiece().part);
-  const bool isSame = before == m_part || (before && m_part && before->profile == m_part->profile);
-  if (!isSame || isDropped) {
-    LatheState place = m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
-    place.time = m_machine->time;
-    LatheMachine rested(lathe, place);
-    rested.stop();
-    m_machine = rested.state();
-  }
-  m_gesture.restart();
-}
-
 void ManualLatheTool::showLathe(const LatheSetup& lathe) {
   if (m_displayed && *m_displayed == lathe) return;
   m_displayed = std::make_shared<const LatheSetup>(lathe);
@@ -214,7 +139,7 @@ void ManualLatheTool::showLathe(const LatheSetup& lathe) {
 
 std::optional<Vec3> ManualLatheTool::placeOf(const PointerEvent& event) const {
   if (event.device) return Vec3(event.device->translation());
-  return inPlaneOfAxis(event.ray);
+  return inPlaneOfTool(event.ray);
 }
 
 // The tool is taken where it is: it follows the mouse from there.

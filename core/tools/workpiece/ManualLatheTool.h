@@ -16,8 +16,8 @@ namespace handwheel {
 
 // Tool that works a part on a manual lathe. Keys and commands turn the handwheels and work the levers; the mouse drags
 // the tool in the plane through the axis, a haptic device holds it. What is cut until the tool has been clear for
-// kIdle is one undo step; undo stops the lathe and takes its tool back, too. A crash stops the lathe, is listed, and
-// recorded in the part that is cut next.
+// kIdle, or the tool ends, is one undo step; undo stops the lathe and takes its tool back, too. A crash stops the
+// lathe, is listed, and recorded in the document at once; no undo takes it back.
 class ManualLatheTool : public Tool {
  public:
   static constexpr double kRate = 500.0;  // steps of the simulation a second
@@ -59,9 +59,10 @@ class ManualLatheTool : public Tool {
   std::optional<MountRefusal> mount(std::size_t station, const std::string& id);
   // Sets the lathe up anew; one undo step. False: such a setup is impossible, and nothing was changed.
   bool setUp(const LatheSetup& setup, const QString& text);
-  // Ends the pass if the tool has been clear for kIdle, or at once. Returns whether there was one. To be called now and
-  // then.
+  // Records crashes, and ends the pass if the tool has been clear for kIdle, or at once. Returns whether there was one.
+  // To be called as soon as hasToCommit() says so.
   bool endPass(bool isAtOnce = false);
+  bool hasToCommit() const;
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "lathe"; }
@@ -74,6 +75,7 @@ class ManualLatheTool : public Tool {
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
   bool remembersSettings() const override { return false; }
+  void settle() override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
@@ -86,7 +88,9 @@ class ManualLatheTool : public Tool {
   ToolReply press(const PointerEvent& event);
   ToolReply release(bool isDevice);
   std::unique_ptr<LatheSimulation> endSimulation();
-  std::shared_ptr<const std::vector<LatheCollision>> recordedCrashes() const;
+  bool isDue(const LatheMoment& now) const;
+  void commitPasses(const LatheSimulation& lathe);
+  void recordCrashes(const LatheMoment& moment);
   void showLathe(const LatheSetup& setup);
 
   WorkpieceDocument& m_document;
@@ -98,10 +102,10 @@ class ManualLatheTool : public Tool {
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
   std::shared_ptr<const TurnedPart> m_part;  // of the document; null: nothing was cut yet
   LathePlaces m_places;
-  std::optional<LatheState> m_machine;  // with which the next simulation begins; none: at the beginning
-  std::shared_ptr<const std::vector<LatheCollision>> m_crashesBefore;  // of the part when the tool began; may be null
-  std::vector<LatheCollision> m_collisions;                            // of simulations before
-  std::vector<LatheWarning> m_warnings;                                // likewise
+  std::optional<LatheState> m_machine;       // with which the next simulation begins; none: at the beginning
+  std::vector<LatheCollision> m_collisions;  // of simulations before
+  std::vector<LatheWarning> m_warnings;      // likewise
+  std::size_t m_recorded = 0;                // crashes of this simulation that the document has
   bool m_isCommitting = false;
   bool m_isDragging = false;  // by the mouse
   bool m_isRapid = false;     // an action began a power traverse

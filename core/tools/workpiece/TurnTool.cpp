@@ -4,8 +4,8 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
-#include "machining/finish/FinishMeter.h"
 #include "tools/ToolProperty.h"
+#include "tools/workpiece/AxisPlane.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -31,17 +31,6 @@ std::vector<Vec3> noseOutline(const Vec3& centre, double radius) {
     line.push_back(centre + radius * (std::cos(angle) * outward + std::sin(angle) * Vec3::UnitZ()));
   }
   return line;
-}
-
-// The plane contains the axis and faces the viewer as far as it can; seen along the axis there is none.
-std::optional<Vec3> placeOfMouse(const Ray& ray) {
-  const Vec3 across(ray.direction.x(), ray.direction.y(), 0.0);
-  const double facing = across.norm();
-  if (!(facing > 1e-3)) return std::nullopt;
-  const Vec3 normal = across / facing;
-  const double distance = -ray.origin.dot(normal) / ray.direction.dot(normal);
-  if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
-  return Vec3(ray.origin + distance * ray.direction);
 }
 
 // mm. Of an uncut bar the radius is that of the bar.
@@ -85,7 +74,10 @@ std::unique_ptr<Simulation> TurnTool::simulation() const {
   blank.side = m_tool.side;
   blank.method = m_start.method;
   blank.resolution = m_start.resolution;
-  return std::make_unique<TurningSimulation>(part.profile, part.surface, std::move(blank), base(), m_channel);
+  TurningFinish finish{part.finish, static_cast<std::uint32_t>(part.passes.size()),
+                       latheOf(m_document.workpiece()).spindle.speed};
+  return std::make_unique<TurningSimulation>(part.profile, part.surface, std::move(blank), base(), m_channel,
+                                             TurningPass::kMostPoints, std::move(finish));
 }
 
 std::shared_ptr<const TurningState> TurnTool::state() const {
@@ -94,7 +86,7 @@ std::shared_ptr<const TurningState> TurnTool::state() const {
 
 std::optional<Vec3> TurnTool::placeOf(const PointerEvent& event) const {
   if (event.device) return event.proxy ? *event.proxy : Vec3(event.device->translation());
-  const std::optional<Vec3> place = placeOfMouse(event.ray);
+  const std::optional<Vec3> place = placeInAxisPlane(event.ray);
   if (!place) return std::nullopt;
   return Vec3(*place + (m_gesture.isOn() ? m_lift : wayOut(*place)));
 }
@@ -116,7 +108,7 @@ ToolReply TurnTool::press(const PointerEvent& event) {
   if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
   const std::optional<Vec3> place = placeOf(event);
   if (!place) return ToolReply::Ignored;
-  if (!event.device) m_lift = *place - *placeOfMouse(event.ray);
+  if (!event.device) m_lift = *place - *placeInAxisPlane(event.ray);
   m_gesture.begin(event.device.has_value());
   m_place = place;
   if (!event.device) m_gesture.feed(*place, event.time);
@@ -157,14 +149,10 @@ ToolReply TurnTool::release() {
   }
   TurnedPart before = m_present.of(m_document.workpiece());
   const double removed = before.profile.volume() - cut->profile.volume();
-  TurningPass pass = static_cast<const TurningSimulation&>(*ended).pass();
-  pass.speeds.assign(pass.path.size(), latheOf(m_document.workpiece()).spindle.speed);
-  FinishMeter meter(before.profile, before.finish);
-  handwheel::cut(before.profile, pass, static_cast<std::uint32_t>(before.passes.size()), meter);
   auto passes = std::move(before.passes);
-  passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
   auto turned = std::make_shared<const TurnedPart>(
-      TurnedPart{cut->profile, cut->surface, std::move(passes), before.crashes, meter.finish()});
+      TurnedPart{cut->profile, cut->surface, std::move(passes), before.crashes, cut->finish});
   const QString text = passText(*turned, removed);
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;
@@ -207,7 +195,7 @@ ToolPreview TurnTool::preview() const {
   if (const auto now = state(); now != m_shownState) {
     m_shownState = now;
     DisplayModel model = displayOf(now->surface, base());
-    if (const auto& part = m_document.workpiece().part) showFinish(model, now->profile, part->finish);
+    if (now->isCut || m_document.workpiece().part) showFinish(model, now->profile, now->finish);
     m_shown = std::make_shared<const DisplayModel>(std::move(model));
   }
   preview.label = label();

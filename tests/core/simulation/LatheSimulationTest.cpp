@@ -71,6 +71,21 @@ struct LatheBench {
     send(LatheDo::Feed, -0.2);
     run(8.0);
   }
+  // Turns the end down and cuts in with the parting tool.
+  std::unique_ptr<Simulation> workWithTwoTools() {
+    turnDown();
+    send(LatheDo::Feed, 0.0);
+    send(LatheDo::Place, 30.0, 110.0);
+    run(1.0);
+    send(LatheDo::Tool, 3.0);  // parting
+    send(LatheDo::Place, 21.0, 60.0);
+    run(2.0);
+    send(LatheDo::Feed, -0.05, 0.0, LatheAxis::Cross);
+    run(5.0);
+    auto taken = loop.take();
+    static_cast<LatheSimulation&>(*taken).finish();
+    return taken;
+  }
   const LatheMoment& moment() { return static_cast<const LatheMoment&>(*(m_held = loop.state())); }
 
  private:
@@ -83,21 +98,12 @@ class LatheSimulationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The part after the live run, after its passes, and after its recording is the same, bit for bit.
+  // The part after the live run, after its passes, and after the same commands at another lathe is the same, bit for
+  // bit.
   void repeatedBitForBit() {
-    LatheBench bench;
-    bench.turnDown();
-    bench.send(LatheDo::Feed, 0.0);
-    bench.send(LatheDo::Place, 30.0, 110.0);
-    bench.run(1.0);
-    bench.send(LatheDo::Tool, 3.0);  // parting
-    bench.send(LatheDo::Place, 21.0, 60.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Feed, -0.05, 0.0, LatheAxis::Cross);
-    bench.run(5.0);
-    const auto taken = bench.loop.take();
-    auto& lathe = static_cast<LatheSimulation&>(*taken);
-    lathe.finish();
+    LatheBench bench, other;
+    const auto taken = bench.workWithTwoTools(), again = other.workWithTwoTools();
+    const auto& lathe = static_cast<const LatheSimulation&>(*taken);
     const auto& last = static_cast<const LatheMoment&>(*lathe.state());
     QVERIFY(last.isCut && last.collisions->empty());
     QVERIFY(last.profile == lathe.run().profile());
@@ -108,9 +114,9 @@ class LatheSimulationTest : public QObject {
       cut(byPasses, pass);
     }
     QVERIFY(byPasses == last.profile);
-    const LatheRun again = replay(lathe.recording(), bench.tools);
-    QVERIFY(again.profile() == last.profile);
-    QVERIFY(again.machine().state() == lathe.run().machine().state());
+    const LatheRun& same = static_cast<const LatheSimulation&>(*again).run();
+    QVERIFY(same.profile() == last.profile);
+    QVERIFY(same.machine().state() == lathe.run().machine().state());
     // The volume that was counted is that of the parts.
     QVERIFY(std::abs((bench.rod.volume() - last.profile.volume()) / last.removed - 1.0) < 0.005);
   }
@@ -282,6 +288,63 @@ class LatheSimulationTest : public QObject {
     QVERIFY(load.torque > 0.0 && load.power > 0.0);
     bench.run(5.0);  // ground away: less and less is left under it
     QVERIFY(felt().x() < 0.5 * deep.x());
+  }
+
+  // The radial force is across the way of the edge, out of the material: in a bore towards the axis, facing along it.
+  void thePassiveForce_data() {
+    QTest::addColumn<QString>("tool");
+    QTest::addColumn<ProfilePoint>("beside");
+    QTest::addColumn<int>("axis");
+    QTest::addColumn<ProfilePoint>("way");
+    QTest::addColumn<ProfilePoint>("passive");
+    const ProfilePoint toChuck(0.0, -1.0), in(-1.0, 0.0), none(0.0, 0.0);
+    QTest::newRow("outside") << "right-roughing" << ProfilePoint(19.0, 102.0) << 0 << toChuck << ProfilePoint(1, 0);
+    QTest::newRow("bore") << "boring-12" << ProfilePoint(11.0, 102.0) << 0 << toChuck << ProfilePoint(-1, 0);
+    QTest::newRow("face") << "facing" << ProfilePoint(21.0, 99.0) << 1 << in << ProfilePoint(0, 1);
+    QTest::newRow("plunge") << "parting-3" << ProfilePoint(21.0, 60.0) << 1 << in << none;
+  }
+  void thePassiveForce() {
+    QFETCH(QString, tool);
+    QFETCH(ProfilePoint, beside);
+    QFETCH(int, axis);
+    QFETCH(ProfilePoint, way);
+    QFETCH(ProfilePoint, passive);
+    LatheBench bench;
+    LatheSetup setup = bench.setup;
+    setup.stations[0].tool = tool.toStdString();
+    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    const std::vector<double> outer(bench.rod.size(), 20.0), inner(bench.rod.size(), 10.0);
+    const TurnedProfile tube = TurnedProfile::fromRadii(outer, inner, kRod.length);
+    bench.loop.replace(std::make_unique<LatheSimulation>(
+        LatheRun(setup, bench.tools, tube, LatheMachine::initialState(setup, kRod), bench.material),
+        TurnedSurface(tube, 0.05), kLower, bench.channel));
+    bench.send(LatheDo::Spindle, 1.0);
+    if (beside.x() < 20.0) bench.send(LatheDo::Place, beside.x(), 110.0);
+    bench.run(2.0);
+    bench.send(LatheDo::Place, beside.x(), beside.y());
+    bench.run(2.0);
+    bench.send(LatheDo::Feed, -0.1, 0.0, axis == 1 ? LatheAxis::Cross : LatheAxis::Carriage);
+    bench.run(4.0);  // 40 turns, 4 mm
+    QVERIFY(bench.moment().collisions->empty());
+    const LatheLoad load = bench.moment().load;
+    QVERIFY(load.isCutting && load.forces.radial > 10.0);
+    QVERIFY((load.passive - passive).norm() < 1e-9);
+    bench.channel->inputs->setDeviceGesture(1);
+    LatheTouch touch;
+    touch.mostForce = 100.0;
+    LatheForce force(bench.channel, bench.material, touch, kLower);
+    const LathePatch patch = bench.channel->patch.read();
+    TipState tip;
+    tip.isRestart = false;
+    tip.buttons = 1u;
+    tip.position = Vec3(patch.tip.x(), 0.0, patch.tip.y() + kLower);
+    ForceOut out;
+    force.advance(tip, out);
+    const Vec3 felt = force.force(tip, 1.0, 1.0);
+    const ProfilePoint expected = load.forces.radial * passive - load.forces.feed * way;
+    QVERIFY2((ProfilePoint(felt.x(), felt.z()) - touch.forceShare * expected).norm() < 1e-3 * touch.forceShare * 100.0,
+             qPrintable(QString("%1 %2").arg(felt.x()).arg(felt.z())));
+    QVERIFY(felt.y() > 0.0);
   }
 
   // A free slide resists by friction and drag, against the hand; the work plane has none.

@@ -75,6 +75,30 @@ class TurningSimulationTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // It is followed while it is made, and who repeats the pass finds the same, bit for bit.
+  void theFinishOfThePass() {
+    const TurnedProfile bar(kBar, 0.1);
+    auto channel = std::make_shared<TurningChannel>();
+    TurningSimulation simulation(bar, TurnedSurface(bar, 0.05), blank(), kBase, channel, TurningPass::kMostPoints,
+                                 {SurfaceFinish(bar.size()), 5, 600.0});
+    for (int i = 0; i < 2000; ++i) {
+      SimulationInput input;
+      input.gesture = 1;
+      input.tip.time = 0.004 * i;  // s
+      input.proxy = Vec3(19.0 + kNose, 0.0, kBase + 105.0 - 0.008 * i);
+      simulation.step(0.004, std::span(&input, 1));
+    }
+    const auto& state = static_cast<const TurningState&>(*simulation.state());
+    const FinishMark mark = state.finish.at(TurningSide::Outside, 950);
+    QCOMPARE(mark.pass, 5u);
+    QVERIFY(std::abs(mark.roughness / (1e3 * 0.04 / (32.0 * kNose)) - 1.0) < 0.01);  // 2 mm/s: 0.2 mm in a turn
+    TurnedProfile again = bar;
+    FinishMeter meter(bar, SurfaceFinish(bar.size()));
+    cut(again, simulation.pass(), 5, meter);
+    QVERIFY(again == state.profile);
+    QVERIFY(meter.finish() == state.finish);
+  }
+
   // From any side: nothing beside the bar, k times the depth of the hand against it.
   void anUncutBarIsFelt_data() {
     QTest::addColumn<double>("angle");

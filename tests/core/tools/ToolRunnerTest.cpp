@@ -31,6 +31,8 @@ class ToolRunnerTest : public QObject {
   void theDocumentGoesDuringACall();
   void stopsItselfDuringACall();
   void aNewToolTakesItsPlace();
+  void settlesBeforeItEnds();
+  void whatFailsIsNotSettled();
   void jobsAreProtected();
 
  private:
@@ -52,6 +54,7 @@ class Probe : public Tool {
     std::vector<std::string> calls;
     std::function<ToolReply()> onPointer = [] { return ToolReply::Used; };
     std::function<void()> onChange = [] {};
+    std::function<void()> onSettle = [] {};
     bool isEnabled = true;
     bool isGone = false;
     Tool* tool = nullptr;
@@ -81,6 +84,7 @@ class Probe : public Tool {
     m_notes.calls.push_back("changed");
     m_notes.onChange();
   }
+  void settle() override { m_notes.onSettle(); }
   void tell() { reportUpdated(); }
 
  private:
@@ -250,6 +254,57 @@ void ToolRunnerTest::aNewToolTakesItsPlace() {
   QCOMPARE(second.calls, std::vector<std::string>{"changed"});
   m_document.reset();
   QVERIFY(!second.isGone);
+}
+
+// However it ends, while its document lives; and whenever the document asks for it.
+void ToolRunnerTest::settlesBeforeItEnds() {
+  ToolRunner runner;
+  Probe::Notes notes, other;
+  int settled = 0;
+  notes.onSettle = [&] {
+    if (notes.isGone) qFatal("The tool went before it could settle.");
+    if (settled++ == 0) edit(*m_document, 5);
+  };
+  runner.start(std::make_unique<Probe>(notes), *m_document);
+  m_document->settle();
+  QCOMPARE(settled, 1);
+  QVERIFY(!m_document->mesh().isLive(5) && runner.tool());
+  runner.start(std::make_unique<Probe>(other), *m_document);
+  QCOMPARE(settled, 2);
+  QVERIFY(notes.isGone);
+  m_document->settle();
+  QCOMPARE(settled, 2);
+  notes.isGone = false;
+  runner.start(std::make_unique<Probe>(notes), *m_document);
+  QCOMPARE(runner.perform("commit"), ToolReply::Finished);
+  QCOMPARE(settled, 3);
+  notes.isGone = false;
+  runner.start(std::make_unique<Probe>(notes), *m_document);
+  m_document.reset();
+  QVERIFY(notes.isGone);
+  QCOMPARE(settled, 3);
+}
+
+void ToolRunnerTest::whatFailsIsNotSettled() {
+  ToolRunner runner;
+  QSignalSpy failed(&runner, &ToolRunner::failed);
+  Probe::Notes notes;
+  int settled = 0;
+  notes.onSettle = [&] { ++settled; };
+  notes.onPointer = []() -> ToolReply { throw std::runtime_error("now"); };
+  runner.start(std::make_unique<Probe>(notes), *m_document);
+  runner.pointer({});
+  QCOMPARE(settled, 0);
+  notes.isGone = false;
+  notes.onSettle = [&] {
+    edit(*m_document, 6);
+    throw std::runtime_error("full");
+  };
+  runner.start(std::make_unique<Probe>(notes), *m_document);
+  runner.stop();
+  QVERIFY(notes.isGone && !runner.tool());
+  QCOMPARE(failed.count(), 2);
+  QVERIFY(m_document->mesh().isLive(6));
 }
 
 void ToolRunnerTest::jobsAreProtected() {

@@ -172,9 +172,9 @@ const std::vector<FigureType>& turningFigureTypes() {
 
 MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress)
     : m_task(task), m_profile(partOf(workpiece, turnSpacingSetting().standard).profile) {
+  m_crashes = allCrashes(workpiece);
   if (workpiece.part) {
     for (const auto& pass : workpiece.part->passes) m_passes.push_back(pass);
-    m_crashes = workpiece.part->crashes;
     m_threads = workpiece.part->threads();
     m_finish = workpiece.part->finish;
   }

@@ -244,6 +244,9 @@ class TurningExerciseTest : public QObject {
     QCOMPARE(marking.find("crash")->points, 2.0);  // one of two that cost all
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, work, {});
     QVERIFY(details.events.size() == 1 && details.events[0].text.inEnglish().find("at rest") != std::string::npos);
+    // Those of the document, which no undo takes back, count with those of its passes.
+    work.crashes = part.crashes;
+    QCOMPARE(markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}}).find("crash")->points, 0.0);
   }
 
   // Air passes until nobody can review them must not hide a part that they did not cut.

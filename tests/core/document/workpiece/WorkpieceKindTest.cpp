@@ -28,6 +28,7 @@ class WorkpieceKindTest : public QObject {
  private slots:
   void savedIsLoaded();
   void containerOnDisk();
+  void crashesAreKept();
   void hostileManifest_data();
   void hostileManifest();
   void stepIsAValidSolid();
@@ -114,6 +115,26 @@ void WorkpieceKindTest::containerOnDisk() {
   QVERIFY(opened->file.damage.empty());
   QCOMPARE(opened->file.id, document->file().id);
   QVERIFY(same(valueOf(opened->content), valueOf(document->snapshot())));
+}
+
+// Also of a bar that was not cut; and whoever reads the file has those of the passes besides.
+void WorkpieceKindTest::crashesAreKept() {
+  WorkpieceSnapshot value = workpiece({40.0, 100.0, 0.0});
+  LatheCollision crash;
+  crash.cause = CrashCause::SpindleAtRest;
+  crash.place = {20.0, 80.0};
+  crash.tool = "facing";
+  value.crashes = std::make_shared<const std::vector<LatheCollision>>(std::vector{crash, crash});
+  Container container;
+  m_kind.save(value, container);
+  std::vector<Error> damage;
+  const Result<SnapshotPointer> loaded = m_kind.load(container, damage, {});
+  QVERIFY(loaded.hasValue() && damage.empty());
+  QVERIFY(valueOf(*loaded).crashes && *valueOf(*loaded).crashes == *value.crashes);
+  QVERIFY(!valueOf(*loaded).part);
+  (*container.manifest)["document"]["crashes"] = json::array({3, {{"cause", "bad luck"}}});
+  const Result<SnapshotPointer> hostile = m_kind.load(container, damage, {});
+  QVERIFY(hostile.hasValue() && !valueOf(*hostile).crashes);
 }
 
 void WorkpieceKindTest::hostileManifest_data() {

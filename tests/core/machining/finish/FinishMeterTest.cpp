@@ -209,6 +209,34 @@ class FinishMeterTest : public QObject {
     QCOMPARE(meter.finish().at(kOutside, 100).roughness, FinishMark::kUnknown);
   }
 
+  // Turned, and wound back at the same X by a tool that takes 0.3 µm of what has sprung back: touched, and no more.
+  // What a light cut takes in moves of which each takes less than that is cut all the same.
+  void whatSpringsBackIsTouched() {
+    for (const bool isOnePass : {true, false}) {
+      FollowedPart part;
+      TurningPass there = along(18.0, 105.0, 55.0, 0.1, 0.8, 5000);
+      TurningPass back = along(18.0 - 3e-4, 55.0, 105.0, 8.0, 0.8, 500);
+      if (isOnePass) {
+        for (std::size_t i = 0; i < back.path.size(); ++i) {
+          there.path.push_back(back.path[i]);
+          there.times.push_back(there.times[5000] + back.times[i]);
+          there.speeds.push_back(600.0);
+        }
+        part.turn(there);
+      } else {
+        part.turn(there);
+        part.turn(back);
+      }
+      const FinishMark mark = part.at(80.0);
+      QVERIFY2(isNear(mark.roughness, 1e3 * 0.01 / (32.0 * 0.8), 0.01), qPrintable(QString::number(mark.roughness)));
+      QVERIFY(mark.pass == 0);
+      QVERIFY(part.profile.radius(1600) < 18.0 - 2e-4);  // it is gone all the same
+      part.turn(along(17.98, 105.0, 55.0, 0.2, 0.8, 100'000));
+      QVERIFY2(isNear(part.at(80.0).roughness, 1e3 * 0.04 / (32.0 * 0.8), 0.01),
+               qPrintable(QString::number(part.at(80.0).roughness)));
+    }
+  }
+
   // The finish of one that follows is the same, bit for bit, however the parts before were copied.
   void isDeterministic() {
     FollowedPart one, other;

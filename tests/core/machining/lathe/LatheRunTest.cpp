@@ -325,6 +325,22 @@ class LatheRunTest : public QObject {
     QVERIFY(std::abs(lathe.run.machine().tip().y() - (100.0 - 10.0 * 0.5)) < 0.8);
   }
 
+  // Two wheels at once no faster than one: the way of the tool counts, and what marks it agrees.
+  void twoHandsAreAsSlow() {
+    Lathe lathe;
+    lathe.spindle(600.0);
+    lathe.go(19.0, 101.0);
+    lathe.once({{CommandKind::Turn, LatheAxis::Carriage, -50.0}, {CommandKind::Turn, LatheAxis::Cross, -5.0}});
+    lathe.pass(0.5);
+    double fastest = 0.0;
+    for (int i = 0; i < 300; ++i) {
+      const LatheStep step = lathe.once();
+      if (!step.cut.isEmpty()) fastest = std::max(fastest, (step.to - step.from).norm() / step.turns);
+    }
+    QVERIFY2(std::abs(fastest - 0.5) < 1e-9, qPrintable(QString::number(fastest)));
+    QVERIFY(lathe.run.collisions().empty());
+  }
+
   // Paper takes off what it can, however hard it is pressed.
   void abrasivesGiveWay() {
     LatheSetup setup = Lathe::exactSetup();

@@ -93,6 +93,43 @@ class TurningReviewTest : public QObject {
     QVERIFY(reviewOf({along(22, 105, 50, 3.0)})->crashes().empty());  // in the air
   }
 
+  // What is wound back at the same X over a shaft that has sprung back by 0.3 µm is not rammed into anything; 3 µm are.
+  void touchingIsNoCrash() {
+    for (const double sprung : {3e-4, 3e-3}) {
+      TurningPass back = *along(18.0 - sprung, 50, 105, 8.0);
+      const auto review = reviewOf({along(18, 105, 50, 0.1), std::make_shared<const TurningPass>(std::move(back))});
+      QCOMPARE(review->crashes().size(), sprung > TurningPass::kTouch ? std::size_t{1} : std::size_t{0});
+      const auto finish = finishOf(*review, TurningSide::Outside, {60, 95});
+      QCOMPARE(std::isfinite(finish->roughness), sprung < TurningPass::kTouch);
+    }
+  }
+
+  // The largest feed itself is allowed, along any way; rounding and a path that gives way do not make it more.
+  void theLargestFeedIsAllowed() {
+    const auto into = [](double feed) {
+      TurningPass pass;
+      pass.noseRadius = 0.8;
+      for (int i = 0; i <= 3000; ++i) {
+        const double way = 0.002 * i;
+        pass.path.emplace_back(20.6 - way * std::sqrt(0.5), 80.0 - way * std::sqrt(0.5));
+        pass.times.push_back(way / (feed * 10.0));
+      }
+      return std::make_shared<const TurningPass>(pass);
+    };
+    QVERIFY(reviewOf({into(kLathe.largestFeed)})->crashes().empty());
+    QVERIFY(reviewOf({into(1.005 * kLathe.largestFeed)})->crashes().empty());
+    QCOMPARE(reviewOf({into(1.05 * kLathe.largestFeed)})->crashes().size(), std::size_t{1});
+  }
+
+  // Pushed into work that does not turn the tool crashes; it cuts no chip there whose force could be told.
+  void workAtRestIsNotCut() {
+    TurningPass pass = *along(18, 105, 50, 0.4);
+    pass.speeds.assign(pass.path.size(), 0.0);
+    const auto review = reviewOf({std::make_shared<const TurningPass>(pass)});
+    QCOMPARE(review->crashes().size(), std::size_t{1});
+    QVERIFY(review->moments().empty());
+  }
+
   // A steady hand whose points come in pairs, two at once, feeds by what it goes in a revolution.
   void feedOfAHand() {
     TurningPass pass;

@@ -3,6 +3,7 @@
 #include "tools/workpiece/ManualLatheTool.h"
 
 #include "TestClass.h"
+#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "machining/lathe/LatheJson.h"
 #include "tools/ToolRunner.h"
@@ -74,6 +75,17 @@ struct HandLathe {
     runner.deliver([&] { isEnded = tool->endPass(true); });
     return isEnded;
   }
+  // The edge is pushed into the bar, which does not turn.
+  bool crash() {
+    const std::size_t before = tool->collisions().size();
+    if (!wind(LatheAxis::Carriage, 60.0)) return false;
+    send(LatheCommand::Kind::Turn, -40.0, LatheAxis::Cross);
+    return QTest::qWaitFor([&] { return tool->collisions().size() > before; });
+  }
+  std::size_t crashes() const {
+    const auto& recorded = document.workpiece().crashes;
+    return recorded ? recorded->size() : 0;
+  }
   // As the window does it for Ctrl+Z.
   void undo() {
     if (runner.undo() == ToolReply::Ignored) document.history()->undo();
@@ -98,7 +110,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.document.history()->count(), 1);
     QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);  // the work gives way a little
     QCOMPARE(lathe.radiusAt(40.0), 25.0);
-    QVERIFY(!lathe.document.workpiece().part->crashes);
+    QVERIFY(!lathe.document.workpiece().crashes);
   }
 
   // So that the view has no triangles of the uncut bar to build again.
@@ -213,21 +225,77 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.radiusAt(60.0), 25.0);
   }
 
-  // A crash is in the part that is cut next, once, also after undo.
+  // A crash is in the document at once, and once, also after undo.
   void crashesAreRecordedOnce() {
     HandLathe lathe;
-    QVERIFY(lathe.wind(LatheAxis::Carriage, 60.0));
-    lathe.send(LatheCommand::Kind::Turn, -40.0, LatheAxis::Cross);  // the spindle does not turn
-    QVERIFY(QTest::qWaitFor([&] { return !lathe.tool->collisions().empty(); }));
+    QVERIFY(lathe.crash());
+    QVERIFY(lathe.tool->hasToCommit());
+    QVERIFY(!lathe.endPass());  // nothing was cut
+    QVERIFY(!lathe.tool->hasToCommit());
+    QVERIFY(lathe.document.isModified() && !lathe.document.workpiece().part);
+    QCOMPARE(lathe.document.history()->count(), 0);
     QVERIFY(lathe.wind(LatheAxis::Cross, 30.0));
     QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
     QCOMPARE(lathe.tool->collisions().size(), std::size_t{1});
-    QVERIFY(lathe.document.workpiece().part->crashes);
-    QCOMPARE(lathe.document.workpiece().part->crashes->size(), std::size_t{1});
+    QCOMPARE(lathe.crashes(), std::size_t{1});
     lathe.undo();
     QVERIFY(lathe.spin() && lathe.cutTo(24.0) && lathe.endPass());
-    QCOMPARE(lathe.document.workpiece().part->crashes->size(), std::size_t{1});
-    QVERIFY(lathe.document.workpiece().part->crashes->front().cause == CrashCause::SpindleAtRest);
+    QCOMPARE(lathe.crashes(), std::size_t{1});
+    QVERIFY(lathe.document.workpiece().crashes->front().cause == CrashCause::SpindleAtRest);
+  }
+
+  // Also one after the last pass that is in the document, and though all passes are taken back.
+  void undoTakesNoCrashBack() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
+    QVERIFY(lathe.wind(LatheAxis::Cross, 30.0));
+    lathe.runner.perform("revert");
+    QVERIFY(QTest::qWaitFor([&] { return lathe.machine().speed == 0.0; }));
+    QVERIFY(lathe.crash());
+    lathe.undo();
+    QCOMPARE(lathe.crashes(), std::size_t{1});
+    while (lathe.document.history()->canUndo()) lathe.undo();  // drawn back, the edge may have touched the shoulder
+    QVERIFY(!lathe.document.workpiece().part);
+    QCOMPARE(lathe.crashes(), std::size_t{1});
+    lathe.document.history()->redo();
+    QVERIFY(lathe.document.workpiece().part);
+    QCOMPARE(lathe.crashes(), std::size_t{1});
+  }
+
+  // Another tool in its place loses neither a crash nor what the automatic feed has cut until then.
+  void theEndOfTheToolLosesNothing() {
+    HandLathe lathe;
+    QVERIFY(lathe.crash());
+    QVERIFY(lathe.wind(LatheAxis::Cross, 30.0));
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0));
+    lathe.runner.stop();
+    QVERIFY(!lathe.runner.tool());
+    QCOMPARE(lathe.document.history()->count(), 1);
+    QCOMPARE(lathe.crashes(), std::size_t{1});
+    const TurnedPart& part = *lathe.document.workpiece().part;
+    const double radius = part.profile.radius(static_cast<std::size_t>(std::lround(95.0 / part.profile.spacing())));
+    QVERIFY(std::abs(radius - 23.0) < 0.02);
+    QCOMPARE(part.passes.size(), std::size_t{1});
+  }
+
+  // Who saves while the feed runs saves what is cut, and it goes on.
+  void savingTakesThePassAlong() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 101.0) && lathe.wind(LatheAxis::Cross, 23.0));
+    lathe.send(LatheCommand::Kind::Feed, -0.2);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCarriageAxis) < 95.0; }));
+    lathe.document.settle();
+    const auto part = lathe.document.workpiece().part;
+    QVERIFY(part);
+    QVERIFY(std::abs(part->profile.radius(static_cast<std::size_t>(std::lround(97.0 / 0.05))) - 23.0) < 0.02);
+    const double there = lathe.slide(kCarriageAxis);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCarriageAxis) < there - 2.0; }));
+    QVERIFY(lathe.machine().feed == -0.2 && lathe.tool->collisions().empty());
+    lathe.document.settle();
+    QCOMPARE(lathe.document.history()->count(), 2);
+    lathe.runner.perform("revert");
+    lathe.document.settle();  // nothing is under way
+    QVERIFY(lathe.document.history()->count() <= 3);
   }
 
   void toolsAreMounted() {

@@ -6,6 +6,7 @@
 #include "controls/machine/HandwheelDial.h"
 #include "panels/time/TimeLinePanel.h"
 #include "tools/workpiece/ManualLatheTool.h"
+#include "tools/workpiece/TurnTool.h"
 #include "window/tools/ToolHost.h"
 
 #include <QComboBox>
@@ -144,6 +145,22 @@ class LatheWindowTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window.machine().rapids[0] == 0; }, kPatienceMs));
   }
 
+  // Chosen while the feed runs, it begins with what was cut until then; coming back the lathe is another one.
+  void anotherToolKeepsTheCut() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe() && window.turnEnd());
+    window.driver.find<QAction>("turnTool")->trigger();
+    QVERIFY(window.driver.settle());
+    const auto* const turn = dynamic_cast<const TurnTool*>(window.tools().runner().tool());
+    QVERIFY(turn && window.workpiece().part);
+    QVERIFY(turn->state()->profile == window.workpiece().part->profile);
+    QCOMPARE(window.document().history()->count(), 1);
+    QVERIFY(std::abs(window.radiusAt(99.5) - 23.0) < 0.05);
+    window.driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(window.driver.settle());
+    QVERIFY(window.lathe() && window.lathe()->moment()->profile == window.workpiece().part->profile);
+  }
+
   // One Ctrl+Z takes back the pass that is being cut, and the lathe rests.
   void undoTakesThePassBack() {
     LatheWindow window;
@@ -186,6 +203,17 @@ class LatheWindowTest : public QObject {
     QVERIFY(std::abs((before.slides[0] - now.slides[0]) - 1.5 * (now.turns - before.turns)) < 1e-6);
     window.driver.click("latheHalfNut");
     QVERIFY(QTest::qWaitFor([&] { return window.machine().lead == 0.0; }, kPatienceMs));
+    // A left-hand thread leads away from the chuck.
+    auto* const left = window.driver.find<QPushButton>("latheLeftHand");
+    QTRY_VERIFY(left->isEnabled());
+    window.driver.click("latheLeftHand");
+    window.driver.click("latheHalfNut");
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().isNutClosed; }, kPatienceMs));
+    QCOMPARE(window.machine().lead, 1.5);
+    QTRY_VERIFY(!left->isEnabled());
+    const LatheState start = window.machine();
+    QVERIFY(QTest::qWaitFor([&] { return window.machine().turns > start.turns + 1.0; }, kPatienceMs));
+    QVERIFY(window.machine().slides[0] > start.slides[0] + 1.0);
   }
 
   // Played back the view shows the bar as it was; closed, the part as it is, and the lathe stands where it stood.

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Threads on the lathe: LatheRun.
+#include "machining/lathe/LatheRunTry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+// The profile does not know the grooves. What the edge takes on the helix, and where the spindle rests, it takes beyond
+// them. Where the half-nut is opened and the work turns on, the edge has made a ring of the end of its groove before
+// anybody can draw it back. On the helix a tool that is drawn out cuts as long as it is in the material, but nobody has
+// to push it.
+void LatheRun::meetThreads(Try& tried) const {
+  tried.thread = threadOf(tried);
+  const LatheState& state = m_machine.state();
+  const bool isAtRest = std::abs(state.speed) < kAtRest;
+  if (tried.thread || isAtRest) {
+    const ThreadsInWork::Place place{tried.to, -2.0 * M_PI * state.turns};
+    const ThreadChip chip = m_threads.chipAt(m_profile, *tried.tool, place, isAtRest ? &tried.from : nullptr);
+    tried.cut.depth = std::min(tried.cut.depth, chip.depth);
+    const double inward = tried.from.x() - tried.to.x(), depth = tried.cut.depth;
+    tried.pushed = tried.thread ? std::min(depth, tried.tool->side == TurningSide::Bore ? -inward : inward) : depth;
+    tried.isInGroove = !tried.thread && !(tried.cut.depth > kTouch);
+  } else if (m_isInThread && m_lastTool == tried.tool) {
+    TurnedProfile ringed = m_profile;  // shares its pages
+    cutWithTool(ringed, *tried.tool, m_lastPlace, tried.from);
+    tried.cut = previewCut(ringed, *tried.tool, tried.from, tried.to);
+    tried.pushed = tried.cut.depth;
+    tried.isRing = true;
+  }
+}
+
+// The tool is at a height for each turn; turns are those of the work, against which the tool goes about it.
+std::optional<ThreadCut> LatheRun::threadOf(const Try& tried) const {
+  const LatheState& state = m_machine.state();
+  const bool isLed = state.lead != 0.0 && state.isNutClosed && !tried.isQuill && !tried.isIndexed;
+  if (!isLed || tried.tool->kind != LatheToolKind::Threading) return std::nullopt;
+  ThreadCut thread;
+  thread.pitch = std::abs(state.lead);
+  thread.isLeft = state.lead > 0.0;
+  const double middle = tried.to.y() + tried.tool->noseCentre().y() - state.lead * state.turns;
+  thread.offset = middle - thread.pitch * std::floor(middle / thread.pitch);
+  return thread.isSound() ? std::optional(thread) : std::nullopt;
+}
+
+}  // namespace handwheel

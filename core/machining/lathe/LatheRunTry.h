@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/lathe/LatheRun.h"
+
+namespace handwheel {
+
+// A step as the levers and hands would have it, before it is known whether it can be made.
+struct LatheRun::Try {
+  LatheMotion motion;
+  std::shared_ptr<const LatheTool> tool;  // that moved; of the post, or the drill in the quill
+  ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};
+  SectionCut cut;
+  double pushed = 0.0;     // mm: as cut.depth, but only so far as a hand or the power traverse pushes the tool in
+  bool isQuill = false;    // the quill moved
+  bool isIndexed = false;  // another tool of the post
+  bool isPressed = false;  // an abrasive tool against the work
+  std::optional<ThreadCut> thread;
+  bool isInGroove = false;  // a threading tool at rest, which takes nothing
+  bool isRing = false;      // the half-nut was opened in a thread, whose end is now a ring
+  bool hasMoved() const { return isQuill || isIndexed || isPressed || from != to; }
+};
+
+}  // namespace handwheel

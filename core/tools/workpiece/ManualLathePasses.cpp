@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What ManualLatheTool commits to its document, and how it follows that.
+#include "tools/workpiece/ManualLatheTool.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+QString passesText(std::size_t count, double removed) {
+  const QLocale locale;
+  return QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
+      .arg(locale.toString(count), locale.toString(removed, 'f', removed < 10.0 ? 2 : 0));
+}
+
+}  // namespace
+
+// Ends the simulation, and goes on with the lathe as it leaves it.
+std::unique_ptr<LatheSimulation> ManualLatheTool::endSimulation() {
+  std::unique_ptr<LatheSimulation> ended(static_cast<LatheSimulation*>(m_gesture.end().release()));
+  ended->finish();
+  const auto last = std::static_pointer_cast<const LatheMoment>(ended->state());
+  m_machine = last->machine;
+  recordCrashes(*last);
+  m_recorded = 0;
+  m_collisions.insert(m_collisions.end(), last->collisions->begin(), last->collisions->end());
+  m_warnings.insert(m_warnings.end(), last->warnings->begin(), last->warnings->end());
+  return ended;
+}
+
+bool ManualLatheTool::endPass(bool isAtOnce) {
+  m_gesture.rethrow();
+  const auto now = moment();
+  recordCrashes(*now);
+  if (!now->isCut || !(isAtOnce || isDue(*now))) return false;
+  commitPasses(*endSimulation());
+  m_gesture.restart();
+  return true;
+}
+
+bool ManualLatheTool::isDue(const LatheMoment& now) const {
+  return now.isCut && !m_isDragging && (now.isFull || now.sinceCut >= kIdle);
+}
+
+bool ManualLatheTool::hasToCommit() const {
+  const auto now = moment();
+  return isDue(*now) || now->collisions->size() > m_recorded;
+}
+
+// Whatever the simulation has made by now: what the window has seen of it is some milliseconds old.
+void ManualLatheTool::settle() {
+  m_gesture.rethrow();
+  if (!isLive()) return recordCrashes(*moment());
+  commitPasses(*endSimulation());
+  m_gesture.restart();
+}
+
+void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
+  const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
+  if (!last->isCut) return;
+  TurnedPart part = m_present.of(m_document.workpiece());
+  part.profile = last->profile;
+  part.surface = last->surface;
+  part.finish = last->finish;
+  for (const TurningPass& pass : lathe.passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
+  const QString text = passesText(part.passes.size(), last->removed);
+  m_isCommitting = true;
+  m_document.commit(text, std::make_unique<TurnedPartEdit>(std::make_shared<const TurnedPart>(std::move(part))));
+  m_isCommitting = false;
+  m_part = m_document.workpiece().part;
+  m_places.note(m_part, *m_machine);
+}
+
+// What was struck stays struck: it does not wait for a pass, and no undo takes it back.
+void ManualLatheTool::recordCrashes(const LatheMoment& moment) {
+  const std::vector<LatheCollision>& all = *moment.collisions;
+  if (all.size() <= m_recorded) return;
+  m_document.addCrashes(std::span(all).subspan(std::exchange(m_recorded, all.size())));
+}
+
+// With another part, as by undo, the lathe is where it had made that one, and at rest: elsewhere its tool may be in
+// material that comes back. What was cut and is not in the document yet is dropped.
+void ManualLatheTool::documentChanged() {
+  if (m_isCommitting) return;
+  m_isDragging = false;
+  renewMaterial();
+  const LatheSetup lathe = setup();
+  showLathe(lathe);
+  const bool isDropped = moment()->isCut;
+  endSimulation();
+  const auto before = std::exchange(m_part, m_document.workpiece().part);
+  const bool isSame = before == m_part || (before && m_part && before->profile == m_part->profile);
+  if (!isSame || isDropped) {
+    LatheState place = m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
+    place.time = m_machine->time;
+    LatheMachine rested(lathe, place);
+    rested.stop();
+    m_machine = rested.state();
+  }
+  m_gesture.restart();
+}
+
+}  // namespace handwheel
