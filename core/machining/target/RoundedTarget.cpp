@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-double cross(const ProfilePoint& a, const ProfilePoint& b) {
+double crossOf(const ProfilePoint& a, const ProfilePoint& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
@@ -21,9 +21,9 @@ double cross(const ProfilePoint& a, const ProfilePoint& b) {
 std::optional<ProfilePoint> lineMeeting(const ProfileSegment& a, const ProfileSegment& b) {
   constexpr double kParallel = 1e-3;
   const ProfilePoint u = a.direction(0.0), v = b.direction(0.0);
-  const double sine = cross(u, v);
+  const double sine = crossOf(u, v);
   if (std::abs(sine) < kParallel) return std::nullopt;
-  return ProfilePoint(a.from + u * (cross(b.from - a.from, v) / sine));
+  return ProfilePoint(a.from + u * (crossOf(b.from - a.from, v) / sine));
 }
 
 // A corner of an outline, and how it goes on from there.
@@ -40,7 +40,7 @@ std::optional<Corner> filletedCorner(const ProfileSegment& before, const Profile
   constexpr double kTangent = 0.02;  // rad, as fitted arcs are off
   if (!arc.isArc() || before.isArc() || after.isArc() || std::abs(arc.angle()) > 0.9 * M_PI) return std::nullopt;
   const auto touches = [](const ProfilePoint& a, const ProfilePoint& b) {
-    return a.dot(b) > 0.0 && std::abs(cross(a, b)) < kTangent;
+    return a.dot(b) > 0.0 && std::abs(crossOf(a, b)) < kTangent;
   };
   if (!touches(before.direction(1.0), arc.direction(0.0)) || !touches(arc.direction(1.0), after.direction(0.0)))
     return std::nullopt;
@@ -50,6 +50,7 @@ std::optional<Corner> filletedCorner(const ProfileSegment& before, const Profile
 }
 
 std::vector<Corner> cornersOf(const TargetProfile& target, double largestFillet) {
+  constexpr double kFitted = 1e-3;  // mm, as fitted radii are off
   const auto segments = target.segments();
   const std::size_t count = segments.size();
   std::vector<Corner> corners;
@@ -62,7 +63,8 @@ std::vector<Corner> cornersOf(const TargetProfile& target, double largestFillet)
     if (fillet) {
       corners.push_back(*fillet);
       // The material is on the left: what turns right is hollow.
-      if (segments[i].bulge < 0.0 && fillet->fillet <= largestFillet) corners.back().fillet = 0.0;
+      const bool isOfNose = largestFillet > 0.0 && fillet->fillet <= largestFillet + kFitted;
+      if (segments[i].bulge < 0.0 && isOfNose) corners.back().fillet = 0.0;
     } else if (!isAfterFillet) {
       corners.push_back({segments[i].from, 0.0, segments[i].bulge});
     }
@@ -80,7 +82,7 @@ double multiple(double value, double step) {
 // The arc that rounds a corner between two others, or nothing: there is no room, or no corner.
 std::optional<ProfileSegment> filletAt(const ProfilePoint& before, const Corner& corner, const ProfilePoint& after) {
   const ProfilePoint in = (corner.at - before).normalized(), out = (after - corner.at).normalized();
-  const double turn = std::atan2(cross(in, out), in.dot(out));
+  const double turn = std::atan2(crossOf(in, out), in.dot(out));
   const double reach = corner.fillet * std::tan(0.5 * std::abs(turn));
   const double room = std::min((corner.at - before).norm(), (after - corner.at).norm());
   if (!(corner.fillet > 0.0 && reach > 0.0 && reach <= room)) return std::nullopt;
