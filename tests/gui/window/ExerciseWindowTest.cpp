@@ -257,7 +257,8 @@ class ExerciseWindowTest : public QObject {
     driver.choose("roundTargetAction");
     QTRY_VERIFY(driver.find<QDialog>("roundTargetDialog")->isVisible());
     driver.edit("round-target", "10");
-    QTRY_VERIFY(driver.text("roundTargetRemark").contains(QStringLiteral(" mm")));
+    QTRY_VERIFY2(driver.text("roundTargetRemark").contains(QStringLiteral("mm")),
+                 qPrintable(driver.text("roundTargetRemark")));
     driver.edit("round-target", "2");
     QTRY_VERIFY(driver.find<QPushButton>("roundTarget")->isEnabled());
     driver.click("roundTarget");
