@@ -4400,6 +4400,14 @@
         <source>Chips are shown</source>
         <translation>Späne werden gezeigt</translation>
     </message>
+    <message>
+        <source>Diameters and heights to</source>
+        <translation>Durchmesser und Höhen auf</translation>
+    </message>
+    <message>
+        <source>Sharp corners instead of radii up to</source>
+        <translation>Scharfe Ecken statt Radien bis</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -5787,6 +5795,10 @@
         <source>Take the tool off</source>
         <translation>Werkzeug ausspannen</translation>
     </message>
+    <message>
+        <source>Round the target</source>
+        <translation>Ziel runden</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -7060,6 +7072,22 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Round the target…</source>
+        <translation>Ziel &amp;runden …</translation>
+    </message>
+    <message>
+        <source>Give the target round sizes and sharp corners, as a drawing has them</source>
+        <translation>Dem Ziel runde Maße und scharfe Ecken geben, wie eine Zeichnung sie hat</translation>
+    </message>
+    <message>
+        <source>Taking the target</source>
+        <translation>Ziel wird übernommen</translation>
+    </message>
+    <message>
+        <source>Round the target</source>
+        <translation>Ziel runden</translation>
     </message>
 </context>
 <context>
@@ -9625,6 +9653,25 @@
             <numerusform>%n beweglichen Gelenk</numerusform>
             <numerusform>%n beweglichen Gelenken</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RoundTargetDialog</name>
+    <message>
+        <source>Round the target</source>
+        <translation>Ziel runden</translation>
+    </message>
+    <message>
+        <source>&amp;Round</source>
+        <translation>&amp;Runden</translation>
+    </message>
+    <message>
+        <source>Rounding the target</source>
+        <translation>Ziel wird gerundet</translation>
+    </message>
+    <message>
+        <source>A surface of the target changes by %1 at most.</source>
+        <translation>Eine Fläche des Ziels ändert sich um höchstens %1.</translation>
     </message>
 </context>
 <context>

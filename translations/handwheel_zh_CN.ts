@@ -4393,6 +4393,14 @@
         <source>Chips are shown</source>
         <translation>显示切屑</translation>
     </message>
+    <message>
+        <source>Diameters and heights to</source>
+        <translation>直径和高度圆整到</translation>
+    </message>
+    <message>
+        <source>Sharp corners instead of radii up to</source>
+        <translation>改为尖角的最大圆角半径</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -5743,6 +5751,10 @@
         <source>Take the tool off</source>
         <translation>卸下刀具</translation>
     </message>
+    <message>
+        <source>Round the target</source>
+        <translation>圆整目标</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -7009,6 +7021,22 @@
     <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Round the target…</source>
+        <translation>圆整目标(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Give the target round sizes and sharp corners, as a drawing has them</source>
+        <translation>使目标具有圆整尺寸和尖角，如图纸所示</translation>
+    </message>
+    <message>
+        <source>Taking the target</source>
+        <translation>正在采用目标</translation>
+    </message>
+    <message>
+        <source>Round the target</source>
+        <translation>圆整目标</translation>
     </message>
 </context>
 <context>
@@ -9546,6 +9574,25 @@
         <translation>
             <numerusform>%n 个活动关节</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RoundTargetDialog</name>
+    <message>
+        <source>Round the target</source>
+        <translation>圆整目标</translation>
+    </message>
+    <message>
+        <source>&amp;Round</source>
+        <translation>圆整(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Rounding the target</source>
+        <translation>正在圆整目标</translation>
+    </message>
+    <message>
+        <source>A surface of the target changes by %1 at most.</source>
+        <translation>目标表面最多变化 %1。</translation>
     </message>
 </context>
 <context>

@@ -121,7 +121,7 @@ void MainWindow::connectRecordings() {
           [this] { m_deviceView->showInstead(m_recordings.playback().cursor()); });
   const auto noteTool = [this] {
     const Tool* const tool = m_tools->runner().tool();
-    m_recordings.noteTool(tool ? tool->id() : std::string());
+    m_recordings.noteTool(tool ? tool->recordedName() : std::string());
   };
   connect(&m_tools->runner(), &ToolRunner::updated, &m_recordings, noteTool);
   connect(&m_tools->runner(), &ToolRunner::ended, &m_recordings, noteTool);

@@ -44,6 +44,10 @@ double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const Pro
 // Cuts a pass. The profile is incomplete when it was cancelled.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress = {});
 
+// Samples that the passes of a file may visit, each time that they do: some ten seconds. Only a hostile file asks for
+// more.
+inline constexpr std::uint64_t kMostCutAgain = 1'000'000'000;
+
 // How many samples cut() visits at most: what it costs. O(points).
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass);
 

@@ -121,6 +121,8 @@ class Tool {
   virtual ~Tool() = default;
 
   virtual std::string id() const = 0;  // "select"
+  // How recordings of a device name it: with what says how it worked, "turn bore".
+  virtual std::string recordedName() const { return id(); }
   virtual ToolReply pointer(const PointerEvent& event) = 0;
   // Executes one of the declared actions, by key, button or menu. "commit" and "revert" are common to all tools.
   virtual ToolReply perform(std::string_view action) = 0;

@@ -156,7 +156,7 @@ void aLongProgram(benchmark::State& state) {
     WorkpieceSnapshot workpiece;
     workpiece.stock = kBar;
     workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
-    const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 0.4);
+    const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 20.0, 0.4);
     const std::string text = longProgram();
     std::optional<Result<ProgramTrial::Pointer>> trial;
     const double ms = cpuMilliseconds([&] { trial = ProgramTrial::run(workpiece, text, setup, kSpacing, nullptr); });

@@ -92,6 +92,22 @@ class TurnTest : public QObject {
     QVERIFY(again.out.contains("Passes: 2.") && again.out.contains("give the same part"));
   }
 
+  // On the side "Bore" a nose of 1 mm goes down the axis at 10 mm: a hole of 11 mm, and below it the nose. It takes all
+  // that is between it and the axis, so the volume is that of a solid of revolution.
+  void aRecordingOfABore() {
+    const Bench bench;
+    QByteArray table = kRecordingColumns + row(0, 10, 110, 0, "tool turn bore");
+    for (int i = 0; i <= 50; ++i) table += row(1 + i, 10, 110.0 - i, i == 50 ? 0 : 1);
+    bench.put("bore.csv", table);
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Ran ran = bench.run({"turn", "bar.handwheel", "--recording", "bore.csv", "-o", "part.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const double deep = 100.0 - 61.0;  // the button was let go behind z = 61
+    const double expected = M_PI * (121.0 * deep + 100.0 + 20.0 * M_PI / 4.0 + 2.0 / 3.0);
+    QVERIFY2(std::abs(reported(ran)["removed_mm3"].get<double>() / expected - 1.0) < 2e-3, ran.out);
+    QVERIFY(reported(ran)["max_force_N"].get<double>() > 0.0);
+  }
+
   // Each press of the first button is a pass of the tool, which was where its tip was shown; other rows only move, and
   // so do those of other tools and buttons. The same as paths, one for each press, give the same part.
   void aRecordingIsTurned() {
@@ -116,6 +132,12 @@ class TurnTest : public QObject {
     const Ran one = bench.run({"turn", "bar.handwheel", "--path", "first.csv", "-o", "one.handwheel", "--json"});
     const double apart = reported(one)["removed_mm3"].get<double>() + reported(paths)["removed_mm3"].get<double>();
     QVERIFY(std::abs(reported(ran)["removed_mm3"].get<double>() - apart) < 1e-6 * apart);
+
+    // The Lathe tool is moved by its levers, which no recording has.
+    bench.put("lathe.csv", kRecordingColumns + row(0, 27, 20, 0, "tool lathe") + row(1, 27, 20, 1) + row(2, 24, 20, 1));
+    const Ran lathe = bench.run({"turn", "bar.handwheel", "--recording", "lathe.csv", "-o", "x.handwheel"});
+    QCOMPARE(lathe.code, 1);
+    QVERIFY2(lathe.err.contains("lathe.csv") && lathe.err.contains("Lathe tool"), lathe.err);
 
     bench.put("less.csv", table.replace("proxy_x", "a").replace("buttons", "b"));
     const Ran less = bench.run({"turn", "bar.handwheel", "--path", "less.csv", "-o", "x.handwheel"});

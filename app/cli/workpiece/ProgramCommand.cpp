@@ -11,6 +11,7 @@
 #include "document/AtomicFile.h"
 #include "document/workpiece/PassesProgram.h"
 #include "machining/TurningFidelity.h"
+#include "machining/lathe/LatheSetup.h"
 #include "machining/program/CycleProgram.h"
 
 #include <cmath>
@@ -75,7 +76,8 @@ Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Pro
   const Result<TargetProfile> target = readTarget(request.from, kinds, progress.part(0.0, 0.2));
   if (!target) return {{}, {}, target.error()};
   const TurnedProfile bar(*request.stock, turnSpacingSetting().standard);
-  const CycleTask task{*target, *request.stock, bar, target->upperEnd() - bar.length()};
+  const CycleTask task{*target, *request.stock, bar, target->upperEnd() - bar.length(),
+                       defaultLatheSetup(*request.stock).chuck.grip};
   auto text = cycleProgram(task, request.dialect, request.cycles, progress.part(0.2, 1.0));
   if (!text) return {{}, {}, text.error()};
   return {std::move(text.value()), {}, {}};

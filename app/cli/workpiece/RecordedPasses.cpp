@@ -9,30 +9,41 @@ namespace handwheel {
 
 namespace {
 
-// Whether the turning tool is in use after an event of a recording; others than the choice of a tool change nothing.
-bool isTurningAfter(const std::string& event, bool before) {
-  if (event == "no tool") return false;
-  return event.starts_with("tool ") ? event == "tool turn" : before;
+// The side that the turning tool is used on; none where another tool is, or none.
+using Turning = std::optional<TurningSide>;
+
+// After an event of a recording; others than the choice of a tool change nothing.
+Turning turningAfter(const std::string& event, Turning before) {
+  if (event == "tool turn") return TurningSide::Outside;
+  if (event == "tool turn bore") return TurningSide::Bore;
+  return event == "no tool" || event.starts_with("tool ") ? Turning() : before;
 }
 
 }  // namespace
 
-std::vector<TurningPass> passesOf(const Recording& recording, double noseRadius, double base) {
+std::optional<std::vector<TurningPass>> passesOf(const Recording& recording, double noseRadius, double base) {
   std::vector<TurningPass> passes;
   auto event = recording.events().begin();
-  bool isTurning = true, isActing = false, wasHeld = false;  // a recording that names no tool is one of turning
-  double begin = 0.0;                                        // s
+  Turning turning = TurningSide::Outside;  // a recording that names no tool is one of turning
+  bool isActing = false, wasHeld = false;
+  double begin = 0.0;  // s
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const RecordedTick& tick = recording[i];
-    for (; event != recording.events().end() && event->tick < tick.tick; ++event)
-      isTurning = isTurningAfter(event->text, isTurning);
+    for (; event != recording.events().end() && event->tick < tick.tick; ++event) {
+      if (event->text == "tool lathe") return std::nullopt;
+      turning = turningAfter(event->text, turning);
+    }
     const bool isHeld = (tick.tip.buttons & 1u) != 0, isPressed = isHeld && !wasHeld;
     wasHeld = isHeld;
-    if (isActing && isHeld && !isTurning) passes.pop_back();  // another tool drops the pass
-    isActing = isHeld && isTurning && (isPressed || (isActing && !tick.tip.isRestart));
+    if (isActing && isHeld && turning != passes.back().side) {  // another tool, or its other side, drops the pass
+      passes.pop_back();
+      isActing = false;
+    }
+    isActing = isHeld && turning && (isPressed || (isActing && !tick.tip.isRestart));
     if (!isActing) continue;
     if (isPressed) {
       passes.emplace_back().noseRadius = noseRadius;
+      passes.back().side = *turning;
       begin = tick.tip.time;
     }
     TurningPass& pass = passes.back();

@@ -6,97 +6,28 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/TipTrajectory.h"
 #include "cli/workpiece/ForceCommand.h"
 #include "cli/workpiece/ProgramCommand.h"
-#include "cli/workpiece/RecordedPasses.h"
 #include "cli/workpiece/TargetCommand.h"
 #include "cli/workpiece/ThreadCommand.h"
 #include "cli/workpiece/TrainCommand.h"
+#include "cli/workpiece/TurnByProgram.h"
+#include "cli/workpiece/TurnByRecording.h"
 #include "cli/workpiece/TurnRequest.h"
 #include "cli/workpiece/TurnedFigures.h"
-#include "document/FileBytes.h"
 #include "document/workpiece/FinishReport.h"
-#include "document/workpiece/ProgramTrial.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/ExerciseStock.h"
-#include "haptics/recording/RecordingCsv.h"
-#include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
 #include "text/NoteText.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
 
 namespace {
 
-constexpr double kRecordedNose = 1.0;  // mm, unless another is given
 constexpr const char* kTouchesNothing = "The path does not touch the part.";
-
-// A path is one pass: its distance from the axis and its height above the lower end of the bar.
-Result<std::vector<TurningPass>> passAlong(const std::vector<HandPose>& poses, double noseRadius, double base) {
-  if (poses.size() > TurningPass::kMostPoints)
-    return Error{ErrorCode::FileTooLarge,
-                 {"lines", std::to_string(poses.size()), std::to_string(TurningPass::kMostPoints)},
-                 {},
-                 {}};
-  TurningPass pass;
-  pass.noseRadius = noseRadius;
-  for (const HandPose& pose : poses) {
-    pass.path.emplace_back(std::hypot(pose.position.x(), pose.position.y()), pose.position.z() - base);
-    pass.times.push_back(pose.time - poses.front().time);
-  }
-  return std::vector<TurningPass>{std::move(pass)};
-}
-
-// What is wrong with a table that is neither a path nor a whole recording: the columns that it would need.
-std::string missingColumns(std::string_view text, const std::string& problemAsPath) {
-  const std::string_view header = text.substr(0, text.find('\n'));
-  if (header.find("hip_x") == header.npos && header.find("proxy_x") == header.npos) return problemAsPath;
-  std::string names;
-  for (const std::string_view name : missingRecordingColumns(text))
-    names += (names.empty() ? "" : ", ") + std::string(name);
-  return "Of the columns of a recording these are missing: " + names + ".";
-}
-
-// problem: a sentence about the file, which is not cut as the arguments of an Error are.
-Result<std::vector<TurningPass>> passesIn(std::string_view text, const TurnRequest& request, double base,
-                                          std::string& problem, Progress progress) {
-  if (isRecordingCsv(text)) {
-    const Result<Recording> recording = recordingFromCsv(text, progress);
-    if (!recording) return recording.error();
-    return passesOf(*recording, request.noseRadius.value_or(kRecordedNose), base);
-  }
-  const TipTrajectory path = readTipTrajectory(text);
-  if (path.problem.empty()) return passAlong(path.poses, request.noseRadius.value_or(kRecordedNose), base);
-  problem = missingColumns(text, path.problem);
-  return std::vector<TurningPass>();
-}
-
-Result<std::vector<TurningPass>> readPasses(const TurnRequest& request, double base, std::string& problem,
-                                            Progress progress) {
-  const Result<std::string> text = readFileBytes(request.recording);
-  Result<std::vector<TurningPass>> passes =
-      text ? passesIn(*text, request, base, problem, progress) : Result<std::vector<TurningPass>>(text.error());
-  if (passes) return passes;
-  Error error = passes.error();
-  error.subject = request.recording.string();
-  return error;
-}
-
-// The workpiece after these passes. Error: Cancelled.
-Result<WorkpieceSnapshot> turn(WorkpieceSnapshot workpiece, std::vector<TurningPass> passes, double spacing,
-                               Progress progress) {
-  const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(passes.size()); };
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    auto turned = withPass(workpiece, std::move(passes[i]), spacing, progress.part(share(i), share(i + 1)));
-    if (!turned) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (!turned->passes.empty()) workpiece.part = std::move(turned);  // else it is the bar still
-  }
-  return workpiece;
-}
 
 std::size_t passCount(const WorkpieceSnapshot& workpiece) {
   return workpiece.part ? workpiece.part->passes.size() : 0;
@@ -155,91 +86,6 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
   return opened;
 }
 
-Result<ProgramSetup> setupOf(const TurnRequest& request, const StockCylinder& stock) {
-  ProgramSetup setup = usualSetup(request.dialect, stock, request.noseRadius.value_or(0.0));
-  setup.grip = request.grip;
-  if (request.tools.empty()) return setup;
-  const Result<std::string> text = readFileBytes(request.tools);
-  if (!text) return text.error();
-  Result<std::map<int, ProgramTool>> tools = readToolTable(*text);
-  if (!tools) {
-    Error error = tools.error();
-    error.subject = request.tools.string();
-    return error;
-  }
-  setup.tools = std::move(tools.value());
-  return setup;
-}
-
-const char* collisionSentence(ProgramCollision::Kind kind) {
-  switch (kind) {
-    case ProgramCollision::Kind::Chuck:
-      return "collision with the chuck.";
-    case ProgramCollision::Kind::SpindleAtRest:
-      return "feed into material with the spindle at rest.";
-    case ProgramCollision::Kind::SpindleReversed:
-      return "feed into material with the spindle reversed (M4).";
-    default:
-      return "rapid move through material.";
-  }
-}
-
-// The workpiece after a program. Notes and collisions go to stderr.
-Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
-                                        std::vector<std::string>& remarks, Progress progress) {
-  const Result<std::string> text = readFileBytes(request.program);
-  if (!text) {
-    Error error = text.error();
-    error.subject = request.program.string();
-    return error;
-  }
-  const Result<ProgramSetup> setup = setupOf(request, workpiece.stock);
-  if (!setup) return setup.error();
-  CuttingEdge edge;
-  if (request.noseRadius) edge.noseRadius = request.noseRadius;
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
-  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, model.get(), progress);
-  if (!trial) {
-    Error error = trial.error();
-    error.subject = request.program.string();
-    return error;
-  }
-  const ProgramTrial& tried = **trial;
-  figures.force = tried.peaks().force;
-  figures.power = tried.peaks().power;
-  figures.collisions = tried.collisionCount();
-  figures.time = tried.path().time;
-  for (const ToolPath::Note& note : tried.path().notes)
-    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
-  for (const ToolPath::Note& note : tried.notes())
-    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
-  for (const ProgramCollision& collision : tried.collisions())
-    remarks.push_back("line " + std::to_string(collision.line) + ": " + collisionSentence(collision.kind));
-  if (tried.part()) workpiece.part = tried.part();
-  return workpiece;
-}
-
-// The workpiece after a recording, whose forces are those at one speed of the spindle.
-Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
-                                          TurnedFigures& figures, std::string& unreadable, Progress progress) {
-  Result<std::vector<TurningPass>> passes =
-      readPasses(request, workpiece.stock.position, unreadable, progress.part(0.0, 0.2));
-  if (!passes) return passes.error();
-  CuttingEdge edge;
-  edge.noseRadius = request.noseRadius.value_or(kRecordedNose);
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
-  const std::optional<ForcePeaks> peaks = forcePeaks(partOf(workpiece, request.spacing).profile, *passes,
-                                                     {request.spindle, 0.0}, *model, progress.part(0.2, 0.5));
-  if (!peaks) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  figures.force = peaks->force;
-  figures.power = peaks->power;
-  for (TurningPass& pass : *passes) {
-    figures.time += pass.times.empty() ? 0.0 : pass.times.back();
-    if (pass.speeds.empty()) pass.speeds.assign(pass.path.size(), request.spindle);
-  }
-  return turn(workpiece, std::move(passes.value()), request.spacing, progress.part(0.5, 1.0));
-}
-
 int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   bool isSame = false, isCancelled = false;
   runInterruptible("Turning", [&](CommandJob& job) {
@@ -251,9 +97,8 @@ int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   return code == kExitDone && !isSame ? kExitSomethingLeft : code;
 }
 
-// Of an exercise: its material, its speed and its chuck, unless the words say otherwise.
+// Of an exercise: its material and its speed, unless the words say otherwise. Its chuck is that of the workpiece.
 void useMachineOf(const TurningTask& task, const Arguments& arguments, TurnRequest& request) {
-  request.grip = task.lathe.chuckHeight;
   if (!arguments.has("spindle")) request.spindle = task.lathe.spindleSpeed;
   const WorkMaterials& materials = WorkMaterials::standard();
   const WorkMaterial* const material = materials.find(task.material);

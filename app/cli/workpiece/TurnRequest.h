@@ -22,7 +22,6 @@ struct TurnRequest {
   std::optional<double> noseRadius;  // mm
   double spacing = turnSpacingSetting().standard;
   double spindle = 500.0;  // r/min, of a recording
-  double grip = 0.0;       // mm of the bar, from its lower end, that the chuck holds
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   WorkMaterial material;
   bool isReplay = false;

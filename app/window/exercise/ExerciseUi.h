@@ -49,6 +49,7 @@ class ExerciseUi : public RigidPartsUi {
   void refresh();
   void openContent(const ExerciseSnapshot& content);
   void takeWork(bool asTarget);
+  void takeTarget(const SnapshotPointer& work);
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);

@@ -13,13 +13,15 @@
 
 namespace handwheel {
 
-RoundTargetDialog::RoundTargetDialog(const ExerciseSubject& subject, TaskPointer task, QWidget* parent)
+RoundTargetDialog::RoundTargetDialog(const ExerciseSubject& subject, TaskPointer task, QThreadPool& pool,
+                                     QWidget* parent)
     : QDialog(parent),
       m_subject(subject),
       m_task(std::move(task)),
       m_values(roundTargetOperation()),
       m_list(new PropertyList(this)),
-      m_remark(new QLabel(this)) {
+      m_remark(new QLabel(this)),
+      m_jobs(JobRunner::Policy::Latest, pool) {
   setObjectName(QStringLiteral("roundTargetDialog"));
   setWindowTitle(tr("Round the target"));
   auto* layout = new QVBoxLayout(this);
@@ -49,7 +51,20 @@ void RoundTargetDialog::showValues() {
     properties.back().value = *m_values.value(parameter.id());
   }
   m_list->setProperties(properties);
-  const auto rounded = withRoundedTarget(m_subject, *m_task, m_values);
+  m_rounded = nullptr;
+  m_round->setEnabled(false);
+  Job job;
+  job.name = tr("Rounding the target");
+  job.failed = [this](const Error& error) {
+    if (error.code != ErrorCode::Cancelled) showRounded(error);
+  };
+  job.work = [this, &subject = m_subject, task = m_task, values = m_values](Progress) -> Job::Finish {
+    return [this, rounded = withRoundedTarget(subject, *task, values)] { showRounded(rounded); };
+  };
+  m_jobs.start(std::move(job));
+}
+
+void RoundTargetDialog::showRounded(const Result<ExerciseSubject::RoundedTask>& rounded) {
   m_rounded = rounded ? rounded->task : nullptr;
   m_round->setEnabled(m_rounded != nullptr);
   if (!rounded) return m_remark->setText(errorSentence(rounded.error()));

@@ -6,6 +6,7 @@
 
 #include "controls/PropertyList.h"
 #include "document/exercise/RoundTarget.h"
+#include "window/JobRunner.h"
 
 #include <QDialog>
 
@@ -14,28 +15,30 @@ class QPushButton;
 
 namespace handwheel {
 
-// Asks to which sizes the target of an exercise is rounded, and shows how much that changes it.
+// Asks to which sizes the target of an exercise is rounded, and shows how much that changes it. Rounding is a job.
 class RoundTargetDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // The subject outlives it.
-  RoundTargetDialog(const ExerciseSubject& subject, TaskPointer task, QWidget* parent);
+  // Subject and pool outlive it.
+  RoundTargetDialog(const ExerciseSubject& subject, TaskPointer task, QThreadPool& pool, QWidget* parent);
 
  signals:
   void chosen(const handwheel::TaskPointer& task);
 
  private:
   void showValues();
+  void showRounded(const Result<ExerciseSubject::RoundedTask>& rounded);
   void accept() override;
 
   const ExerciseSubject& m_subject;
   TaskPointer m_task;
   OperationValues m_values;
-  TaskPointer m_rounded;  // null: the values are not possible
+  TaskPointer m_rounded;  // null: the values are not possible, or not tried yet
   PropertyList* m_list;
   QLabel* m_remark;
   QPushButton* m_round;
+  JobRunner m_jobs;
 };
 
 }  // namespace handwheel

@@ -98,9 +98,9 @@ void Recordings::finish() {
   m_parts.session.stopRecording();
 }
 
-void Recordings::noteTool(const std::string& id) {
-  if (id == m_tool) return;
-  m_tool = id;
+void Recordings::noteTool(const std::string& name) {
+  if (name == m_tool) return;
+  m_tool = name;
   markTool();
 }
 

@@ -37,8 +37,8 @@ class Recordings : public QObject {
   // Ends a running recording and adds it to its document.
   void finish();
 
-  // Notes the active tool by its id; empty: none. A change is stored in the recording.
-  void noteTool(const std::string& id);
+  // Notes the active tool by its recordedName(); empty: none. A change is stored in the recording.
+  void noteTool(const std::string& name);
 
   std::vector<StoredRecording> all() const;  // of the current document
   const StoredRecording* chosen() const;     // null: none
@@ -76,7 +76,7 @@ class Recordings : public QObject {
   QPointer<Document> m_document;
   QPointer<Document> m_recorded;  // in which the recording was started
   std::string m_chosen;           // key
-  std::string m_tool;             // id
+  std::string m_tool;             // its recordedName()
   bool m_isNamedStop = false;     // present texts of the actions
   bool m_isNamedPause = false;
   QAction m_record, m_play, m_leave, m_export, m_rename, m_remove;

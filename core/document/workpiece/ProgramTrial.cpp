@@ -4,6 +4,7 @@
 
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/finish/FinishMeter.h"
+#include "machining/lathe/LatheRun.h"
 #include "machining/program/ProgramInterpreter.h"
 
 #include <algorithm>
@@ -14,6 +15,39 @@ namespace {
 
 constexpr std::size_t kVersions = 100;  // kept of a path
 constexpr std::size_t kLook = 16;       // moves between two looks at the cancel flag
+
+// As the manual lathe records it.
+LatheCollision crashOf(const ProgramCollision& collision) {
+  LatheCollision crash;
+  crash.place = collision.place;
+  crash.time = collision.time;
+  switch (collision.kind) {
+    case ProgramCollision::Kind::Chuck:
+      crash.struck = LathePart::Chuck;
+      break;
+    case ProgramCollision::Kind::RapidInMaterial:
+      crash.cause = CrashCause::Rapid;
+      break;
+    case ProgramCollision::Kind::SpindleAtRest:
+      crash.cause = CrashCause::SpindleAtRest;
+      break;
+    case ProgramCollision::Kind::SpindleReversed:
+      crash.cause = CrashCause::Reversed;
+      break;
+  }
+  return crash;
+}
+
+// Those of the part, and behind them what the program did.
+std::shared_ptr<const std::vector<LatheCollision>> crashesWith(const TurnedPart& before,
+                                                               const std::vector<ProgramCollision>& collisions) {
+  if (collisions.empty()) return before.crashes;
+  auto all = before.crashes ? std::make_shared<std::vector<LatheCollision>>(*before.crashes)
+                            : std::make_shared<std::vector<LatheCollision>>();
+  for (const ProgramCollision& each : collisions)
+    if (all->size() < LatheRun::kMostCollisions) all->push_back(crashOf(each));
+  return all;
+}
 
 }  // namespace
 
@@ -32,11 +66,13 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
                             Progress progress) {
   const std::size_t moves = m_path.moves.size();
   const std::size_t stride = moves / kVersions + 1;
-  ProgramSimulation simulation(before.profile, m_path, m_setup, model);
-  m_versions.push_back({0, before.profile});
+  ProgramState state;
+  state.threads = before.threads();
+  ProgramSimulation simulation(before.profile, m_path, m_setup, model, state);
+  m_versions.push_back({0, before.profile, state});
   while (simulation.step()) {
     const std::size_t done = simulation.done();
-    if (done % stride == 0) m_versions.push_back({done, simulation.part()});
+    if (done % stride == 0) m_versions.push_back({done, simulation.part(), simulation.state()});
     if (done % kLook != 0) continue;
     if (progress.cancelled()) return false;
     progress.set(static_cast<double>(done) / static_cast<double>(moves));
@@ -57,7 +93,7 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
     all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   }
   TurnedPart part = TurnedPart::of(simulation.part(), std::move(all), workpiece.chord);
-  part.crashes = before.crashes;
+  part.crashes = crashesWith(before, m_collisions);
   part.finish = meter.finish();
   m_part = std::make_shared<const TurnedPart>(std::move(part));
   return true;
@@ -75,7 +111,7 @@ std::optional<TurnedProfile> ProgramTrial::profileAt(const ProgramPosition& posi
     rest.moves.push_back(m_path.moves[position.done]);
     rest.moves.back().to = pointOn(rest.moves.back(), position.fraction);
   }
-  ProgramSimulation simulation(version.profile, rest, m_setup);
+  ProgramSimulation simulation(version.profile, rest, m_setup, nullptr, version.state);
   while (simulation.step()) {
     if (progress.cancelled()) return std::nullopt;
   }

@@ -26,7 +26,8 @@ class ProgramTrial {
   const ToolPath& path() const { return m_path; }
   const ProgramSteps& steps() const { return m_steps; }
   const ProgramSetup& setup() const { return m_setup; }
-  // The part with the passes of the program behind its own; null where the program touches nothing.
+  // The part with the passes of the program behind its own, and its collisions behind the crashes of those; null where
+  // the program touches nothing.
   const std::shared_ptr<const TurnedPart>& part() const { return m_part; }
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }  // of the simulation
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
@@ -46,6 +47,7 @@ class ProgramTrial {
   struct Version {
     std::size_t done = 0;  // moves
     TurnedProfile profile;
+    ProgramState state;
   };
   ToolPath m_path;
   ProgramSetup m_setup;

@@ -42,11 +42,14 @@ TurnedPart PresentPart::of(const WorkpieceSnapshot& workpiece) const {
 
 namespace {
 
-std::shared_ptr<const TurnedPart> withThread(TurnedPart part, TurningPass pass) {
+bool cutsThread(const TurnedProfile& profile, const TurningPass& pass) {
   const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
-  const bool isCut = std::any_of(grooves.begin(), grooves.end(),
-                                 [&](const ThreadGroove& groove) { return groove.touches(part.profile); });
-  if (isCut) {
+  return std::any_of(grooves.begin(), grooves.end(),
+                     [&](const ThreadGroove& groove) { return groove.touches(profile); });
+}
+
+std::shared_ptr<const TurnedPart> withThread(TurnedPart part, TurningPass pass) {
+  if (cutsThread(part.profile, pass)) {
     part.surface.setThreads(part.profile, PartThreads::with(part.threads(), pass), {0, part.profile.size()});
     part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   }
@@ -67,6 +70,27 @@ std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, T
   part.surface.update(part.profile, changed);
   if (!changed.isEmpty()) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   return std::make_shared<const TurnedPart>(std::move(part));
+}
+
+std::shared_ptr<const TurnedPart> withPasses(const WorkpieceSnapshot& workpiece, std::vector<TurningPass> passes,
+                                             double spacing, Progress progress) {
+  if (passes.empty()) return nullptr;
+  TurnedPart part = partOf(workpiece, spacing);
+  FinishMeter meter(part.profile, part.finish);
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const auto number = static_cast<std::uint32_t>(part.passes.size());
+    const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(passes.size()); };
+    const bool isCut =
+        passes[i].thread
+            ? cutsThread(part.profile, passes[i])
+            : !cut(part.profile, passes[i], number, meter, progress.part(share(i), share(i + 1))).isEmpty();
+    if (progress.cancelled()) return nullptr;
+    if (isCut) part.passes.push_back(std::make_shared<const TurningPass>(std::move(passes[i])));
+  }
+  TurnedPart made = TurnedPart::of(std::move(part.profile), std::move(part.passes), workpiece.chord);
+  made.crashes = part.crashes;
+  made.finish = meter.finish();
+  return std::make_shared<const TurnedPart>(std::move(made));
 }
 
 }  // namespace handwheel

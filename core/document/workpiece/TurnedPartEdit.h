@@ -23,6 +23,10 @@ class TurnedPartEdit : public Edit {
 std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
                                            Progress progress = {});
 
+// The same after several, whose triangles are made once; null where there are none, too.
+std::shared_ptr<const TurnedPart> withPasses(const WorkpieceSnapshot& workpiece, std::vector<TurningPass> passes,
+                                             double spacing, Progress progress = {});
+
 // The present part; of an uncut bar a part without passes, with samples at this distance (mm).
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing);
 

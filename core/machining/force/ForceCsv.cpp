@@ -42,18 +42,19 @@ class ForceHeader {
     for (const std::string& name : m_names) m_lowered.push_back(loweredName(name));
   }
 
-  // As it is written; else in any case: a table may have f, the feed, and F, a force.
-  std::size_t place(std::string_view name) const {
-    const std::size_t exact = placeIn(m_names, name);
-    return exact != kNoColumn ? exact : placeIn(m_lowered, loweredName(name));
+  // Of the first of these names that is there as it is written; else in any case: a table may have feed and F, a force.
+  std::size_t place(const ColumnNames& names) const {
+    for (const std::string_view name : names)
+      if (const std::size_t at = placeIn(m_names, name); at != kNoColumn) return at;
+    for (const std::string_view name : names)
+      if (const std::size_t at = placeIn(m_lowered, loweredName(name)); at != kNoColumn) return at;
+    return kNoColumn;
   }
-  bool has(std::string_view name) const { return place(name) != kNoColumn; }
+  bool has(std::string_view name) const { return place({name}) != kNoColumn; }
 
   // The place of the first of these names.
   Result<std::size_t> find(const char* quantity, const ColumnNames& names) const {
-    for (const std::string_view name : names) {
-      const std::size_t at = place(name);
-      if (at == kNoColumn) continue;
+    if (const std::size_t at = place(names); at != kNoColumn) {
       if (std::count(m_names.begin(), m_names.end(), m_names[at]) > 1)
         return Error{ForceErrors::ColumnTwice, {quantity}, InputPosition::line(1), {}};
       return at;
@@ -89,8 +90,8 @@ Result<ForceColumns> forceColumnsIn(std::string_view line, double diameter) {
   columns.feed = *feed;
   columns.force = *force;
   columns.speed = *speed;
-  columns.wear = header.has("TCond") ? header.place("TCond") : header.place("VB");
-  columns.isArea = columns.depth == header.place("A_cal") || columns.depth == header.place("A0");
+  columns.wear = header.place({"TCond", "VB"});
+  columns.isArea = columns.depth == header.place({"A_cal"}) || columns.depth == header.place({"A0"});
   return columns;
 }
 

@@ -17,18 +17,21 @@ struct RemovedSection {
   double radius = 0.0;  // mm
 };
 
-RemovedSection removedBy(TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius,
+// By the nose of a pass, on its side. before: for the radii of that side; a buffer.
+RemovedSection removedBy(TurnedProfile& profile, const TurningPass& pass, const ProfilePoint& a, const ProfilePoint& b,
                          std::vector<double>& before) {
-  const TurnedProfile::Range under = profile.samplesUnder(a, b, noseRadius);
+  const bool isBore = pass.side == TurningSide::Bore;
+  const auto radiusOf = [&](std::size_t i) { return isBore ? profile.inner(i) : profile.radius(i); };
+  const TurnedProfile::Range under = profile.samplesUnder(a, b, pass.noseRadius);
   before.clear();
-  for (std::size_t i = under.first; i < under.last; ++i) before.push_back(profile.radius(i));
-  profile.cut(a, b, noseRadius);
+  for (std::size_t i = under.first; i < under.last; ++i) before.push_back(radiusOf(i));
+  cut(profile, pass, a, b);
   RemovedSection removed;
   for (std::size_t i = under.first; i < under.last; ++i) {
-    const double was = before[i - under.first], gone = was - profile.radius(i);
+    const double was = before[i - under.first], is = radiusOf(i), gone = std::abs(was - is);
     if (!(gone > 0.0)) continue;
     removed.area += gone * profile.spacing();
-    removed.radius = std::max(removed.radius, was);
+    removed.radius = std::max({removed.radius, was, is});
   }
   return removed;
 }
@@ -65,17 +68,27 @@ void ForcePeakMeter::judge() {
     // A cut that ended before it was as long as a sample tells nothing of its width.
     const double length = std::max(m_length, m_resolution);
     const CutConditions cut{m_area / length, feed, handwheel::surfaceSpeed(m_spindle.at(m_radius), 2.0 * m_radius)};
-    const CutForces forces = m_model->at(cut);
-    if (forces.norm() > m_peaks.force) {
-      m_peaks.force = forces.norm();
-      m_peaks.cut = cut;
-      m_peaks.time = m_time;
-    }
-    m_peaks.power = std::max(m_peaks.power, cuttingPower(forces, cut));
-    m_peaks.torque = std::max(m_peaks.torque, cuttingTorque(forces, 2.0 * m_radius));
-    m_peaks.isOutsideModel |= !m_model->covers(cut);
+    take(cut, m_radius);
   }
   m_length = m_area = m_turns = m_radius = 0.0;
+}
+
+void ForcePeakMeter::addChip(double width, double thickness, double seconds, double radius) {
+  judge();
+  m_time += seconds;
+  take({width, thickness, handwheel::surfaceSpeed(m_spindle.at(radius), 2.0 * radius)}, radius);
+}
+
+void ForcePeakMeter::take(const CutConditions& cut, double radius) {
+  const CutForces forces = m_model->at(cut);
+  if (forces.norm() > m_peaks.force) {
+    m_peaks.force = forces.norm();
+    m_peaks.cut = cut;
+    m_peaks.time = m_time;
+  }
+  m_peaks.power = std::max(m_peaks.power, cuttingPower(forces, cut));
+  m_peaks.torque = std::max(m_peaks.torque, cuttingTorque(forces, 2.0 * radius));
+  m_peaks.isOutsideModel |= !m_model->covers(cut);
 }
 
 ForcePeaks ForcePeakMeter::finish() {
@@ -90,7 +103,7 @@ std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const Turn
   ForcePeakMeter meter(model, spindle, profile.spacing());
   std::vector<double> before;
   for (const TurningPass& pass : passes) {
-    if (!pass.path.empty()) profile.cut(pass.path[0], pass.path[0], pass.noseRadius);
+    if (!pass.path.empty()) cut(profile, pass, pass.path[0], pass.path[0]);
     for (std::size_t i = 1; i < pass.path.size(); ++i) {
       if (i % kLook == 0 && progress.cancelled()) return std::nullopt;
       const ProfilePoint from = pass.path[i - 1], way = pass.path[i] - from;
@@ -99,7 +112,7 @@ std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const Turn
       for (int k = 0; k < parts; ++k) {
         const ProfilePoint a = from + way * (static_cast<double>(k) / parts);
         const ProfilePoint b = from + way * (static_cast<double>(k + 1) / parts);
-        const RemovedSection removed = removedBy(profile, a, b, pass.noseRadius, before);
+        const RemovedSection removed = removedBy(profile, pass, a, b, before);
         meter.add(length / parts, seconds / parts, removed.area, removed.radius);
       }
     }

@@ -39,6 +39,9 @@ class ForcePeakMeter {
   // the largest radius of what goes (mm). Times must be above zero where something is removed, or the move is rapid:
   // through material that has no feed, and is counted as kRapidFeed.
   void add(double length, double seconds, double area, double radius);
+  // A cut whose chip is known, as that of a thread, which no feed tells: how wide and thick it is (mm), its time (s),
+  // and the radius of the work (mm).
+  void addChip(double width, double thickness, double seconds, double radius);
   // The peaks of all moves. Ends the cut that is being judged.
   ForcePeaks finish();
 
@@ -46,6 +49,7 @@ class ForcePeakMeter {
 
  private:
   void judge();
+  void take(const CutConditions& cut, double radius);
 
   const CuttingForceModel* m_model;
   SpindleSetting m_spindle;

@@ -46,14 +46,14 @@ Status checkCycles(const std::string& text, const CycleTask& task, const Program
 Result<std::string> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
                                  Progress progress) {
   CycleSettings limited = settings;
-  limited.room = std::min(settings.room, task.target.lowerEnd() - task.base);
+  limited.room = std::min(settings.room, task.target.lowerEnd() - task.base - task.grip);
   Result<std::vector<ToolMove>> moves = roughAndFinish(task.target, 0.5 * task.stock.diameter, limited);
   if (!moves) return moves.error();
   const double front = task.target.upperEnd() - (task.base + task.part.length());
   for (ToolMove& move : moves.value())
     for (ProfilePoint* each : {&move.from, &move.to, &move.centre}) each->y() += front;
   std::string text = programText(*moves, dialect, "rough and finish");
-  const Status problem = checkCycles(text, task, usualSetup(dialect, task.stock, settings.nose), progress);
+  const Status problem = checkCycles(text, task, usualSetup(dialect, task.stock, task.grip, settings.nose), progress);
   if (!problem) return problem.error();
   return text;
 }

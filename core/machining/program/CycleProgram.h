@@ -17,11 +17,12 @@ struct CycleTask {
   const StockCylinder& stock;  // the bar
   const TurnedProfile& part;   // the bar, or what was cut from it
   double base = 0.0;           // mm, z of the part's lower end in the coordinates of the target
+  double grip = 0.0;           // mm of the part, from its lower end, that the chuck holds
 };
 
 // The cycles of roughAndFinish() as a program whose z = 0 is the upper end of the part. It is simulated before it is
-// given away: it collides nowhere, and cuts no more than 0.005 mm into the target. Errors: CyclesCollide, CyclesGouge,
-// Cancelled, those of roughAndFinish().
+// given away: it collides nowhere, not with the chuck either, and cuts no more than 0.005 mm into the target. Errors:
+// CyclesCollide, CyclesGouge, Cancelled, those of roughAndFinish().
 Result<std::string> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
                                  Progress progress = {});
 

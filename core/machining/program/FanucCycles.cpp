@@ -247,6 +247,7 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   const double peak = to.x() + taper + (cycle.isInside ? -cycle.depth : cycle.depth);
   cycle.peak = cycle.isInside ? peak - start.x() : start.x() - peak;
   cycle.slope = length != 0.0 ? -taper / length : 0.0;
+  cycle.along = alongPath({-taper, length});
   const auto require = [&](bool isRight, const char* what) {
     if (!isRight) refuse(g.place, g.text(), what, "Correct the words of the cycle.");
   };

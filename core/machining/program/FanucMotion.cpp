@@ -120,9 +120,8 @@ void FanucRun::runMotion(const ProgramBlock& block) {
       return;
     case 32: {
       const ProfilePoint from = m_machine.at(), to = target();
-      const double along = lead(code(Motion) ? *code(Motion) : block.words.front());
-      const double longest = (to - from).cwiseAbs().maxCoeff();  // F is measured along the longer axis
-      m_machine.thread(to, longest > 0.0 ? along * (to - from).norm() / longest : along, place);
+      const double measured = lead(code(Motion) ? *code(Motion) : block.words.front());
+      m_machine.thread(to, measured * alongPath(to - from), place);
       return;
     }
     case 90:
@@ -147,6 +146,12 @@ double FanucRun::lead(const ProgramWord& code) {
   const double mm = m_machine.modal.feed;
   if (!(mm > 0.0)) refuse(code.place, code.text(), "the lead is missing", "Write F, the way for one revolution.");
   return mm;
+}
+
+// The lead of a thread is measured along the axis that it goes along most.
+double FanucRun::alongPath(const ProfilePoint& way) {
+  const double longest = way.cwiseAbs().maxCoeff();
+  return longest > 0.0 ? way.norm() / longest : 1.0;
 }
 
 // G90, G92, G94: in, along, out and back. Modal: the next X or Z makes the next pass.
@@ -175,8 +180,8 @@ void FanucRun::boxCycle(int number, const ProgramPlace& place) {
     m_machine.feed(to, place);
     m_machine.feed({start.x(), to.y()}, place);
   } else {
-    const double along = lead(code(Motion) ? *code(Motion) : ProgramWord{'G', 92.0, true, place});
-    m_machine.thread(to, along * std::hypot(1.0, m_boxTaper / std::max(1e-9, std::abs(start.y() - to.y()))), place);
+    const double measured = lead(code(Motion) ? *code(Motion) : ProgramWord{'G', 92.0, true, place});
+    m_machine.thread(to, measured * alongPath({-m_boxTaper, to.y() - start.y()}), place);
     m_machine.rapid({start.x(), to.y()}, place);
   }
   m_machine.rapid(start, place);

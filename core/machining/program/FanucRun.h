@@ -64,7 +64,8 @@ class FanucRun : public ProgramRun {
   void moveInMachine(const ProgramWord& g);
   void runMotion(const ProgramBlock& block);
   void arc(int turn, const ProgramPlace& place);
-  double lead(const ProgramWord& code);  // F of a thread, mm
+  double lead(const ProgramWord& code);              // F of a thread, mm
+  static double alongPath(const ProfilePoint& way);  // mm of it for one of its longer axis
   void boxCycle(int number, const ProgramPlace& place);
   void drill(int number, const ProgramPlace& place);
   bool hasAxis() const { return has('X') || has('U') || has('Z') || has('W'); }

@@ -16,17 +16,17 @@ namespace {
 constexpr std::size_t kMostSegments = 100'000;
 
 // Codes that a contour may contain; all else in it has no effect on a machine, so it is refused.
-bool isContourCode(int number10) {
-  return number10 == 0 || number10 == 10 || number10 == 20 || number10 == 30;
+bool isContourCode(int tenths) {
+  return tenths == 0 || tenths == 10 || tenths == 20 || tenths == 30;
 }
 
 }  // namespace
 
 // G70, G71 and G72 with the contour in the subprogram Q.
-void LinuxCncRun::contourCycle(int number10, const ProgramWord& g) {
+void LinuxCncRun::contourCycle(int tenths, const ProgramWord& g) {
   const ProgramMachine::Modal& modal = m_machine.modal;
   const double unit = m_machine.unit();
-  const bool isFinish = number10 / 10 == 70;
+  const bool isFinish = tenths / 10 == 70;
   if (m_contour) refuse(g.place, g.text(), "a contour cannot contain a cycle", "Put the cycle outside of it.");
   if (m_machine.isCompensated() && !isFinish)
     refuse(g.place, g.text(), "it is not possible with nose compensation", "Write G40 before it.");
@@ -46,8 +46,8 @@ void LinuxCncRun::contourCycle(int number10, const ProgramWord& g) {
     finish.last = number('E', 0.0);
     finish.passes = has('P') ? whole(*word('P'), 1, 10'000) : 1;
   } else {
-    rough.pockets = static_cast<ContourCycle::Pockets>(number10 % 10);
-    rough.isFacing = number10 / 10 == 72;
+    rough.pockets = static_cast<ContourCycle::Pockets>(tenths % 10);
+    rough.isFacing = tenths / 10 == 72;
     rough.depth = number('I', 1.0);
     rough.retract = number('R', 0.5);
     if (!(rough.depth > 0.0)) refuse(g.place, g.text(), "the depth of cut I is not above 0", "Correct I.");
@@ -156,20 +156,19 @@ void LinuxCncRun::threadCycle(const ProgramWord& g) {
 }
 
 // G73, G81, G82, G83, G85 and G89 along Z.
-void LinuxCncRun::drill(int number10, const ProgramPlace& place) {
-  const std::string name = "G" + roundedText(0.1 * number10);
+void LinuxCncRun::drill(int tenths, const ProgramPlace& place) {
+  const std::string name = "G" + roundedText(0.1 * tenths);
   const double unit = m_machine.unit();
   const ProgramMachine::Modal& modal = m_machine.modal;
   if (!modal.isDrillPlane)
     refuse(place, name, "in this plane it would drill across", "Write G17 before it, G18 after.");
   if (modal.isIncremental) refuse(place, name, "it is not possible with G91", "Write G90 before it.");
-  const bool hasPecks = number10 == 730 || number10 == 830;
+  const bool hasPecks = tenths == 730 || tenths == 830;
   if (code(Motion)) m_drilling = {std::nan(""), std::nan(""), std::nan(""), 0.0};
   if (const ProgramWord* const z = word('Z')) m_drilling.depth = unit * z->number;
   if (const ProgramWord* const r = word('R')) m_drilling.retract = unit * r->number;
   if (const ProgramWord* const q = hasPecks ? word('Q') : nullptr) m_drilling.peck = unit * q->number;
-  if (const ProgramWord* const p = number10 == 820 || number10 == 890 ? word('P') : nullptr)
-    m_drilling.dwell = p->number;
+  if (const ProgramWord* const p = tenths == 820 || tenths == 890 ? word('P') : nullptr) m_drilling.dwell = p->number;
   const auto [depth, retract, peck, dwell] = m_drilling;
   if (!std::isfinite(depth) || !std::isfinite(retract)) refuse(place, name, "Z or R is missing", "Write both.");
   if (depth > retract) refuse(place, name, "R is below Z", "Correct R.");
@@ -182,8 +181,8 @@ void LinuxCncRun::drill(int number10, const ProgramPlace& place) {
   cycle.retract = retract;
   cycle.end = modal.returnsToStart ? std::max(m_machine.at().y(), retract) : retract;
   cycle.peck = hasPecks ? peck : 0.0;
-  cycle.isDeep = number10 == 830;
-  cycle.feedsOut = number10 == 850 || number10 == 890;
+  cycle.isDeep = tenths == 830;
+  cycle.feedsOut = tenths == 850 || tenths == 890;
   cycle.dwell = dwell;
   cycle.run(m_machine, place);
 }

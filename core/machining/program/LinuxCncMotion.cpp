@@ -21,12 +21,12 @@ ProfilePoint LinuxCncRun::target() {
   return to;
 }
 
-void LinuxCncRun::runNonModal(int number10, const ProgramWord& g) {
+void LinuxCncRun::runNonModal(int tenths, const ProgramWord& g) {
   const auto refuseCompensated = [&] {
     if (m_machine.isCompensated())
       refuse(g.place, g.text(), "it is not possible with nose compensation", "Write G40 before it.");
   };
-  switch (number10) {
+  switch (tenths) {
     case 40:
       m_machine.dwell(needed('P', g, "the time in seconds"), g.place);
       return;
@@ -36,40 +36,40 @@ void LinuxCncRun::runNonModal(int number10, const ProgramWord& g) {
       return;
     case 281:
     case 301:
-      m_machine.home[number10 == 281 ? 0 : 1] = m_machine.toMachine(m_machine.at());
+      m_machine.home[tenths == 281 ? 0 : 1] = m_machine.toMachine(m_machine.at());
       return;
     case 280:
     case 300:
       refuseCompensated();
-      home(number10, g);
+      home(tenths, g);
       return;
     default:
       refuseCompensated();
-      setOffsets(number10, g);
+      setOffsets(tenths, g);
       return;
   }
 }
 
-void LinuxCncRun::home(int number10, const ProgramWord& g) {
+void LinuxCncRun::home(int tenths, const ProgramWord& g) {
   const bool hasX = has('X'), hasZ = has('Z');
   m_machine.rapid(target(), g.place);
-  ProfilePoint to = m_machine.fromMachine(m_machine.home[number10 == 280 ? 0 : 1]);
+  ProfilePoint to = m_machine.fromMachine(m_machine.home[tenths == 280 ? 0 : 1]);
   if (hasX && !hasZ) to.y() = m_machine.at().y();
   if (hasZ && !hasX) to.x() = m_machine.at().x();
   m_machine.rapid(to, g.place);
 }
 
 // G52, G92 and its sisters. G92.3 brings back what G92 set last, unless G92.1 came after it.
-void LinuxCncRun::setOffsets(int number10, const ProgramWord& g) {
-  if (number10 == 921) m_savedShift = {0, 0};
-  if (number10 != 920 && number10 != 520) {
-    m_machine.setShift(number10 == 923 ? m_savedShift : ProfilePoint(0, 0));
+void LinuxCncRun::setOffsets(int tenths, const ProgramWord& g) {
+  if (tenths == 921) m_savedShift = {0, 0};
+  if (tenths != 920 && tenths != 520) {
+    m_machine.setShift(tenths == 923 ? m_savedShift : ProfilePoint(0, 0));
     return;
   }
   if (!has('X') && !has('Z')) refuse(g.place, g.text(), "an axis is missing", "Write X or Z.");
   ProfilePoint shift = m_machine.shift();
   const ProgramWord *const x = word('X'), *const z = word('Z');
-  const bool isLocal = number10 == 520;
+  const bool isLocal = tenths == 520;
   if (x)
     shift.x() = isLocal ? m_machine.radius(x->number) : shift.x() + m_machine.at().x() - m_machine.radius(x->number);
   if (z)

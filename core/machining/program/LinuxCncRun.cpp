@@ -75,7 +75,7 @@ void LinuxCncRun::sortCodes(const ProgramBlock& block) {
     const int number = std::abs(tenth) < 1e5 ? static_cast<int>(std::lround(tenth)) : -1;
     const Code* found = nullptr;
     for (const Code& known : kCodes)
-      if (known.number == number && std::abs(tenth - number) < 1e-6) found = &known;
+      if (known.tenths == number && std::abs(tenth - number) < 1e-6) found = &known;
     if (!found) refuse(word.place, word.text(), "this code is not supported on a lathe", remedyForCode(number));
     const ProgramWord*& slot = m_codes[found->group];
     if (slot)
@@ -208,17 +208,17 @@ void LinuxCncRun::runModes2() {
   if (codeOf(Return) >= 0) modal.returnsToStart = codeOf(Return) == 980;
 }
 
-void LinuxCncRun::compensation(int number10, const ProgramWord& g) {
-  if (number10 == 400) {
+void LinuxCncRun::compensation(int tenths, const ProgramWord& g) {
+  if (tenths == 400) {
     m_machine.endCompensation();
     return;
   }
   if (m_machine.modal.isDrillPlane)
     refuse(g.place, g.text(), "nose compensation works in the plane of X and Z", "Write G18 before it.");
-  const int side = number10 / 10 == 41 ? 1 : -1;
+  const int side = tenths / 10 == 41 ? 1 : -1;
   double radius = 0.0;
   int orientation = 0;
-  if (number10 % 10 == 1) {
+  if (tenths % 10 == 1) {
     radius = 0.5 * m_machine.unit() * needed('D', g, "the diameter of the nose");
     if (!(radius >= 0.0)) refuse(g.place, g.text(), "the diameter of the nose is negative", "Use the other side.");
     if (const ProgramWord* const l = word('L')) orientation = whole(*l, 0, 9);
@@ -231,12 +231,12 @@ void LinuxCncRun::compensation(int number10, const ProgramWord& g) {
   m_machine.compensate(side, radius, tipDirection(ProgramDialect::LinuxCnc, orientation), g.place);
 }
 
-void LinuxCncRun::toolLength(int number10, const ProgramWord& g) {
+void LinuxCncRun::toolLength(int tenths, const ProgramWord& g) {
   if (m_machine.isCompensated())
     refuse(g.place, g.text(), "the tool offset cannot change with nose compensation", "Write G40 before it.");
-  if (number10 == 490) {
+  if (tenths == 490) {
     m_machine.setToolOffset({0, 0}, -1);
-  } else if (number10 == 430) {
+  } else if (tenths == 430) {
     const ProgramWord* const h = word('H');
     const int number = h ? whole(*h, 0, 65535) : m_machine.modal.tool;
     m_machine.setToolOffset(m_setup.tool(number).offset, number);
@@ -250,10 +250,10 @@ void LinuxCncRun::toolLength(int number10, const ProgramWord& g) {
 
 void LinuxCncRun::runStops(const ProgramBlock& block) {
   for (const ProgramWord& m : block.words) {
-    const int number10 = m.letter == 'M' ? static_cast<int>(std::lround(m.number)) : -1;
-    if (number10 == 60) continue;
-    if (number10 == 0 || number10 == 1 || number10 == 2 || number10 == 30 || number10 == 98 || number10 == 99)
-      runCommonM(number10, m);
+    const int number = m.letter == 'M' ? static_cast<int>(std::lround(m.number)) : -1;
+    if (number == 60) continue;
+    if (number == 0 || number == 1 || number == 2 || number == 30 || number == 98 || number == 99)
+      runCommonM(number, m);
   }
 }
 

@@ -32,7 +32,7 @@ class LinuxCncRun : public ProgramRun {
     kGroups
   };
   struct Code {
-    int number;  // times 10
+    int tenths;  // of its number: G92.1 has 921
     Group group;
   };
 
@@ -60,28 +60,28 @@ class LinuxCncRun : public ProgramRun {
   void execute(const ProgramBlock& block);
   void sortCodes(const ProgramBlock& block);
   const ProgramWord* code(int group) const { return m_codes[static_cast<std::size_t>(group)]; }
-  int codeOf(int group) const;  // times 10; -1: none
+  int codeOf(int group) const;  // in tenths; -1: none
   void setFeedAndSpeed(const ProgramBlock& block);
   void runToolAndSpindle(const ProgramBlock& block);
   void runModes();
   void runModes2();
-  void compensation(int code, const ProgramWord& g);
-  void toolLength(int code, const ProgramWord& g);
-  void runNonModal(int code, const ProgramWord& g);
-  void home(int code, const ProgramWord& g);
-  void setOffsets(int code, const ProgramWord& g);
+  void compensation(int tenths, const ProgramWord& g);
+  void toolLength(int tenths, const ProgramWord& g);
+  void runNonModal(int tenths, const ProgramWord& g);
+  void home(int tenths, const ProgramWord& g);
+  void setOffsets(int tenths, const ProgramWord& g);
   void setCoordinates(const ProgramWord& g);
   void runMotion(const ProgramBlock& block);
-  void move(int code, const ProgramPlace& place);
-  void straightInMachine(int code, const ProgramWord& g);
+  void move(int tenths, const ProgramPlace& place);
+  void straightInMachine(int tenths, const ProgramWord& g);
   void runStops(const ProgramBlock& block);
   ProfilePoint target();
 
   // Cycles.
-  void contourCycle(int code, const ProgramWord& g);
+  void contourCycle(int tenths, const ProgramWord& g);
   void collect(const ProgramBlock& block);
   void threadCycle(const ProgramWord& g);
-  void drill(int code, const ProgramPlace& place);
+  void drill(int tenths, const ProgramPlace& place);
 
   std::array<const ProgramWord*, kGroups> m_codes{};
   Drilling m_drilling;

@@ -85,11 +85,12 @@ int outsideOrientation(ProgramDialect dialect) {
   return dialect == ProgramDialect::Fanuc ? 3 : 2;
 }
 
-ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double nose) {
+ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose) {
   constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
   ProgramSetup setup;
   setup.dialect = dialect;
   setup.standard = {nose, outsideOrientation(dialect), {0, 0}};
+  setup.grip = grip;
   setup.reference = {0.5 * stock.diameter + kHomeDistance, kHomeDistance};
   return setup;
 }

@@ -46,9 +46,9 @@ struct ProgramSetup {
   const ProgramTool& toolOf(const ToolMove& move) const { return tool(move.shape != 0 ? move.shape : move.tool); }
 };
 
-// The machine for a bar whose upper end is z = 0: every tool turns the outside with this nose (mm; 0: an ideal point),
-// and machine zero is 100 mm above and beside the bar.
-ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double nose);
+// The machine for a bar whose upper end is z = 0, and whose lower end is in the chuck over this length (mm): every tool
+// turns the outside with this nose (mm; 0: an ideal point), and machine zero is 100 mm above and beside the bar.
+ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose);
 
 // The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Error: Refused.
 Result<std::map<int, ProgramTool>> readToolTable(std::string_view text);

@@ -6,7 +6,7 @@
 #include "machining/force/ForcePeaks.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
-#include "machining/thread/ThreadGroove.h"
+#include "machining/thread/PartThreads.h"
 
 #include <optional>
 #include <utility>
@@ -23,26 +23,44 @@ struct ProgramCollision {
   };
   Kind kind = Kind::RapidInMaterial;
   std::uint32_t line = 0;
-  ProfilePoint at{0, 0};  // mm, (r, z) of the part, where the move ends
+  ProfilePoint at{0, 0};     // mm, (r, z) of the program, where the move ends
+  ProfilePoint place{0, 0};  // mm, (r, z) from the lower end of the part: of the nose, where it first took material
+  double time = 0.0;         // s, of the program, at the end of the move
+};
+
+// A thread that was just cut: the spindle goes on turning while threads follow one another.
+struct ThreadLead {
+  ProfilePoint end{0, 0};  // of the tip, after the last move
+  double turns = 0.0;      // since the first of them began
+  TurningSide side = TurningSide::Outside;
+};
+
+// What the next move of a program depends on besides the profile of the part.
+struct ProgramState {
+  bool isDrilling = false;                     // the tool is on the axis and has drilled there
+  int drill = -1;                              // its number
+  std::optional<ThreadLead> lead;              // the last move was a thread
+  std::shared_ptr<const PartThreads> threads;  // of the part, for forces; null: none
 };
 
 // Cuts a part along the tool path of a program, move by move.
 //
-// The upper end of the part is z = 0 of the program; it is gripped at the lower end, where the chuck
-// holds ProgramSetup::grip of it. A tool
-// cuts with its nose, or as a point where it has none, and takes all between it and the side that its shank comes from:
-// the outside, or the axis for a tool whose tip points outwards. A feed along the axis towards the chuck drills, with
-// the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so does a feed with the spindle at
-// rest or reversed; each is a collision where it meets material. A thread is a pass of its own, which leaves the
-// profile as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves). One thread.
+// The upper end of the part is z = 0 of the program; it is gripped at the lower end, over ProgramSetup::grip, where no
+// tool may be beside it. A tool cuts with its nose, or as a point where it has none, and takes all between it and the
+// side that its shank comes from: the outside, or the axis for a tool whose tip points outwards. A feed along the axis
+// towards the chuck drills, with the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so
+// does a feed with the spindle at rest or reversed; each is a collision where it meets material. A thread is a pass of
+// its own, which leaves the profile as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves).
+// One thread.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
   static constexpr double kChord = 1e-4;                // mm, of an arc
 
-  // setup: for the tools. model: of the forces; may be null. Path, setup and model must outlive it.
+  // setup: for the tools. model: of the forces; may be null. before: the state after the moves that come before those
+  // of the path. Path, setup and model must outlive it.
   ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
-                    const CuttingForceModel* model = nullptr);
+                    const CuttingForceModel* model = nullptr, const ProgramState& before = {});
 
   // The next move; false after the last. Changed samples are added to changed().
   bool step();
@@ -51,6 +69,7 @@ class ProgramSimulation {
 
   std::size_t done() const { return m_next; }  // moves
   const TurnedProfile& part() const { return m_part; }
+  const ProgramState& state() const { return m_state; }
   TurnedProfile::Range takeChanged() { return std::exchange(m_changed, {}); }
   double time() const { return m_time; }  // s
 
@@ -70,24 +89,27 @@ class ProgramSimulation {
   void followDrill(const ToolMove& move);
   TurningPass shapeOf(const ToolMove& move) const;
   double deepestOf(const ProfilePoint& a, const ProfilePoint& b, const TurningPass& shape) const;
-  void judge(const ToolMove& move, double deepest, double nose);
+  // What a move took: how deep it was in the material (mm, in r), and where its nose was first.
+  struct Taken {
+    double deepest = 0.0;
+    ProfilePoint place{0, 0};
+  };
+  Taken cutMove(const ToolMove& move, const TurningPass& shape);
+  void judge(const ToolMove& move, const Taken& taken, double nose);
   TurnedProfile::Range samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const;
   Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
   void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end,
               double speed);
-  void meet(const ToolMove& move, const Removal& removal, double seconds, double length);
-  void collide(ProgramCollision::Kind kind, const ToolMove& move);
-  // How the spindle stands while threads follow one another: turns since the first of them began.
-  struct Lead {
-    ProfilePoint end{0, 0};  // of the tip, after the last move
-    double turns = 0.0;
-  };
+  ForcePeakMeter& meterOf(const ToolMove& move);
+  void collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place);
+  static bool isThread(const ToolMove& move);
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
-  void meetThread(const ToolMove& move, const ThreadGroove& groove);
+  void meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove);
   bool leavesThread(const ToolMove& move) const;
   ProfilePoint toCentre(const ToolMove& move, double nose) const;
-  bool reachesChuck(const ToolMove& move, double nose) const;
+  bool isInChuck(const ProfilePoint& low, TurningSide side) const;
+  void meetChuck(const ToolMove& move, double nose, TurningSide side, const ProfilePoint& place);
 
   TurnedProfile m_part;
   const ToolPath& m_path;
@@ -100,14 +122,11 @@ class ProgramSimulation {
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;
   std::uint32_t m_lastCollision = 0;  // line
+  bool m_isInChuck = false;           // since the last move
   std::vector<ToolPath::Note> m_notes;
-  bool m_isDrilling = false;  // the tool is on the axis and has drilled there
-  int m_drill = -1;           // its number
+  ProgramState m_state;
   std::vector<TurningPass> m_passes;
-  double m_passBegin = 0.0;    // s, of the program, where the last pass begins
-  std::optional<Lead> m_lead;  // the last move was a thread
-  // The largest section of a groove so far, and its pitch: what a pass cuts is more than the ones before.
-  double m_section = 0.0, m_sectionPitch = 0.0;  // mm², mm
+  double m_passBegin = 0.0;  // s, of the program, where the last pass begins
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

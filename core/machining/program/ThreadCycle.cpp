@@ -27,7 +27,9 @@ void ThreadCycle::pass(ProgramMachine& machine, const ProgramPlace& place, doubl
   const auto pointAt = [&](double depthHere, double z) {
     return ProfilePoint(start.x() + out * depthHere + slope * (z - start.y()), z);
   };
-  const double taperPitch = taper > 0.0 ? pitch * std::hypot(taper, depth) / taper : pitch;
+  const double passPitch = along * pitch;
+  const double alongZ = passPitch / std::hypot(1.0, slope);  // goes on through the tapered ends
+  const double taperPitch = taper > 0.0 ? alongZ * std::hypot(taper, depth) / taper : passPitch;
   machine.rapid(pointAt(at - most, from), place);
   double z = from;
   if (taper > 0.0 && hasEntryTaper) {
@@ -38,10 +40,10 @@ void ThreadCycle::pass(ProgramMachine& machine, const ProgramPlace& place, doubl
     machine.rapid(pointAt(at, from), place);
   }
   if (taper > 0.0 && hasExitTaper) {
-    if (direction * (z - (to + length)) > 0.0) machine.thread(pointAt(at, to + length), pitch, place);
+    if (direction * (z - (to + length)) > 0.0) machine.thread(pointAt(at, to + length), passPitch, place);
     machine.thread(pointAt(at - depth, to), taperPitch, place);
   } else {
-    machine.thread(pointAt(at, to), pitch, place);
+    machine.thread(pointAt(at, to), passPitch, place);
   }
   machine.rapid(pointAt(at - most, to), place);
 }

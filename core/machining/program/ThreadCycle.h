@@ -23,6 +23,7 @@ struct ThreadCycle {
   double taper = 0.0;  // length of the tapered ends
   bool hasEntryTaper = false, hasExitTaper = false;
   double slope = 0.0;     // of the drive line, r by z: a conical thread
+  double along = 1.0;     // mm of its flank for one of the axis on which the pitch is measured
   double lastStep = 0.0;  // depth of the last pass: the allowance for finishing; 0: none
 
   void run(ProgramMachine& machine, const ProgramPlace& place) const;

@@ -43,7 +43,9 @@ double sweepBetween(double from, double to) {
 }
 
 Segments ellipse(const DxfEntity& entity, double tolerance) {
-  const ProfilePoint major = entity.second, minor = entity.size * ProfilePoint(-major.y(), major.x());
+  // Its points are not in the plane of the entity, but the minor axis is across the major one about its normal.
+  const double about = entity.normalZ < 0.0 ? -entity.size : entity.size;
+  const ProfilePoint major = entity.second, minor = about * ProfilePoint(-major.y(), major.x());
   const double sweep = sweepBetween(entity.span[0], entity.span[1]);
   const auto curve = [&](double t) {
     const double angle = entity.span[0] + t * sweep;

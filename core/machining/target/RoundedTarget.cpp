@@ -50,6 +50,7 @@ std::optional<Corner> filletedCorner(const ProfileSegment& before, const Profile
 }
 
 std::vector<Corner> cornersOf(const TargetProfile& target, double largestFillet) {
+  constexpr double kFitted = 1e-3;  // mm, as fitted radii are off
   const auto segments = target.segments();
   const std::size_t count = segments.size();
   std::vector<Corner> corners;
@@ -62,7 +63,8 @@ std::vector<Corner> cornersOf(const TargetProfile& target, double largestFillet)
     if (fillet) {
       corners.push_back(*fillet);
       // The material is on the left: what turns right is hollow.
-      if (segments[i].bulge < 0.0 && fillet->fillet <= largestFillet) corners.back().fillet = 0.0;
+      const bool isOfNose = largestFillet > 0.0 && fillet->fillet <= largestFillet + kFitted;
+      if (segments[i].bulge < 0.0 && isOfNose) corners.back().fillet = 0.0;
     } else if (!isAfterFillet) {
       corners.push_back({segments[i].from, 0.0, segments[i].bulge});
     }

@@ -134,10 +134,7 @@ class SvgWalk {
     } else if (name == "polyline" || name == "polygon") {
       polyline(element, name == "polygon", curves);
     } else if (name == "rect") {
-      const ProfilePoint at(number("x"), number("y")), size(number("width"), number("height"));
-      const std::array corners{at, ProfilePoint(at.x() + size.x(), at.y()), ProfilePoint(at + size),
-                               ProfilePoint(at.x(), at.y() + size.y())};
-      for (std::size_t i = 0; i < 4; ++i) curves.line(corners[i], corners[(i + 1) % 4]);
+      rectangle(element, curves);
     } else if (name == "circle" || name == "ellipse") {
       const double rx = number(name == "circle" ? "r" : "rx"), ry = number(name == "circle" ? "r" : "ry");
       if (rx > 0.0 && ry > 0.0) {
@@ -147,6 +144,32 @@ class SvgWalk {
       ++m_drawing.others[std::string(name.substr(0, 40))];
     }
     return Done{};
+  }
+  // Its corners are quarters of an ellipse. Of its half axes one may be left out, and neither is more than half a side.
+  static void rectangle(const XmlElement& element, SvgCurves& curves) {
+    const ProfilePoint at(numberIn(element, "x"), numberIn(element, "y"));
+    const ProfilePoint size(numberIn(element, "width"), numberIn(element, "height"));
+    const auto given = [&](const char* name) -> std::optional<double> {
+      const std::string* const text = element.attribute(name);
+      std::string_view rest = text ? std::string_view(*text) : std::string_view();
+      double number = 0.0;
+      return takeSvgNumber(rest, number) && number >= 0.0 ? std::optional(number) : std::nullopt;
+    };
+    const std::optional<double> x = given("rx"), y = given("ry");
+    const double rx = std::min(x.value_or(y.value_or(0.0)), 0.5 * size.x());
+    const double ry = std::min(y.value_or(x.value_or(0.0)), 0.5 * size.y());
+    const bool isRound = rx > 0.0 && ry > 0.0;
+    const ProfilePoint in = isRound ? ProfilePoint(rx, ry) : ProfilePoint(0.0, 0.0), end = at + size;
+    const std::array centres{ProfilePoint(end.x() - in.x(), at.y() + in.y()), ProfilePoint(end - in),
+                             ProfilePoint(at.x() + in.x(), end.y() - in.y()), ProfilePoint(at + in)};
+    const auto onArc = [&](std::size_t corner, double angle) {
+      return ProfilePoint(centres[corner] + ProfilePoint(in.x() * std::cos(angle), in.y() * std::sin(angle)));
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double begin = 0.5 * M_PI * (static_cast<double>(i) - 1.0);
+      if (isRound) curves.arc(centres[i], rx, ry, 0.0, begin, 0.5 * M_PI);
+      curves.line(onArc(i, begin + 0.5 * M_PI), onArc((i + 1) % 4, begin + 0.5 * M_PI));
+    }
   }
   void polyline(const XmlElement& element, bool isClosed, SvgCurves& curves) {
     const std::string* const text = element.attribute("points");

@@ -36,6 +36,7 @@ class TurnTool : public Tool {
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "turn"; }
+  std::string recordedName() const override { return m_tool.side == TurningSide::Bore ? "turn bore" : id(); }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;

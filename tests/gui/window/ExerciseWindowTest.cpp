@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowTestMain.h"
+#include "document/exercise/ExerciseDocument.h"
+#include "document/workpiece/exercise/TurningTask.h"
 #include "haptics/TurningWindow.h"
 
 #include <QDockWidget>
@@ -255,13 +257,37 @@ class ExerciseWindowTest : public QObject {
     driver.choose("roundTargetAction");
     QTRY_VERIFY(driver.find<QDialog>("roundTargetDialog")->isVisible());
     driver.edit("round-target", "10");
-    QTRY_VERIFY(driver.text("roundTargetRemark").contains(QStringLiteral(" mm")));
+    QTRY_VERIFY2(driver.text("roundTargetRemark").contains(QStringLiteral("mm")),
+                 qPrintable(driver.text("roundTargetRemark")));
     driver.edit("round-target", "2");
+    QTRY_VERIFY(driver.find<QPushButton>("roundTarget")->isEnabled());
     driver.click("roundTarget");
     QVERIFY(driver.settle());
     QVERIFY(task() != before);
     driver.click("quickActions/undo");
     QTRY_VERIFY(task() == before);
+  }
+
+  // The work that was begun becomes the target: here the bar itself, 50 × 100 mm, in one undo step.
+  void theTargetFromTheWork() {
+    WindowDriver driver;
+    driver.choose("newExercise");
+    QVERIFY(driver.settle());
+    auto* tabs = driver.window().findChild<DocumentTabs*>();
+    auto& exercise = static_cast<ExerciseDocument&>(tabs->current()->document);
+    const TaskPointer before = exercise.exercise().task;
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    const StockCylinder stock = static_cast<WorkpieceDocument&>(tabs->current()->document).workpiece().stock;
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    driver.choose("takeTarget");
+    QVERIFY(driver.settle());
+    const auto& task = static_cast<const TurningTask&>(*exercise.exercise().task);
+    QVERIFY(exercise.exercise().task != before && task.target);
+    QVERIFY(std::abs(task.target->largestRadius() - 0.5 * stock.diameter) < 1e-6);
+    QVERIFY(std::abs(task.target->upperEnd() - task.target->lowerEnd() - stock.length) < 1e-6);
+    driver.click("quickActions/undo");
+    QTRY_VERIFY(exercise.exercise().task == before);
   }
 
   // A teacher adds a mark and a step, changes them, and takes it back.

@@ -3,6 +3,7 @@
 
 // Programs that are written for the user: of passes, and for a target.
 #include "controls/program/ProgramEditor.h"
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/PassesProgram.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -78,7 +79,7 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
               failed = job.failed](Progress progress) -> Job::Finish {
     if (!start.target) return {};
     const TurnedProfile part = partOf(start, spacing).profile;
-    const CycleTask task{start.target->profile, start.stock, part, start.stock.position};
+    const CycleTask task{start.target->profile, start.stock, part, start.stock.position, latheOf(start).chuck.grip};
     const Result<std::string> text = cycleProgram(task, dialect, settings, progress);
     if (!text) return [failed, error = text.error()] { failed(error); };
     const ProgramTool tool{settings.nose, outsideOrientation(dialect), {0.0, 0.0}};

@@ -4,6 +4,7 @@
 // Running a program, cutting the work with it, and looking at its lines one by one.
 #include "controls/QuantityText.h"
 #include "controls/program/ProgramEditor.h"
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -72,14 +73,15 @@ void ProgramSession::forgetRun() {
   emit pictureChanged();
 }
 
-// What was run on another part is over.
+// What was run on another part, or in another chuck, is over.
 void ProgramSession::documentChanged() {
   const WorkpieceSnapshot& now = workpiece().workpiece();
   m_fromPasses.setEnabled(now.part != nullptr);
   m_cycles.setEnabled(now.target != nullptr);
   const StockCylinder &a = m_start.stock, &b = now.stock;
   const bool isSame = m_start.part == now.part && m_start.chord == now.chord && a.diameter == b.diameter &&
-                      a.length == b.length && a.position == b.position;
+                      a.length == b.length && a.position == b.position &&
+                      latheOf(m_start).chuck.grip == latheOf(now).chuck.grip;
   if (m_trial && !isSame) forgetRun();
 }
 

@@ -157,7 +157,7 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   details.curves.push_back(
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
   details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
-  for (const CrashMoment& crash : part.review()->crashes()) details.events.push_back(eventOf(crash));
+  for (const CrashMoment& crash : part.unrecordedCrashes()) details.events.push_back(eventOf(crash));
   for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash));
   details.seconds = part.review()->seconds();
   return details;

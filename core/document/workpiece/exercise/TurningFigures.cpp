@@ -12,6 +12,7 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -199,6 +200,33 @@ const std::vector<LatheCollision>& MeasuredPart::crashes() const {
   return m_crashes ? *m_crashes : kNoCrashes;
 }
 
+// The crashes of a program stand on the path of its pass, where the review sees most of them again. Those of the manual
+// lathe, whose passes have its tools, are not there: it does not make the step that would crash.
+std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
+  std::vector<CrashMoment> left;
+  std::vector<LatheCollision> open = crashes();
+  const auto isBefore = [](const ProfilePoint& a, const ProfilePoint& b) {
+    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+  };
+  std::vector<ProfilePoint> path;  // of the pass of this number, sorted
+  std::size_t number = m_passes.size();
+  for (const CrashMoment& crash : m_review ? m_review->crashes() : std::vector<CrashMoment>()) {
+    if (std::exchange(number, crash.pass) != crash.pass) {
+      const TurningPass& pass = *m_passes[crash.pass];
+      path = pass.tool ? std::vector<ProfilePoint>() : pass.path;
+      std::sort(path.begin(), path.end(), isBefore);
+    }
+    const auto recorded = std::find_if(open.begin(), open.end(), [&](const LatheCollision& each) {
+      return std::binary_search(path.begin(), path.end(), each.place, isBefore);
+    });
+    if (recorded == open.end())
+      left.push_back(crash);
+    else
+      open.erase(recorded);
+  }
+  return left;
+}
+
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
   std::vector<Load> loads;
   const WorkMaterials& kMaterials = WorkMaterials::standard();
@@ -228,7 +256,7 @@ Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const
 
 Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   if (m_passes.empty()) return none(c, QT_TRANSLATE_NOOP("Note", "nothing was cut"));
-  if (c.figure == "crashes") return {c.id, static_cast<double>(m_review->crashes().size() + crashes().size()), {}};
+  if (c.figure == "crashes") return {c.id, static_cast<double>(unrecordedCrashes().size() + crashes().size()), {}};
   if (c.figure == "cutting_time") return {c.id, m_review->seconds(), {}};
   if (c.figure == "force") return peak(c, loads(), &Load::force);
   if (c.figure == "power") return peak(c, loads(), &Load::power);

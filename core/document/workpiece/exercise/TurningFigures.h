@@ -23,7 +23,10 @@ class MeasuredPart {
 
   const TurnedProfile& profile() const { return m_profile; }
   const std::optional<TurningReview>& review() const { return m_review; }
-  const std::vector<LatheCollision>& crashes() const;  // of the manual lathe
+  // Recorded while the part was cut, by the manual lathe or by programs.
+  const std::vector<LatheCollision>& crashes() const;
+  // Those that the review alone tells.
+  std::vector<CrashMoment> unrecordedCrashes() const;
   // Whether the passes give this part, sample by sample, and its finish. Else somebody has changed the file.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
   // The cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.

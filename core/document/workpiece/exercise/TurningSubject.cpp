@@ -9,6 +9,7 @@
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceProperties.h"
+#include "document/workpiece/exercise/DescribedPasses.h"
 #include "document/workpiece/exercise/DrawingTolerance.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 #include "document/workpiece/exercise/TurningDetails.h"
@@ -36,59 +37,6 @@ const TurningTask& turningOf(const ExerciseTask& task) {
 
 const WorkpieceSnapshot& turnedOf(const Snapshot& work) {
   return static_cast<const WorkpieceSnapshot&>(work);
-}
-
-Error malformedPass(const char* what) {
-  return {ErrorCode::ElementMalformed, {"passes", what}, {}, {}};
-}
-
-// That of a pass, sharp or as round as its nose; the first groove begins at the first point.
-Result<ThreadCut> threadFrom(const nlohmann::json& json, const TurningPass& pass) {
-  ThreadCut thread;
-  if (!json.is_object() || !json.contains("pitch") || !json["pitch"].is_number())
-    return malformedPass("a thread needs a pitch");
-  thread.pitch = json["pitch"].get<double>();
-  if (const auto starts = json.find("starts"); starts != json.end() && starts->is_number_unsigned())
-    thread.starts = static_cast<int>(std::min<std::uint64_t>(starts->get<std::uint64_t>(), 1'000));
-  thread.isLeft = stringAt(json, "hand") == "left";
-  if (const auto flat = json.find("flat"); flat != json.end() && flat->is_number()) thread.flat = flat->get<double>();
-  thread.offset = pass.path.front().y();
-  if (!thread.isSound()) return malformedPass("a thread is impossible");
-  return thread;
-}
-
-// A pass at a constant feed; of a thread its lead is the feed.
-Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
-  if (!json.is_object()) return malformedPass("an object was expected");
-  const auto number = [&](const char* key, double otherwise) {
-    const auto found = json.find(key);
-    return found != json.end() && found->is_number() ? found->get<double>() : otherwise;
-  };
-  TurningPass pass;
-  pass.noseRadius = number("nose_radius", AllowedTool().noseRadius);
-  if (!(pass.noseRadius >= TurningPass::kLeastNose && pass.noseRadius <= TurningPass::kLargestNose))
-    return malformedPass("a nose radius is impossible");
-  pass.side = stringAt(json, "side") == "bore" ? TurningSide::Bore : TurningSide::Outside;
-  const double feed = number("feed", 0.1), mmPerSecond = feed * spindleSpeed / 60.0;
-  if (!(feed > 0.0 && mmPerSecond > 0.0)) return malformedPass("feed and spindle speed must be above 0");
-  const auto points = json.find("points");
-  if (points == json.end() || !points->is_array() || points->empty() || points->size() > TurningPass::kMostPoints)
-    return malformedPass("points were expected");
-  for (const nlohmann::json& each : *points) {
-    if (!each.is_array() || each.size() != 2 || !each[0].is_number() || !each[1].is_number())
-      return malformedPass("points of two numbers each were expected");
-    const ProfilePoint p(each[0].get<double>(), each[1].get<double>());
-    const double seconds = pass.path.empty() ? 0.0 : (p - pass.path.back()).norm() / mmPerSecond;
-    pass.times.push_back(pass.times.empty() ? 0.0 : pass.times.back() + seconds);
-    pass.path.push_back(p);
-  }
-  pass.speeds.assign(pass.path.size(), spindleSpeed);
-  if (const auto given = json.find("thread"); given != json.end()) {
-    const Result<ThreadCut> thread = threadFrom(*given, pass);
-    if (!thread) return thread.error();
-    pass.thread = *thread;
-  }
-  return pass;
 }
 
 // Where the exercise names tools of the manual lathe, these are in its post and no others can be mounted. A drill is
@@ -196,15 +144,13 @@ Status TurningSubject::checkWork(const ExerciseTask& task, const Snapshot& work)
 Result<SnapshotPointer> TurningSubject::makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                                  Progress progress) const {
   const TurningTask& turning = turningOf(task);
-  const auto passes = description.is_object() ? description.find("passes") : description.end();
-  if (passes == description.end() || !passes->is_array()) return malformedPass("a list was expected");
   WorkpieceSnapshot work = turnedOf(*start(task));
-  for (std::size_t i = 0; i < passes->size(); ++i) {
-    Result<TurningPass> pass = passFrom((*passes)[i], turning.lathe.spindleSpeed);
-    if (!pass) return pass.error();
-    const double share = 1.0 / static_cast<double>(passes->size()), done = share * static_cast<double>(i);
-    work.part =
-        withPass(work, std::move(pass.value()), turnSpacingSetting().standard, progress.part(done, done + share));
+  const double spacing = turnSpacingSetting().standard;
+  Result<std::vector<TurningPass>> passes =
+      describedPasses(description, turning.lathe.spindleSpeed, partOf(work, spacing).profile);
+  if (!passes) return passes.error();
+  if (!passes->empty()) {
+    work.part = withPasses(work, std::move(passes.value()), spacing, progress);
     if (!work.part) return Error{ErrorCode::Cancelled, {}, {}, {}};
   }
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(work)));

@@ -32,8 +32,8 @@ WorkpieceSnapshot freshBar() {
   return workpiece;
 }
 
-ProgramTrial::Pointer tried(const char* text, const WorkpieceSnapshot& workpiece) {
-  const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 0.0);
+ProgramTrial::Pointer tried(const char* text, const WorkpieceSnapshot& workpiece, double nose = 0.0) {
+  const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 20.0, nose);
   const auto trial = ProgramTrial::run(workpiece, text, setup, kSpacing, nullptr);
   return trial ? *trial : nullptr;
 }
@@ -93,8 +93,64 @@ class ProgramTrialTest : public QObject {
     } while (simulation.step());
   }
 
+  // A drill on its way back is still a drill, and a tool that leaves its thread cuts nothing: in the middle of both
+  // ways the part is what it was before them.
+  void halfTheWayBack_data() {
+    QTest::addColumn<QString>("cuts");
+    QTest::addColumn<double>("nose");
+    QTest::addColumn<int>("line");
+    QTest::newRow("a drill") << "G0 X0 Z2\nG1 Z-20 F100\nG0 Z2\nM2\n" << 5.0 << 4;
+    QTest::newRow("a thread") << "G0 X44 Z5\nG0 X37\nG33 Z-20 K1.5\nG0 X44\nM2\n" << 0.2 << 5;
+  }
+  void halfTheWayBack() {
+    QFETCH(QString, cuts);
+    QFETCH(double, nose);
+    QFETCH(int, line);
+    const auto trial = tried(("G7 G21 G97 S600 M3\n" + cuts).toStdString().c_str(), freshBar(), nose);
+    QVERIFY(trial && trial->collisionCount() == 0);
+    const ProgramPosition leaving = trial->steps().previous(trial->steps().afterLine(static_cast<std::uint32_t>(line)));
+    QCOMPARE(trial->steps().moveAt(leaving).line, static_cast<std::uint32_t>(line));
+    const auto before = trial->profileAt({leaving.done, 0.0}), half = trial->profileAt({leaving.done, 0.5});
+    QVERIFY(before && half && *half == *before);
+    QVERIFY(*before == trial->part()->profile);
+  }
+
+  // What a program did stays with the part that it cut, at the points of its path and behind what was there before.
+  void collisionsStayWithThePart_data() {
+    QTest::addColumn<QString>("cuts");
+    QTest::addColumn<int>("cause");
+    QTest::addColumn<int>("struck");
+    const auto row = [](const char* name, const char* cuts, CrashCause cause, LathePart struck) {
+      QTest::newRow(name) << QString(cuts) << static_cast<int>(cause) << static_cast<int>(struck);
+    };
+    row("reversed", "M4\nG0 X36 Z2\nG1 Z-50 F120\n", CrashCause::Reversed, LathePart::Work);
+    row("at rest", "M5\nG0 X36 Z2\nG1 Z-50 F120\n", CrashCause::SpindleAtRest, LathePart::Work);
+    row("rapid", "M3\nG0 X36 Z2\nG0 Z-50\n", CrashCause::Rapid, LathePart::Work);
+    row("chuck", "M3\nG0 X36 Z2\nG1 Z-85 F120\n", CrashCause::Contact, LathePart::Chuck);
+  }
+  void collisionsStayWithThePart() {
+    QFETCH(QString, cuts);
+    QFETCH(int, cause);
+    QFETCH(int, struck);
+    WorkpieceSnapshot workpiece = freshBar();
+    const std::string text = ("G7 G21 G97 S600\n" + cuts + "G0 X44\nM2\n").toStdString();
+    const auto trial = tried(text.c_str(), workpiece);
+    QVERIFY(trial && trial->part() && trial->part()->crashes);
+    QCOMPARE(trial->part()->crashes->size(), std::size_t{1});
+    const LatheCollision& crash = trial->part()->crashes->front();
+    QCOMPARE(static_cast<int>(crash.cause), cause);
+    QCOMPARE(static_cast<int>(crash.struck), struck);
+    const auto& path = trial->part()->passes.back()->path;
+    QVERIFY(std::find(path.begin(), path.end(), crash.place) != path.end());
+    QVERIFY(crash.place.x() == 18.0 && crash.place.y() < 100.0 && crash.place.y() > 80.0);  // where it first cut
+    QVERIFY(crash.time > 0.0 && crash.time <= trial->path().time);
+    workpiece.part = trial->part();
+    const auto again = tried("G7 G21 G97 S600 M4\nG0 X30 Z2\nG1 Z-50 F120\nG0 X44\nM2\n", workpiece);
+    QVERIFY(again && again->part() && again->part()->crashes->size() == 2 && again->part()->crashes->front() == crash);
+  }
+
   void whatCannotRunIsSaid() {
-    const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, freshBar().stock, 0.0);
+    const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, freshBar().stock, 20.0, 0.0);
     const auto refused = ProgramTrial::run(freshBar(), "G68\n", setup, kSpacing, nullptr);
     QVERIFY(!refused && refused.error().code == ProgramError::Refused);
     const auto beside = tried("G0 X60 Z2\nG1 Z-10 F100\nM2\n", freshBar());

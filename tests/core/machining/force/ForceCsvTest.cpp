@@ -44,6 +44,13 @@ class ForceCsvTest : public QObject {
     QCOMPARE(table->samples, (std::vector<ForceSample>{{{0.25, 0.07, 350.0}, 49.2}}));
   }
 
+  // Exact names come first: F is a force beside the feed, and VC, which no name is, stands for vc.
+  void aFeedBesideAForce() {
+    const auto table = forceSamplesFromCsv("ap,feed,VC,Fc,F\n1,0.2,100,500,700\n");
+    QVERIFY(table);
+    QCOMPARE(table->samples, (std::vector<ForceSample>{{{1.0, 0.2, 100.0}, 500.0}}));
+  }
+
   // An area by the feed is a depth, r/min and a diameter are a speed.
   void readsATableOfSpindleSpeeds() {
     const std::string text = "Ensayo,rpm,f,f_cal,A0,A_cal,Fx,Fy,Fz\n1,1000,0.104,0.098,0.104,0.098,100.5,78.2,212.6\n";

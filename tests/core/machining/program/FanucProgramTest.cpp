@@ -125,6 +125,28 @@ class FanucProgramTest : public QObject {
     QVERIFY(near(moves.back().to, 12.0, 5.0));
   }
 
+  // F is the way along the axis that a thread goes along most; the feed of a move is that along its path.
+  void leadsOfTapers_data() {
+    QTest::addColumn<QString>("cuts");
+    QTest::newRow("G32") << "G0 X10. Z0.\nG32 X20. Z-30. F2.\n";
+    QTest::newRow("G32, steep") << "G0 X10. Z0.\nG32 X40. Z-10. F2.\n";
+    QTest::newRow("G92") << "G0 X44. Z2.\nG92 X40. Z-8. R-5. F2.\nX39.\n";
+    QTest::newRow("G92, steep") << "G0 X44. Z2.\nG92 X40. Z-8. R-15. F2.\n";
+    QTest::newRow("G76") << "G0 X24. Z5.\nG76 P010060 Q50 R0.\nG76 X17. Z-30. R-3. P1200 Q400 F2.\n";
+    QTest::newRow("G76, steep") << "G0 X24. Z0.\nG76 P010000 Q50 R0.\nG76 X17. Z-1. R-3. P1200 Q400 F2.\n";
+    QTest::newRow("G76 in one line") << "G0 X24. Z5.\nG76 X17. Z-30. K1.2 D0.4 I-3. F2.\n";
+  }
+  void leadsOfTapers() {
+    QFETCH(QString, cuts);
+    const auto threads = only(movesOf(kBegin + cuts.toStdString()), MoveKind::Thread);
+    QVERIFY(!threads.empty());
+    for (const ToolMove& move : threads) {
+      const ProfilePoint way = move.to - move.from;
+      QVERIFY(way.x() != 0.0);
+      QVERIFY(std::abs(move.feed * way.cwiseAbs().maxCoeff() / way.norm() - 2.0) < 1e-9);
+    }
+  }
+
   void boxCyclesAreModal() {
     const auto moves = movesOf(kBegin + "G0 X40. Z2.\nG90 X36. Z-20. F0.2\nX32.\n");
     QCOMPARE(moves.size(), std::size_t{9});

@@ -81,6 +81,12 @@ class ProgramSimulationTest : public QObject {
       add("without speed", "G21 G18 G7\nF100 M3\nG0 X44 Z2\nX36\nG1 Z-20\n", atRest);
       add("reversed", begin + "M4\nG0 X44 Z2\nX36\nG1 Z-20\n", int(CollisionKind::SpindleReversed));
       add("at rest in the air", still + "G0 X44 Z2\nG1 Z-20\n", -1);
+      // Out of a thread, but not on through the part.
+      const QString thread = begin + "G0 X44 Z5\nX38.5\nG33 Z-20 K1.5\n";
+      add("out of a thread", thread + "G0 X44\n", -1);
+      add("out of a thread along its flank", thread + "G0 X44 Z-19\n", -1);
+      add("from a thread to the axis", thread + "G0 X0\n", rapid);
+      add("from a thread slanting inward", thread + "G0 X30 Z-21\n", rapid);
     }
   }
   void collisions() {
@@ -91,6 +97,45 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(simulated.isRun);
     QCOMPARE(simulated.collisions.size(), std::size_t(kind < 0 ? 0 : 1));
     if (kind >= 0) QCOMPARE(int(simulated.collisions.front().kind), kind);
+  }
+
+  // The jaws hold 25 mm of 100: an outside tool may come down to Z -75. A drill goes on within the part.
+  void theChuckHoldsTheLowerEnd_data() {
+    QTest::addColumn<QString>("cuts");
+    QTest::addColumn<bool>("isCollision");
+    QTest::newRow("up to the jaws") << "G0 X44 Z2\nX38\nG1 Z-75\n" << false;
+    QTest::newRow("into the jaws") << "G0 X44 Z2\nX38\nG1 Z-75.1\n" << true;
+    QTest::newRow("beside the part") << "G0 X60 Z-95\n" << true;
+    QTest::newRow("a thread into the jaws") << "G0 X44 Z5\nX38.5\nG33 Z-80 K1.5\nG0 X44\n" << true;
+    QTest::newRow("a drill") << "G0 X0 Z2\nG1 Z-95\nG0 Z2\n" << false;
+    QTest::newRow("a drill through") << "G0 X0 Z2\nG1 Z-101\nG0 Z2\n" << true;
+  }
+  void theChuckHoldsTheLowerEnd() {
+    QFETCH(QString, cuts);
+    QFETCH(bool, isCollision);
+    for (const double nose : {0.0, 0.8}) {
+      if (nose == 0.0 && cuts.contains("X0 ")) continue;  // a point drills nothing
+      const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, kSimulatedBar, 25.0, nose);
+      const Simulated simulated = simulate("G21 G18 G7\nF100 S500 M3\n" + cuts.toStdString(), setup,
+                                           TurnedProfile(kSimulatedBar, kFineSpacing));
+      QVERIFY(simulated.isRun);
+      QCOMPARE(simulated.collisions.size(), std::size_t(isCollision ? 1 : 0));
+      if (isCollision) QCOMPARE(int(simulated.collisions.front().kind), int(CollisionKind::Chuck));
+    }
+  }
+
+  // In a tube of 40 and 30 mm a tool is drawn out of its thread towards the axis; outward it meets the wall.
+  void outOfAThreadInABore() {
+    TurnedProfile tube(kSimulatedBar, kFineSpacing);
+    for (std::size_t i = 0; i < tube.size(); ++i) tube.limitInner(i, 15.0);
+    ProgramSetup setup;
+    setup.standard = {0.0, 3, {0, 0}};
+    setup.reference = {120.0, 100.0};
+    const std::string thread = "G21 G18 G7\nF100 S500 M3\nG0 X20 Z5\nX31.5\nG33 Z-20 K1.5\n";
+    QVERIFY(simulate(thread + "G0 X20\n", setup, tube).collisions.empty());
+    const Simulated outward = simulate(thread + "G0 X50\n", setup, tube);
+    QCOMPARE(outward.collisions.size(), std::size_t{1});
+    QCOMPARE(int(outward.collisions.front().kind), int(CollisionKind::RapidInMaterial));
   }
 
   // A tube of 40 and 30 mm: a point at r 10 is in the bore, one at r 25 around it, and neither takes the wall away.

@@ -117,16 +117,24 @@ class RoughAndFinishTest : public QObject {
   void chuckHoldsTheLowerEnd_data() {
     QTest::addColumn<double>("lowerRadius");
     QTest::addColumn<double>("room");
+    QTest::addColumn<double>("grip");
     QTest::addColumn<bool>("isMade");
-    QTest::newRow("as thick as the bar") << kBarRadius << 0.0 << true;
-    QTest::newRow("thinner") << 18.0 << 0.0 << false;
-    QTest::newRow("too little room") << 18.0 << 2 * 0.4 + 0.3 << false;
-    QTest::newRow("just room enough") << 18.0 << 2 * 0.4 + 0.3 + 0.02 << true;
-    QTest::newRow("room for a part of the overrun") << 18.0 << 3.0 << true;
+    for (const double grip : {0.0, 20.0}) {
+      const auto row = [grip](const char* name, double lowerRadius, double room, bool isMade) {
+        QTest::addRow("%s, held over %g mm", name, grip) << lowerRadius << room + grip << grip << isMade;
+      };
+      row("as thick as the bar", kBarRadius, 0.0, true);
+      row("thinner", 18.0, 0.0, false);
+      row("too little room", 18.0, 2 * 0.4 + 0.3, false);
+      row("just room enough", 18.0, 2 * 0.4 + 0.3 + 0.02, true);
+      row("room for a part of the overrun", 18.0, 3.0, true);
+    }
+    QTest::newRow("as thick as the bar in the jaws") << kBarRadius << 0.0 << 20.0 << true;
   }
   void chuckHoldsTheLowerEnd() {
     QFETCH(double, lowerRadius);
     QFETCH(double, room);
+    QFETCH(double, grip);
     QFETCH(bool, isMade);
     const auto target = TargetProfile::make({{{lowerRadius, -100}, {lowerRadius, -70}},
                                              {{lowerRadius, -70}, {14, -70}},
@@ -137,7 +145,7 @@ class RoughAndFinishTest : public QObject {
     const StockCylinder stock{2.0 * kBarRadius, 100.0 + room, 0.0};
     const TurnedProfile bar(stock, 0.02);
     const CycleSettings settings;
-    const CycleTask task{*target, stock, bar, -100.0 - room};
+    const CycleTask task{*target, stock, bar, -100.0 - room, grip};
     const auto program = cycleProgram(task, ProgramDialect::LinuxCnc, settings);
     QVERIFY2(bool(program) == isMade, program ? "" : program.error().arguments.front().c_str());
     if (!isMade) {
@@ -145,7 +153,8 @@ class RoughAndFinishTest : public QObject {
       QVERIFY(std::any_of(words.begin(), words.end(), [](const std::string& w) { return w.find("longer") != w.npos; }));
       return;
     }
-    const ProgramSetup setup = setupFor(ProgramDialect::LinuxCnc, settings.nose);
+    ProgramSetup setup = setupFor(ProgramDialect::LinuxCnc, settings.nose);
+    setup.grip = grip;
     const auto path = runProgram(*program, setup);
     QVERIFY(bool(path));
     ProgramSimulation simulation(bar, *path, setup);

@@ -87,6 +87,14 @@ class DxfReaderTest : public QObject {
     }
   }
 
+  // A quarter with the half axes 10 along x and 5 about the normal: up with +z, down with -z.
+  void ellipsesSeenFromBehind() {
+    const auto front = curvesIn("0 ELLIPSE 10 1 20 2 11 10 21 0 40 0.5 41 0 42 1.5707963267948966 210 0 220 0 230 1");
+    QVERIFY(isAt(front.front().from, 11, 2) && isAt(front.back().to, 1, 7));
+    const auto behind = curvesIn("0 ELLIPSE 10 1 20 2 11 10 21 0 40 0.5 41 0 42 1.5707963267948966 210 0 220 0 230 -1");
+    QVERIFY(isAt(behind.front().from, 11, 2) && isAt(behind.back().to, 1, -3));
+  }
+
   void theAxis() {
     const auto read = readDxf(fileOf("0 LINE 8 0 10 0 20 9 11 5 21 9 0 LINE 8 AXIS 10 0 20 7 11 5 21 7"));
     QVERIFY(read.hasValue() && read->axis.has_value());

@@ -88,6 +88,41 @@ class SvgReaderTest : public QObject {
     QVERIFY(curves("<ellipse cx=\"5\" cy=\"6\" rx=\"2\" ry=\"1\"/>").size() > 4);
   }
 
+  // A slot of 20 × 10 mm whose ends are half circles, a rectangle with corners of 2 mm, and one of half axes 3 and 1:
+  // the area that the corners leave out is (4 - π) rx ry, and the outline is closed.
+  void roundedRectangles_data() {
+    QTest::addColumn<QString>("corners");
+    QTest::addColumn<double>("rx");
+    QTest::addColumn<double>("ry");
+    QTest::newRow("slot") << "rx=\"8\" ry=\"5\"" << 8.0 << 5.0;
+    QTest::newRow("one for both") << "rx=\"2\"" << 2.0 << 2.0;
+    QTest::newRow("the other for both") << "ry=\"2\"" << 2.0 << 2.0;
+    QTest::newRow("elliptic") << "rx=\"3\" ry=\"1\"" << 3.0 << 1.0;
+    QTest::newRow("more than half a side") << "rx=\"50\" ry=\"50\"" << 10.0 << 5.0;
+    QTest::newRow("sharp") << "rx=\"0\" ry=\"4\"" << 0.0 << 0.0;
+    QTest::newRow("impossible") << "rx=\"-1\"" << 0.0 << 0.0;
+    QTest::newRow("one is impossible") << "rx=\"auto\" ry=\"2\"" << 2.0 << 2.0;
+  }
+  void roundedRectangles() {
+    QFETCH(QString, corners);
+    QFETCH(double, rx);
+    QFETCH(double, ry);
+    const auto all = curves(("<rect x=\"1\" y=\"2\" width=\"20\" height=\"10\" " + corners + "/>").toStdString());
+    double twice = 0.0, lengths = 0.0;  // of the area, by the shoelace formula
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      QVERIFY((all[i].to - all[(i + 1) % all.size()].from).norm() < 1e-6);
+      constexpr int kPieces = 200;
+      for (int k = 0; k < kPieces; ++k) {
+        const ProfilePoint a = all[i].at(double(k) / kPieces), b = all[i].at(double(k + 1) / kPieces);
+        twice += a.x() * b.y() - a.y() * b.x();
+        lengths += (b - a).norm();
+        QVERIFY(a.x() > 1.0 - 1e-3 && a.x() < 21.0 + 1e-3 && a.y() < -2.0 + 1e-3 && a.y() > -12.0 - 1e-3);
+      }
+    }
+    QVERIFY(std::abs(0.5 * std::abs(twice) - (200.0 - (4.0 - M_PI) * rx * ry)) < 0.01);
+    if (rx == ry) QVERIFY(std::abs(lengths - (60.0 - (8.0 - 2.0 * M_PI) * rx)) < 0.01);
+  }
+
   void transformations() {
     const auto all = curves(
         "<g transform=\"translate(10, 5) rotate(90)\"><g transform=\"scale(2)\"><line x1=\"1\" y1=\"0\" x2=\"2\" "

@@ -3,6 +3,7 @@
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "controls/program/ProgramEditor.h"
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TargetEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "window/documents/DocumentTab.h"
@@ -200,6 +201,24 @@ class ProgramWindowTest : public QObject {
     QVERIFY(window.driver.settle());
     QCOMPARE(window.editor().currentLine(), 4);
     QCOMPARE(window.editor().textCursor().blockNumber() + 1, 4);
+  }
+
+  // The chuck of a new bar of 100 mm holds 20 mm of it. In another chuck the run is another one.
+  void theChuckOfTheLathe() {
+    ProgramWindow window;
+    QVERIFY(window.begin() && window.run("G7 G21 S600 M3\nG0 X46 Z2\nG1 Z-85 F240\nG0 X60\nM2\n"));
+    QCOMPARE(window.findings().count(), 1);
+    QVERIFY(window.findings().item(0)->text().startsWith("Line 3"));
+    LatheSetup lathe = latheOf(window.document().workpiece());
+    QCOMPARE(lathe.chuck.grip, 20.0);
+    lathe.chuck.grip = 10.0;
+    window.document().commit(QStringLiteral("grip"),
+                             std::make_unique<LatheSetupEdit>(std::make_shared<const LatheSetup>(lathe)));
+    QVERIFY(window.findings().count() == 0 && !window.driver.find<QPushButton>("programCut")->isEnabled());
+    window.driver.click("programRun");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.findings().count(), 0);
+    QVERIFY(window.driver.find<QPushButton>("programCut")->isEnabled());
   }
 
   // A program without end is let go of at once.

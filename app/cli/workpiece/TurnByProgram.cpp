@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/workpiece/TurnByProgram.h"
+
+#include "document/FileBytes.h"
+#include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/ProgramTrial.h"
+#include "machining/force/WorkMaterials.h"
+
+namespace handwheel {
+
+namespace {
+
+Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot& workpiece) {
+  const double grip = latheOf(workpiece).chuck.grip;
+  ProgramSetup setup = usualSetup(request.dialect, workpiece.stock, grip, request.noseRadius.value_or(0.0));
+  if (request.tools.empty()) return setup;
+  const Result<std::string> text = readFileBytes(request.tools);
+  if (!text) return text.error();
+  Result<std::map<int, ProgramTool>> tools = readToolTable(*text);
+  if (!tools) {
+    Error error = tools.error();
+    error.subject = request.tools.string();
+    return error;
+  }
+  setup.tools = std::move(tools.value());
+  return setup;
+}
+
+const char* collisionSentence(ProgramCollision::Kind kind) {
+  switch (kind) {
+    case ProgramCollision::Kind::Chuck:
+      return "collision with the chuck.";
+    case ProgramCollision::Kind::SpindleAtRest:
+      return "feed into material with the spindle at rest.";
+    case ProgramCollision::Kind::SpindleReversed:
+      return "feed into material with the spindle reversed (M4).";
+    default:
+      return "rapid move through material.";
+  }
+}
+
+}  // namespace
+
+Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
+                                        std::vector<std::string>& remarks, Progress progress) {
+  const Result<std::string> text = readFileBytes(request.program);
+  if (!text) {
+    Error error = text.error();
+    error.subject = request.program.string();
+    return error;
+  }
+  const Result<ProgramSetup> setup = setupOf(request, workpiece);
+  if (!setup) return setup.error();
+  CuttingEdge edge;
+  if (request.noseRadius) edge.noseRadius = request.noseRadius;
+  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
+  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, model.get(), progress);
+  if (!trial) {
+    Error error = trial.error();
+    error.subject = request.program.string();
+    return error;
+  }
+  const ProgramTrial& tried = **trial;
+  figures.force = tried.peaks().force;
+  figures.power = tried.peaks().power;
+  figures.collisions = tried.collisionCount();
+  figures.time = tried.path().time;
+  for (const ToolPath::Note& note : tried.path().notes)
+    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
+  for (const ToolPath::Note& note : tried.notes())
+    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
+  for (const ProgramCollision& collision : tried.collisions())
+    remarks.push_back("line " + std::to_string(collision.line) + ": " + collisionSentence(collision.kind));
+  if (tried.part()) workpiece.part = tried.part();
+  return workpiece;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/workpiece/TurnRequest.h"
+#include "cli/workpiece/TurnedFigures.h"
+
+namespace handwheel {
+
+// The workpiece after the program of the request, in the chuck of its lathe. remarks: gets notes and collisions, with
+// their lines. Errors: those of the files, of runProgram(), Cancelled.
+Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
+                                        std::vector<std::string>& remarks, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Marking what a class has handed in, and writing what came out.
+#include "document/AtomicFile.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/exercise/ClassView.h"
+#include "window/exercise/ExerciseEditor.h"
+#include "window/exercise/ExerciseUi.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace handwheel {
+
+namespace {
+
+std::string markProblem(const Error& error) {
+  return errorSentence(error).toStdString();
+}
+
+}  // namespace
+
+void ExerciseUi::chooseSubmissions() {
+  auto* dialog = new QFileDialog(parts().window, tr("Mark what was handed in"), QString(),
+                                 tr("Submissions (%1)").arg(QStringLiteral("*.handwheel")));
+  dialog->setObjectName(QStringLiteral("markDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  connect(dialog, &QFileDialog::filesSelected, this, &ExerciseUi::mark);
+  dialog->open();
+}
+
+// The result is that of its exercise, whichever document is shown by then.
+void ExerciseUi::mark(const QStringList& paths) {
+  if (!current()) return;
+  Job job;
+  job.name = tr("Marking");
+  job.owner = document();
+  job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
+    auto marked = std::make_shared<ClassReport>(ClassReport{scheme->exercise, figureTypes(*scheme->subject), {}});
+    const double share = 1.0 / static_cast<double>(paths.size());
+    for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
+      marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
+                                       progress.part(i * share, (i + 1) * share)));
+    return Job::Finish([this, marked, paths, owner] {
+      if (!parts().tabs.contains(owner)) return;
+      m_classes[owner] = {std::move(*marked), paths};
+      if (owner != document()) return;
+      m_editor->classView()->setReport(m_classes[owner].report);
+      m_editor->setCurrentWidget(m_editor->classView());
+    });
+  };
+  parts().jobs.start(std::move(job));
+}
+
+void ExerciseUi::chooseFile(const QString& title, const QString& filter, const QString& suffix,
+                            const std::function<void(const QString& path)>& chosen) {
+  auto* dialog = new QFileDialog(parts().window, title, QString(), filter);
+  dialog->setObjectName(QStringLiteral("classFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffix);
+  connect(dialog, &QFileDialog::fileSelected, this, chosen);
+  dialog->open();
+}
+
+// Plots and pages of a class take seconds.
+void ExerciseUi::startWriting(bool asTable, const QString& path) {
+  Job job;
+  job.name = tr("Writing %1").arg(QFileInfo(path).fileName());
+  job.owner = document();
+  job.lane = Job::Lane::Saving;
+  const auto failed = [this, path](const Error& error) {
+    if (error.code != ErrorCode::Cancelled) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
+  };
+  job.failed = failed;
+  job.work = [this, asTable, path, failed,
+              marked = m_editor->classView()->shownReport()](Progress progress) -> Job::Finish {
+    const std::filesystem::path file = QFile::encodeName(path).toStdString();
+    ClassTable table(marked.exercise);
+    for (const ReportedWork& work : marked.works) table.add(work.row);
+    const Status written =
+        asTable ? writeFileAtomically(file, table.csv(), progress) : writeReport(marked, file, progress);
+    if (!written) return [failed, error = written.error()] { failed(error); };
+    return [this, path] { parts().log.add(tr("Saved %1").arg(QFileInfo(path).fileName())); };
+  };
+  parts().jobs.start(std::move(job));
+}
+
+void ExerciseUi::writeClass(bool asTable) {
+  const auto write = [this, asTable](const QString& path) { startWriting(asTable, path); };
+  if (asTable) {
+    chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), QStringLiteral("csv"), write);
+  } else {
+    chooseFile(tr("Save the report"), tr("Report (%1)").arg(QStringLiteral("*.html *.pdf")), QStringLiteral("html"),
+               write);
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/PassBlobs.h"
+
+#include "base/JsonFields.h"
+#include "base/JsonText.h"
+#include "document/container/Blobs.h"
+#include "machining/lathe/LatheJson.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace handwheel {
+
+namespace {
+
+constexpr const char* kPath = "workpiece/path";           // of all passes
+constexpr const char* kSpeeds = "workpiece/speeds";       // of the passes with "speeds"
+constexpr const char* kBore = "bore";                     // value of "side"
+constexpr const char* kPoles = "poles";                   // value of "method"
+constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
+// Keys of passes and of their threads.
+constexpr const char *kNose = "nose_radius", *kPoints = "points", *kTool = "tool", *kSpindleSpeed = "spindle_speed",
+                     *kHasSpeeds = "speeds", *kThread = "thread", *kSide = "side", *kMethod = "method",
+                     *kResolutionKey = "resolution", *kHand = "hand";
+constexpr std::size_t kMostPasses = 100'000;
+constexpr double kLargestSpeed = 1e5;     // r/min
+constexpr std::size_t kPointNumbers = 3;  // time, r, z
+
+double numberIn(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+bool isTrueIn(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
+// Of a pass as it is listed; 0 where that is malformed.
+std::uint64_t pointsIn(const nlohmann::json& entry) {
+  const std::uint64_t count = countAt(entry, kPoints);
+  return count <= TurningPass::kMostPoints ? count : 0;
+}
+
+// Whether a range of points is there whole.
+bool isWhole(const ReadArray<double>& path, std::uint64_t begin, std::uint64_t end) {
+  if (path.values.size() < kPointNumbers * end) return false;
+  return std::none_of(path.lost.begin(), path.lost.end(),
+                      [&](const IndexRange& lost) { return lost.begin < end && begin < lost.end; });
+}
+
+bool isSpeed(double speed) {
+  return speed >= 0.0 && speed <= kLargestSpeed;  // false for NaN
+}
+
+// Whether the speed of each point of a listed pass stands in the array of speeds.
+bool hasSpeeds(const nlohmann::json& entry) {
+  return entry.is_object() && isTrueIn(entry, kHasSpeeds);
+}
+
+bool isConstant(const std::vector<double>& speeds) {
+  return std::adjacent_find(speeds.begin(), speeds.end(), std::not_equal_to<>()) == speeds.end();
+}
+
+// The speeds of a pass: one for all of it, those in the array from `begin` on, or none. Nothing where they are
+// malformed or lost.
+std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const ReadArray<double>& speeds,
+                                            std::uint64_t begin, std::size_t count) {
+  std::vector<double> read;
+  if (hasSpeeds(entry)) {
+    const auto isLost = [&](const IndexRange& lost) { return lost.begin < begin + count && begin < lost.end; };
+    if (speeds.values.size() < begin + count || std::any_of(speeds.lost.begin(), speeds.lost.end(), isLost))
+      return std::nullopt;
+    const auto first = speeds.values.begin() + static_cast<std::ptrdiff_t>(begin);
+    read.assign(first, first + static_cast<std::ptrdiff_t>(count));
+  } else if (const auto constant = entry.find(kSpindleSpeed); constant != entry.end()) {
+    read.assign(count, constant->is_number() ? constant->get<double>() : -1.0);
+  }
+  if (!std::all_of(read.begin(), read.end(), isSpeed)) return std::nullopt;
+  return read;
+}
+
+// The keys of the numbers of a thread, for reader and writer.
+template <class Thread>
+void visitThread(Thread& thread, const auto& visit) {
+  visit("pitch", thread.pitch);
+  visit("starts", thread.starts);
+  visit("angle", thread.angle);
+  visit("flat", thread.flat);
+  visit("offset", thread.offset);
+}
+
+nlohmann::json threadJson(const ThreadCut& thread) {
+  nlohmann::json json = {{kHand, thread.isLeft ? kLeft : kRight}};
+  visitThread(thread, JsonFieldWriter(json));
+  return json;
+}
+
+std::optional<ThreadCut> threadFrom(const nlohmann::json& entry) {
+  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+  ThreadCut thread{kMissing, 0, false, kMissing, kMissing, kMissing};
+  const JsonFieldReader reader(entry);
+  visitThread(thread, reader);
+  const nlohmann::json& hand = reader.member(kHand);
+  thread.isLeft = hand == kLeft;
+  return (thread.isLeft || hand == kRight) && thread.isSound() ? std::optional(thread) : std::nullopt;
+}
+
+// The pass whose points begin there in the path of all passes.
+std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray<double>& path, std::uint64_t begin,
+                                    const ReadArray<double>& speeds, std::uint64_t speedsBegin) {
+  TurningPass pass;
+  if (!entry.is_object()) return std::nullopt;
+  pass.noseRadius = numberIn(entry, kNose);
+  const std::uint64_t count = pointsIn(entry);
+  if (const auto side = entry.find(kSide); side != entry.end()) {
+    if (*side != kBore) return std::nullopt;
+    pass.side = TurningSide::Bore;
+  }
+  if (const auto method = entry.find(kMethod); method != entry.end()) {
+    pass.method = TurningMethod::Poles;
+    pass.resolution = numberIn(entry, kResolutionKey);
+    const bool isSound = pass.resolution >= PoleCut::kLeastResolution && pass.resolution <= PoleCut::kLargestResolution;
+    if (*method != kPoles || !isSound) return std::nullopt;
+  }
+  if (const auto thread = entry.find(kThread); thread != entry.end()) {
+    pass.thread = threadFrom(*thread);
+    if (!pass.thread) return std::nullopt;
+  }
+  if (const auto tool = entry.find(kTool); tool != entry.end()) {
+    Result<LatheTool> read = latheToolFrom(*tool);
+    if (!read) return std::nullopt;
+    pass.tool = std::make_shared<const LatheTool>(std::move(*read));
+  }
+  if (!(pass.noseRadius >= 0.0 && pass.noseRadius <= StockCylinder::kLargestSize)) return std::nullopt;
+  if (count == 0) return std::nullopt;
+  if (!isWhole(path, begin, begin + count)) return std::nullopt;
+  const double* const first = &path.values[kPointNumbers * begin];
+  if (!std::all_of(first, first + kPointNumbers * count, [](double v) { return std::isfinite(v); }))
+    return std::nullopt;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* point = first + kPointNumbers * i;
+    pass.times.push_back(std::max(point[0], i == 0 ? 0.0 : pass.times.back()));
+    pass.path.emplace_back(point[1], point[2]);
+  }
+  auto ofSpindle = speedsOf(entry, speeds, speedsBegin, count);
+  if (!ofSpindle) return std::nullopt;
+  pass.speeds = std::move(*ofSpindle);
+  return pass;
+}
+
+}  // namespace
+
+nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
+  nlohmann::json listed = nlohmann::json::array();
+  std::vector<double> points, speeds;
+  for (const auto& shared : passes) {
+    const TurningPass& pass = *shared;
+    for (std::size_t k = 0; k < pass.path.size(); ++k) {
+      points.insert(points.end(), {pass.times[k], pass.path[k].x(), pass.path[k].y()});
+    }
+    nlohmann::json entry = {{kNose, pass.noseRadius}, {kPoints, pass.path.size()}};
+    if (pass.tool) entry[kTool] = toJson(*pass.tool);
+    if (!pass.speeds.empty() && isConstant(pass.speeds)) {
+      entry[kSpindleSpeed] = pass.speeds.front();
+    } else if (!pass.speeds.empty()) {
+      entry[kHasSpeeds] = true;
+      speeds.insert(speeds.end(), pass.speeds.begin(), pass.speeds.end());
+    }
+    if (pass.thread) entry[kThread] = threadJson(*pass.thread);
+    if (pass.side == TurningSide::Bore) entry[kSide] = kBore;
+    if (pass.method == TurningMethod::Poles) {
+      entry[kMethod] = kPoles;
+      entry[kResolutionKey] = pass.resolution;
+    }
+    listed.push_back(std::move(entry));
+  }
+  writeArray<double>(container, kPath, points, kPointNumbers);
+  if (!speeds.empty()) writeArray<double>(container, kSpeeds, speeds);
+  return listed;
+}
+
+Result<TurningPasses> readPasses(const nlohmann::json& listed, const Container& container, Progress progress) {
+  TurningPasses passes;
+  const std::size_t count = listed.is_array() ? std::min(listed.size(), kMostPasses) : 0;
+  std::uint64_t points = 0, speedCount = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    points += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i])) speedCount += pointsIn(listed[i]);
+  }
+  const ReadArray<double> path = readArray<double>(container, kPath, points, kPointNumbers);
+  const ReadArray<double> speeds =
+      speedCount > 0 ? readArray<double>(container, kSpeeds, speedCount) : ReadArray<double>();
+  std::uint64_t begin = 0, speedsBegin = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    if (auto pass = readPass(listed[i], path, begin, speeds, speedsBegin))
+      passes.push_back(std::make_shared<const TurningPass>(std::move(*pass)));
+    begin += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i])) speedsBegin += pointsIn(listed[i]);
+  }
+  return passes;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The moves of a program that cut threads.
+#include "machining/program/ProgramSimulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSameLength = 1e-6;  // mm
+
+// What a pass of a thread takes in a section along the axis, between two turns.
+struct ThreadChip {
+  double area = 0.0;   // mm²
+  double width = 0.0;  // mm, of the edge that cuts
+};
+
+// Beside the grooves that are there already, where the part has this radius (mm); by the midpoint rule.
+ThreadChip chipOf(const ThreadGroove& groove, const PartThreads* before, double middle, double surface) {
+  constexpr int kParts = 256;
+  const double out = groove.side() == TurningSide::Bore ? -1.0 : 1.0;
+  const double step = groove.cut().pitch / kParts, begin = middle - 0.5 * groove.cut().pitch;
+  ThreadChip chip;
+  for (int i = 0; i < kParts; ++i) {
+    const double z = begin + step * (i + 0.5);
+    double left = out * surface;  // of the material
+    if (before) {
+      for (const ThreadGroove& each : before->grooves())
+        if (each.side() == groove.side()) left = std::min(left, out * each.radius(z, 0.0));
+    }
+    const double depth = left - out * groove.radius(z, 0.0);
+    if (!(depth > kSameLength)) continue;
+    chip.area += depth * step;
+    const double rise = groove.radius(z + 0.5 * step, 0.0) - groove.radius(z - 0.5 * step, 0.0);
+    chip.width += std::isfinite(rise) ? std::hypot(step, rise) : step;  // not where the groove ends
+  }
+  return chip;
+}
+
+}  // namespace
+
+// A spiral on a face has no groove along the axis, and what is finer than any thread is a feed: both are cut as any
+// other move is.
+bool ProgramSimulation::isThread(const ToolMove& move) {
+  const double along = std::abs(move.to.y() - move.from.y()), length = lengthOf(move);
+  if (move.kind != ToolMove::Kind::Thread || !(along > 1e-3 * length)) return false;
+  const double pitch = move.feed * along / length;
+  return pitch >= ThreadCut::kLeastPitch && pitch <= ThreadCut::kLargestPitch &&
+         along / pitch <= ThreadGroove::kMostTurns;
+}
+
+// A tool is drawn back out of its groove, between the flanks and away from the material.
+bool ProgramSimulation::leavesThread(const ToolMove& move) const {
+  if (!m_state.lead || move.turn != 0 || m_state.lead->end != move.from) return false;
+  const ProfilePoint way = move.to - move.from;
+  const double away = m_state.lead->side == TurningSide::Bore ? -way.x() : way.x();
+  return std::abs(way.y()) <= away * std::tan(0.5 * ThreadCut().angle) + kSameLength;
+}
+
+// The work turns against the tool: where the spindle runs forward and the tool goes towards the chuck the thread is
+// right-hand. The first move of several begins in the half plane of +x.
+TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
+  const ProgramTool& tool = m_setup.toolOf(move);
+  const double length = m_part.length(), nose = tool.noseRadius;
+  const ProfilePoint shift = ProfilePoint(0.0, length) - nose * tipDirection(m_setup.dialect, tool.orientation);
+  const double way = move.to.y() - move.from.y();
+  TurningPass pass;
+  pass.noseRadius = nose;
+  pass.path = {move.from + shift, move.to + shift};
+  pass.times = {0.0, move.time};
+  const ProfilePoint middle = 0.5 * (pass.path[0] + pass.path[1]);
+  pass.speeds.assign(2, move.spin == 0 ? 0.0 : spindleAt(move, middle.x()));
+  const double at = std::clamp(middle.y() / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
+  const auto sample = static_cast<std::size_t>(at);
+  const double bore = m_part.inner(sample);
+  if (bore > 0.0 && middle.x() - bore < m_part.radius(sample) - middle.x()) pass.side = TurningSide::Bore;
+  ThreadCut thread;
+  thread.pitch = move.feed * std::abs(way) / lengthOf(move);
+  const double forward = move.spin < 0 ? -1.0 : 1.0;
+  thread.isLeft = way * forward > 0.0;
+  const double turned = m_state.lead ? -forward * m_state.lead->turns : 0.0;  // of the tool about the work
+  const double offset = pass.path[0].y() - thread.rise() * turned;
+  thread.offset = offset - thread.pitch * std::floor(offset / thread.pitch);
+  pass.thread = thread;
+  return pass;
+}
+
+// The force of a thread: its chip is as wide as the edge that cuts, and as thick as what the pass takes beside the ones
+// before leaves on that width.
+void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
+  if (!m_model) return;
+  const double middle = 0.5 * (std::max(groove.from(), 0.0) + std::min(groove.to(), m_part.length()));
+  const double at = std::clamp(middle / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
+  const auto sample = static_cast<std::size_t>(at);
+  const double surface = groove.side() == TurningSide::Bore ? m_part.inner(sample) : m_part.radius(sample);
+  const ThreadChip chip = chipOf(groove, m_state.threads.get(), middle, surface);
+  if (chip.width > 0.0) meterOf(move).addChip(chip.width, chip.area / chip.width, move.time, surface);
+  m_state.threads = PartThreads::with(m_state.threads, pass);
+}
+
+// Of several moves the passes are one where they go on with the same lead.
+void ProgramSimulation::cutThread(const ToolMove& move) {
+  std::optional<ThreadLead>& lead = m_state.lead;
+  if (lead && lead->end != move.from) lead.reset();
+  TurningPass pass = threadOf(move);
+  const TurningSide side = pass.side;
+  meetChuck(move, pass.noseRadius, side, pass.path.back());
+  const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
+  if (!grooves.empty() && grooves.front().touches(m_part)) {
+    meetThread(move, pass, grooves.front());
+    const bool goesOn = lead && !m_passes.empty() && m_passes.back().thread && m_passes.back().side == side &&
+                        m_passes.back().path.back() == pass.path.front() &&
+                        std::abs(m_passes.back().thread->pitch - pass.thread->pitch) < kSameLength &&
+                        m_passes.back().thread->isLeft == pass.thread->isLeft;
+    if (goesOn) {
+      m_passes.back().path.push_back(pass.path.back());
+      m_passes.back().times.push_back(std::max(m_time - m_passBegin, m_passes.back().times.back()));
+      m_passes.back().speeds.push_back(pass.speeds.back());
+    } else {
+      m_passBegin = m_time - move.time;
+      m_passes.push_back(std::move(pass));
+    }
+  }
+  const double turns = lead ? lead->turns : 0.0;
+  lead = ThreadLead{move.to, turns + lengthOf(move) / move.feed, side};
+}
+
+}  // namespace handwheel
