@@ -5799,6 +5799,14 @@
         <source>Round the target</source>
         <translation>Ziel runden</translation>
     </message>
+    <message>
+        <source>Inverse kinematics</source>
+        <translation>Inverse Kinematik</translation>
+    </message>
+    <message>
+        <source>Planning benchmark</source>
+        <translation>Vergleich der Bahnplanung</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>

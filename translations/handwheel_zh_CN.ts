@@ -5755,6 +5755,14 @@
         <source>Round the target</source>
         <translation>圆整目标</translation>
     </message>
+    <message>
+        <source>Inverse kinematics</source>
+        <translation>逆运动学</translation>
+    </message>
+    <message>
+        <source>Planning benchmark</source>
+        <translation>路径规划比较</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
