@@ -11,7 +11,7 @@ using namespace handwheel;
 
 namespace {
 
-nlohmann::json parsed(const Ran& run) {
+nlohmann::json reportOf(const Ran& run) {
   return nlohmann::json::parse(run.out.toStdString());
 }
 
@@ -64,10 +64,10 @@ class RobotCommandsTest : public QObject {
     const QString home = QStringLiteral("--pose=374,0,630,%1,0,%1,0").arg(half);
     const Ran one = bench.run({"ik", "irb120", home, "--json"});
     QVERIFY2(one.code == 0, one.err);
-    const nlohmann::json first = parsed(one);
+    const nlohmann::json first = reportOf(one);
     QVERIFY(first["solved"].get<bool>());
     QCOMPARE(first["solutions"].size(), std::size_t{1});
-    const nlohmann::json all = parsed(bench.run({"ik", "irb120", home, "--all", "--json"}));
+    const nlohmann::json all = reportOf(bench.run({"ik", "irb120", home, "--all", "--json"}));
     QVERIFY(all["solutions"].size() >= 2);
     bool isAtHome = false;
     for (const nlohmann::json& solution : all["solutions"]) {
@@ -79,7 +79,7 @@ class RobotCommandsTest : public QObject {
     QVERIFY(isAtHome);
     const Ran far = bench.run({"ik", "irb120", "--pose=3740,0,630,1,0,0,0", "--json"});
     QCOMPARE(far.code, 2);
-    QVERIFY(!parsed(far)["solved"].get<bool>());
+    QVERIFY(!reportOf(far)["solved"].get<bool>());
   }
 
   void tablesAndDescriptions() {
@@ -91,7 +91,7 @@ class RobotCommandsTest : public QObject {
     const Ran run = bench.run({"ik", "scara.json", "--json",
                                QStringLiteral("--pose=300,200,350,%1,0,0,%2").arg(std::cos(half)).arg(std::sin(half))});
     QVERIFY2(run.code == 0, run.err + run.out);
-    const auto q = parsed(run)["solutions"][0]["q"].get<std::vector<double>>();
+    const auto q = reportOf(run)["solutions"][0]["q"].get<std::vector<double>>();
     QVERIFY(std::abs(q[2] + 50.0) < 0.02);
     bench.put("arm.urdf", planarUrdf());
     // A plane arm cannot turn its flange as it likes.
@@ -113,7 +113,7 @@ class RobotCommandsTest : public QObject {
     const Ran run = bench.run(
         {"benchmark-planning", "set.json", "--robot", "arm.urdf", "--paths", "paths", "--json", "--time", "60"});
     QVERIFY2(run.code == 0, run.err);
-    const nlohmann::json json = parsed(run);
+    const nlohmann::json json = reportOf(run);
     QVERIFY(json["problems"] == 2 && json["solved"] == 1 && json["certified"] == 1);
     QCOMPARE(json["results"][1]["outcome"].get<std::string>(), std::string("start_in_collision"));
     const auto path = nlohmann::json::parse(bench.content("paths/ball_1.json").toStdString());
