@@ -1984,6 +1984,82 @@
         <source>a tool is impossible or not known</source>
         <translation>ein Werkzeug ist unmöglich oder nicht bekannt</translation>
     </message>
+    <message>
+        <source>a point is too far away</source>
+        <translation>ein Punkt ist zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>cutting them would take too long</source>
+        <translation>sie zu drehen würde zu lange dauern</translation>
+    </message>
+    <message>
+        <source>names were expected</source>
+        <translation>Namen wurden erwartet</translation>
+    </message>
+    <message>
+        <source>start and goal need a number for each joint</source>
+        <translation>Start und Ziel brauchen eine Zahl für jedes Gelenk</translation>
+    </message>
+    <message>
+        <source>one of them is no box, cylinder or sphere</source>
+        <translation>eines davon ist kein Quader, Zylinder oder Kugel</translation>
+    </message>
+    <message>
+        <source>it has too many joints</source>
+        <translation>er hat zu viele Gelenke</translation>
+    </message>
+    <message>
+        <source>a planned joint moves others with it</source>
+        <translation>ein geplantes Gelenk bewegt andere mit</translation>
+    </message>
+    <message>
+        <source>a planned joint is not in it</source>
+        <translation>ein geplantes Gelenk ist nicht darin</translation>
+    </message>
+    <message>
+        <source>the planned joints are not in order</source>
+        <translation>die geplanten Gelenke sind nicht in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the tip does not hang on the base</source>
+        <translation>die Spitze hängt nicht an der Basis</translation>
+    </message>
+    <message>
+        <source>a joint is geared</source>
+        <translation>ein Gelenk ist übersetzt</translation>
+    </message>
+    <message>
+        <source>a degree of freedom moves several joints</source>
+        <translation>ein Freiheitsgrad bewegt mehrere Gelenke</translation>
+    </message>
+    <message>
+        <source>its name is impossible</source>
+        <translation>sein Name ist unmöglich</translation>
+    </message>
+    <message>
+        <source>its type is not known</source>
+        <translation>sein Typ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a number within the limits was expected</source>
+        <translation>eine Zahl innerhalb der Grenzen wurde erwartet</translation>
+    </message>
+    <message>
+        <source>1 or -1 was expected</source>
+        <translation>1 oder -1 wurde erwartet</translation>
+    </message>
+    <message>
+        <source>mm or m was expected</source>
+        <translation>mm oder m wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a length was expected</source>
+        <translation>eine Länge wurde erwartet</translation>
+    </message>
+    <message>
+        <source>its name is not unique</source>
+        <translation>sein Name ist nicht eindeutig</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>

@@ -1984,6 +1984,82 @@
         <source>a tool is impossible or not known</source>
         <translation>某个刀具不可能存在或未知</translation>
     </message>
+    <message>
+        <source>a point is too far away</source>
+        <translation>一个点太远</translation>
+    </message>
+    <message>
+        <source>cutting them would take too long</source>
+        <translation>切削它们耗时过长</translation>
+    </message>
+    <message>
+        <source>names were expected</source>
+        <translation>应为名称</translation>
+    </message>
+    <message>
+        <source>start and goal need a number for each joint</source>
+        <translation>起点和终点的每个关节都需要一个数值</translation>
+    </message>
+    <message>
+        <source>one of them is no box, cylinder or sphere</source>
+        <translation>其中一个不是长方体、圆柱或球</translation>
+    </message>
+    <message>
+        <source>it has too many joints</source>
+        <translation>关节过多</translation>
+    </message>
+    <message>
+        <source>a planned joint moves others with it</source>
+        <translation>一个被规划的关节会带动其他关节</translation>
+    </message>
+    <message>
+        <source>a planned joint is not in it</source>
+        <translation>其中没有某个被规划的关节</translation>
+    </message>
+    <message>
+        <source>the planned joints are not in order</source>
+        <translation>被规划的关节顺序不对</translation>
+    </message>
+    <message>
+        <source>the tip does not hang on the base</source>
+        <translation>末端不在基座的链上</translation>
+    </message>
+    <message>
+        <source>a joint is geared</source>
+        <translation>一个关节带有传动比</translation>
+    </message>
+    <message>
+        <source>a degree of freedom moves several joints</source>
+        <translation>一个自由度带动多个关节</translation>
+    </message>
+    <message>
+        <source>its name is impossible</source>
+        <translation>其名称无效</translation>
+    </message>
+    <message>
+        <source>its type is not known</source>
+        <translation>其类型未知</translation>
+    </message>
+    <message>
+        <source>a number within the limits was expected</source>
+        <translation>应为范围内的数值</translation>
+    </message>
+    <message>
+        <source>1 or -1 was expected</source>
+        <translation>应为 1 或 -1</translation>
+    </message>
+    <message>
+        <source>mm or m was expected</source>
+        <translation>应为 mm 或 m</translation>
+    </message>
+    <message>
+        <source>a length was expected</source>
+        <translation>应为长度</translation>
+    </message>
+    <message>
+        <source>its name is not unique</source>
+        <translation>其名称不唯一</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>

@@ -119,14 +119,18 @@ std::string overview(const Registered& registered) {
       "Usage: handwheel [--dark] [--screenshot PNG] [FILE...]   opens the window, or draws it and quits\n"
       "       handwheel COMMAND [...]                           works without it\n\n"
       "Commands:\n";
-  for (const Command& command : allCommands(registered)) {
+  const std::vector<Command> all = allCommands(registered);
+  std::size_t width = 0;
+  for (const Command& command : all) width = std::max(width, command.spec.name.size() + 2);
+  for (const Command& command : all) {
     const std::string name(command.spec.name);
-    page += "  " + name + std::string(11 - name.size(), ' ') + inColumn(firstSentence(command.spec.summary), 13) + "\n";
+    page += "  " + name + std::string(width - name.size(), ' ') +
+            inColumn(firstSentence(command.spec.summary), width + 2) + "\n";
   }
   return page +
          "\n"
          "'handwheel help COMMAND' gives details. --version shows the version.\n"
-         "Exit codes: 0 done, 1 error, 2 incomplete or over budget (repair, edit, measure), 130 interrupted.\n";
+         "Exit codes: 0 done, 1 error, 2 incomplete or over budget (repair, edit, measure, ik), 130 interrupted.\n";
 }
 
 int helpOn(const Command& command, const Registered& registered) {

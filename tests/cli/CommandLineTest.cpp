@@ -20,7 +20,7 @@ class CommandLineTest : public QObject {
     for (const char* command :
          {"inspect",  "repair", "convert", "picture", "new",   "set",   "measure", "compare", "decimate",
           "split",    "merge",  "section", "devices", "feel",  "edit",  "turn",    "body",    "recording",
-          "exercise", "mark",   "program", "target",  "train", "force", "thread"}) {
+          "exercise", "mark",   "program", "target",  "train", "force", "thread",  "ik",      "benchmark-planning"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -30,13 +30,13 @@ class CommandLineTest : public QObject {
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
     const QString table = QString(overview.out).section("Commands:\n", 1).section("\n\n", 0, 0) + '\n';
-    const QRegularExpression command("^  [a-z]+ ", QRegularExpression::MultilineOption);
-    const QRegularExpression entry("^  [a-z]+ +[A-Z][A-Za-z ,;:().'\n-]*?\\.$(?!\\n   )",
+    const QRegularExpression command("^  [a-z-]+ ", QRegularExpression::MultilineOption);
+    const QRegularExpression entry("^  [a-z-]+ +[A-Z][A-Za-z ,;:().'\n-]*?\\.$(?!\\n   )",
                                    QRegularExpression::MultilineOption);
-    QCOMPARE(table.count(command), 25);
-    QCOMPARE(table.count(entry), 25);
+    QCOMPARE(table.count(command), 27);
+    QCOMPARE(table.count(entry), 27);
     for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
-      QVERIFY2(line.startsWith(QString(13, ' ')) || command.match(line).hasMatch(), qPrintable(line));
+      QVERIFY2(line.startsWith(QString(22, ' ')) || command.match(line).hasMatch(), qPrintable(line));
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
                                "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);

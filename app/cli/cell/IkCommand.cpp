@@ -88,8 +88,14 @@ std::vector<FoundValues> solutionsFor(const SerialArm& arm, const Pose& pose, co
   if (const auto closed = ClosedFormIk::of(arm)) {
     IkSolutions solutions;
     closed->solve(pose, middle, solutions);
+    // Where an axis of the wrist, or the elbow, is in line, two ways are one.
+    const auto isKnown = [&](const ArmValues& same) {
+      return std::any_of(found.begin(), found.end(),
+                         [&](const FoundValues& each) { return (each.values - same).norm() < 1e-6; });
+    };
     for (const auto& solution : solutions) {
-      if (const auto within = withinLimits(arm, solution.values, middle)) found.push_back(measured(arm, pose, *within));
+      const auto within = withinLimits(arm, solution.values, middle);
+      if (within && !isKnown(*within)) found.push_back(measured(arm, pose, *within));
     }
     std::sort(found.begin(), found.end(), [&](const FoundValues& a, const FoundValues& b) {
       return (a.values - middle).squaredNorm() < (b.values - middle).squaredNorm();
