@@ -32,15 +32,25 @@ std::optional<std::vector<double>> numbersOf(const Json& object, const char* key
   return numbers;
 }
 
-std::optional<CollisionPiece> obstacleFrom(const Json& json) {
+std::optional<Pose> poseFrom(const Json& json) {
   if (!json.is_object()) return std::nullopt;
   const auto place = numbersOf(json, "position", 3), turn = numbersOf(json, "orientation", 4);
   if (!place || !turn) return std::nullopt;
   const Eigen::Quaterniond quaternion((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]);
   if (!(quaternion.norm() > 1e-6)) return std::nullopt;
-  Pose pose = Pose::Identity();
-  pose.linear() = quaternion.normalized().toRotationMatrix();
+  Pose pose(quaternion.normalized());
   pose.translation() = kMillimetres * Vec3((*place)[0], (*place)[1], (*place)[2]);
+  return pose;
+}
+
+// A shape may stand in the frame of an object, as in scenes of MoveIt.
+std::optional<CollisionPiece> obstacleFrom(const Json& json) {
+  const std::optional<Pose> own = poseFrom(json);
+  if (!own) return std::nullopt;
+  const auto object = json.find("object_pose");
+  const std::optional<Pose> frame = object == json.end() ? Pose::Identity() : poseFrom(*object);
+  if (!frame) return std::nullopt;
+  const Pose pose = *frame * *own;
   const std::string type = stringAt(json, "type");
   const auto sizes = numbersOf(json, "dimensions", type == "box" ? 3 : type == "cylinder" ? 2 : 1);
   if (!sizes) return std::nullopt;

@@ -20,9 +20,9 @@ struct PlanningSet {
 };
 
 // Reads a set as MotionBenchMaker's, in JSON: {"scene", "joints": [name…], "problems": [{"index", "start", "goal",
-// "objects": [{"type": "box", "cylinder" or "sphere", "dimensions", "position", "orientation": [x, y, z, w]}…]}…]}, in
-// metres. Dimensions are those of MoveIt: of a cylinder its height, then its radius. Errors: ElementMalformed, those of
-// parseJson().
+// "objects": [{"type": "box", "cylinder" or "sphere", "dimensions", "position", "orientation": [x, y, z, w],
+// "object_pose": the frame that these are in, if any}…]}…]}, in metres. Dimensions are those of MoveIt: of a cylinder
+// its height, then its radius. Errors: ElementMalformed, those of parseJson().
 Result<PlanningSet> readPlanningSet(std::string_view json);
 
 // The shape that the collisions of each link have, as far as it is made of primitives; link by link. Meshes are given

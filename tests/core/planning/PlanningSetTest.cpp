@@ -14,7 +14,8 @@ constexpr const char* kSet = R"({"robot": "r", "scene": "shelf", "joints": ["a",
   {"index": 3, "start": [0, 1], "goal": [1, 0.5], "objects": [
     {"name": "s", "type": "box", "dimensions": [1, 2, 3], "position": [0.5, 0, 0], "orientation": [0, 0, 0, 2]},
     {"name": "c", "type": "cylinder", "dimensions": [0.2, 0.05], "position": [0, 0, 1], "orientation": [0, 0, 0, 1]},
-    {"name": "b", "type": "sphere", "dimensions": [0.1], "position": [0, 0, 2], "orientation": [0, 0, 0, 1]}]}]})";
+    {"name": "b", "type": "sphere", "dimensions": [0.1], "position": [0, 0, 2], "orientation": [0, 0, 0, 1],
+     "object_pose": {"position": [1, 0, 0], "orientation": [0, 1, 0, 0]}}]}]})";
 
 std::string with(const char* what, const char* instead) {
   return QString::fromLatin1(kSet).replace(QLatin1String(what), QLatin1String(instead)).toStdString();
@@ -39,6 +40,7 @@ class PlanningSetTest : public QObject {
     QVERIFY(problem.obstacles[0].pose.isApprox(Pose(Eigen::Translation3d(500, 0, 0))));  // quaternions need no length
     QVERIFY(problem.obstacles[1].half == Vec3(50, 0, 100));  // the height first, as MoveIt has it
     QCOMPARE(problem.obstacles[2].half.x(), 100.0);
+    QVERIFY((problem.obstacles[2].centre - Vec3(1000, 0, -2000)).norm() < 1e-9);  // half a turn about y first
   }
 
   void damage_data() {
