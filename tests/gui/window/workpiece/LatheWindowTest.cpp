@@ -256,7 +256,11 @@ class LatheWindowTest : public QObject {
     QTest::keyClick(window.view, Qt::Key_Space);
     QVERIFY(QTest::qWaitFor([&] { return window.machine().speed == window.machine().setSpeed; }, kPatienceMs));
     window.leadTo({23.0, 0.0, 98.0}, 1);
-    QVERIFY(QTest::qWaitFor([&] { return window.lathe()->moment()->isCut; }, kPatienceMs));
+    const auto isCut = [&window] {
+      const TurnedProfile& profile = window.lathe()->moment()->profile;
+      return profile.radius(static_cast<std::size_t>(std::lround(99.5 / profile.spacing()))) < 25.0;
+    };
+    QVERIFY(QTest::qWaitFor(isCut, kPatienceMs));
     window.leadTo({40.0, 0.0, 108.0}, 0);
     QVERIFY(QTest::qWaitFor([&] { return window.document().history()->count() == 1; }, kPatienceMs));
     QVERIFY(window.radiusAt(99.5) < 25.0);
