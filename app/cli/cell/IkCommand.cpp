@@ -57,7 +57,7 @@ Result<SerialArm> armCalled(const std::string& name, const std::string& tip) {
   };
   if (const DhTable* const table = libraryTable(name)) return ofTable(*table);
   const Result<std::string> bytes = readFileBytes(name);
-  if (!bytes) return bytes.error();
+  if (!bytes) return withSubject(bytes.error(), name);
   if (!looksLikeUrdf(*bytes)) {
     const Result<DhTable> table = readDhTable(*bytes);
     return table ? Result<SerialArm>(ofTable(*table)) : withSubject(table.error(), name);

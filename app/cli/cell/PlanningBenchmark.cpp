@@ -100,7 +100,7 @@ Result<BenchmarkRobot> readRobot(const OperationValues& values, const PlanningSe
   };
   const std::string file = values.text("robot");
   const Result<std::string> bytes = readFileBytes(file);
-  if (!bytes) return bytes.error();
+  if (!bytes) return subject(bytes.error(), file);
   Result<ReadRobot> read = readUrdf(*bytes);
   if (!read) return subject(read.error(), file);
   BenchmarkRobot robot{std::move(read->robot), {}, {}, {}};
@@ -108,7 +108,7 @@ Result<BenchmarkRobot> readRobot(const OperationValues& values, const PlanningSe
   if (values.isSet("srdf")) {
     const std::string semantics = values.text("srdf");
     const Result<std::string> text = readFileBytes(semantics);
-    if (!text) return text.error();
+    if (!text) return subject(text.error(), semantics);
     Result<RobotSemantics> found = readSrdf(*text, robot.model);
     if (!found) return subject(found.error(), semantics);
     robot.allowed.merge(found->allowed);
@@ -228,8 +228,7 @@ int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
   if (!values.isSet("robot")) return failUsage("The option --robot URDF is missing.", id);
   const Result<std::string> text = readFileBytes(arguments.operands[0]);
-  if (!text) return fail(text.error());
-  const Result<PlanningSet> set = readPlanningSet(*text);
+  const Result<PlanningSet> set = text ? readPlanningSet(*text) : Result<PlanningSet>(text.error());
   if (!set) {
     Error error = set.error();
     error.subject = arguments.operands[0];
