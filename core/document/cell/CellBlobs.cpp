@@ -3,6 +3,7 @@
 #include "document/cell/CellBlobs.h"
 
 #include "document/cell/CellImport.h"
+#include "document/cell/PlansBlobs.h"
 #include "document/cell/SurfaceBudget.h"
 #include "document/container/ArchiveErrors.h"
 #include "document/scene/BodyBlobs.h"
@@ -55,6 +56,7 @@ class Loading {
     }
     auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = readJoints(robot->model);
+    cell->plans = readPlans(m_container, robot->model, cell->joints, m_damage);
     cell->robot = std::move(robot);
     Result<BodySet> bodies = readBodies(m_container, kCellFolder, m_damage, progress.part(0.5, 1.0));
     if (!bodies) return bodies.error();
@@ -117,6 +119,7 @@ void writeCell(const RobotCellSnapshot& cell, Container& container) {
     document["surfaces"].push_back(isStored ? writeSoupBlobs<float>(*robot.surfaces[i], surfaceName(i), container)
                                             : nlohmann::json());
   }
+  writePlans(*cell.plans, robot.model, container);
   writeBodies(cell.bodies, kCellFolder, container);
 }
 

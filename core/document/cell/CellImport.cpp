@@ -9,6 +9,7 @@
 #include "mesh/structure/Weld.h"
 #include "robot/MeshLocation.h"
 #include "robot/UrdfReader.h"
+#include "robot/UrdfWriter.h"
 
 #include <QFile>
 #include <algorithm>
@@ -135,6 +136,15 @@ class Import {
 
 }  // namespace
 
+std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint32_t shapeSides) {
+  ReadRobot read;
+  read.robot = robotOf(robot);
+  std::string description = urdfOf(read.robot);
+  Import import(std::move(read), {}, shapeSides);
+  import.readSurfaces({});
+  return import.finish(std::move(description), {}).cell;
+}
+
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides) {
   TriangleSoup soup = surfaceOf(shape, sides);
   roundPoints(soup, NumberType::Float32);
@@ -156,6 +166,11 @@ Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path
 Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides, Progress progress) {
   Result<std::string> bytes = readBounded(path, kLargestDescription, progress.part(0.0, 0.05));
   if (!bytes) return bytes.error();
+  if (looksLikeDhTable(*bytes)) {
+    const Result<DhTable> table = readDhTable(*bytes);
+    if (!table) return table.error();
+    bytes = urdfOf(robotOf(*table));
+  }
   Result<ReadRobot> read = readUrdf(*bytes, progress.part(0.05, 0.1));
   if (!read) return read.error();
   Import import(std::move(read).value(), path.parent_path(), shapeSides);

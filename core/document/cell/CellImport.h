@@ -6,6 +6,7 @@
 #include "base/Result.h"
 #include "document/cell/RobotCellSnapshot.h"
 #include "robot/ShapeSurfaces.h"
+#include "robot/dh/DhTable.h"
 
 #include <filesystem>
 
@@ -21,10 +22,13 @@ struct ImportedCell {
   std::size_t unlistedDamage = 0;
 };
 
-// Reads a robot description and every mesh it names, joints at rest. shapeSides: as in surfaceOf(). Errors: those of
-// reading the description.
+// Reads a robot description, as URDF or a table after Denavit and Hartenberg, and every mesh it names, joints at rest.
+// shapeSides: as in surfaceOf(). Errors: those of reading the description.
 Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides = kShapeSides,
                                 Progress progress = {});
+
+// A cell of a robot that comes with the program.
+std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint32_t shapeSides = kShapeSides);
 
 // The surface of a shape that is not a mesh, in mm and single precision. sides: of round shapes.
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides);

@@ -4,6 +4,7 @@
 
 #include "document/cell/CellProperties.h"
 #include "document/cell/JointEdit.h"
+#include "document/cell/PlansEdit.h"
 #include "document/scene/BodyProperties.h"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ RobotCellDocument::RobotCellDocument(OpenedFile opened, QObject* parent)
   const auto& content = static_cast<const RobotCellSnapshot&>(*opened.content);
   m_robot = content.robot;
   m_joints = content.joints;
+  m_plans = content.plans;
   m_source = content.source;
 }
 
@@ -48,6 +50,7 @@ SnapshotPointer RobotCellDocument::snapshot() const {
   auto snapshot = std::make_shared<RobotCellSnapshot>();
   snapshot->robot = m_robot;
   snapshot->joints = m_joints;
+  snapshot->plans = m_plans;
   snapshot->source = m_source;
   snapshot->bodies = bodies();
   return snapshot;
@@ -97,6 +100,11 @@ std::unique_ptr<Edit> RobotCellDocument::jointEdit(const JointValues& joints) co
   }
   if (moves.empty()) return nullptr;
   return std::make_unique<JointEdit>(std::move(moves));
+}
+
+std::unique_ptr<Edit> RobotCellDocument::plansEdit(CellPlans plans) const {
+  if (plans == *m_plans) return nullptr;
+  return std::make_unique<PlansEdit>(std::make_shared<const CellPlans>(std::move(plans)));
 }
 
 }  // namespace handwheel

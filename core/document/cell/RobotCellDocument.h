@@ -20,6 +20,7 @@ class RobotCellDocument : public Document, public BodyOwner {
 
   const CellRobot& robot() const { return *m_robot; }
   const JointValues& joints() const { return m_joints; }
+  const std::shared_ptr<const CellPlans>& plans() const { return m_plans; }  // never null
 
   SnapshotPointer snapshot() const override;
   // Those of cellProperties(), of bodyProperties(), then those of every document.
@@ -32,13 +33,17 @@ class RobotCellDocument : public Document, public BodyOwner {
 
   // An edit that moves the joints there, kept within their limits; null when nothing moves. Values must be finite.
   std::unique_ptr<Edit> jointEdit(const JointValues& joints) const;
+  // An edit that makes these the plans; null when they are the same.
+  std::unique_ptr<Edit> plansEdit(CellPlans plans) const;
 
  private:
   friend class JointEdit;
+  friend class PlansEdit;
   void bodiesChanged() override { wasChanged(); }
 
   std::shared_ptr<const CellRobot> m_robot;
   JointValues m_joints;
+  std::shared_ptr<const CellPlans> m_plans;
   std::string m_source;
 };
 

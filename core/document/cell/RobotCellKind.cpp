@@ -14,6 +14,8 @@
 #include "mesh/structure/MeshErrors.h"
 #include "robot/Kinematics.h"
 #include "robot/UrdfReader.h"
+#include "robot/dh/DhTable.h"
+#include "robot/program/PathFile.h"
 
 #include <QtGlobal>
 #include <cmath>
@@ -71,6 +73,19 @@ nlohmann::json describeTool(const RobotModel& robot, const JointValues& values) 
           {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}}};
 }
 
+nlohmann::json describeConfigurations(const RobotCellSnapshot& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const NamedConfiguration& each : cell.plans->configurations)
+    list.push_back({{"name", each.name}, {"joints", toJson(cell.robot->model, each.joints)}});
+  return list;
+}
+
+nlohmann::json describePaths(const RobotCellSnapshot& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const RobotPath& path : cell.plans->paths) list.push_back({{"name", path.name}, {"places", path.places.size()}});
+  return list;
+}
+
 // Bodies that are not shown are not exported.
 std::optional<Note> noteOnHidden(const BodySet& bodies) {
   constexpr std::size_t kMostNamed = 5;
@@ -93,7 +108,7 @@ std::string RobotCellKind::title() const {
 }
 
 std::vector<FileFormat> RobotCellKind::formats() const {
-  std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}};
+  std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}, {"Denavit-Hartenberg", {".json"}, true, false}};
   for (const FileFormat& format : meshFileFormats()) {
     if (format.writes) all.push_back({format.name, format.endings, false, true});
   }
@@ -101,7 +116,7 @@ std::vector<FileFormat> RobotCellKind::formats() const {
 }
 
 bool RobotCellKind::recognises(std::string_view head, std::string_view name) const {
-  return looksLikeUrdf(head) || name.ends_with(".urdf") || name.ends_with(".URDF");
+  return looksLikeUrdf(head) || looksLikeDhTable(head) || name.ends_with(".urdf") || name.ends_with(".URDF");
 }
 
 Result<OpenedFile> RobotCellKind::import(const std::filesystem::path& path, const ReadOptions&,
@@ -180,7 +195,9 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"tool", describeTool(robot, cell.joints)},
           {"triangles", triangles},
           {"missing_meshes", missing},
-          {"bodies", describeBodies(cell.bodies)}};
+          {"bodies", describeBodies(cell.bodies)},
+          {"configurations", describeConfigurations(cell)},
+          {"paths", describePaths(cell)}};
 }
 
 GeometryPointer RobotCellKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {

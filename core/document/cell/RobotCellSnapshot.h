@@ -5,6 +5,7 @@
 #include "document/Snapshot.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "robot/RobotModel.h"
+#include "robot/program/RobotPath.h"
 #include "scene/BodySet.h"
 
 namespace handwheel {
@@ -24,6 +25,7 @@ struct RobotCellSnapshot : Snapshot {
   JointValues joints;                      // within their limits
   std::string source;                      // the file that the robot came from, as text in UTF-8
   BodySet bodies;                          // what stands beside the robot; in the frame of its base
+  std::shared_ptr<const CellPlans> plans = std::make_shared<const CellPlans>();  // never null
 };
 
 }  // namespace handwheel

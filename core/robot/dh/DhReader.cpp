@@ -72,6 +72,13 @@ Result<DhJoint> jointFrom(const Json& json, std::size_t number) {
 
 }  // namespace
 
+bool looksLikeDhTable(std::string_view head) {
+  const std::size_t begin = head.find_first_not_of(" \t\r\n");
+  if (begin == head.npos || head[begin] != '{') return false;
+  return head.find("\"joints\"") != head.npos &&
+         (head.find("\"alpha\"") != head.npos || head.find("\"theta\"") != head.npos);
+}
+
 Result<DhTable> readDhTable(std::string_view json) {
   const Result<Json> read = parseJson(json, "robot");
   if (!read) return read.error();

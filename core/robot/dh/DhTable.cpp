@@ -71,7 +71,7 @@ RobotModel robotOf(const DhTable& table) {
   const double reach = std::max(armOf(rows).reach(), 1e-3);
   const double thickness = table.thickness > 0.0 ? table.thickness : 0.055 * reach;
   Builder builder(robot);
-  const auto mesh = [&](const std::string& file) { return MeshShape{file, Vec3::Constant(table.meshUnit)}; };
+  const auto mesh = [&](const std::string& file) { return MeshShape{file, Vec3::Constant(1e-3 * table.meshUnit)}; };
   if (table.baseMesh.empty())
     builder.add(0, CylinderShape{1.7 * thickness, 0.6 * thickness}, Pose(Eigen::Translation3d(0, 0, 0.3 * thickness)),
                 kGrey);

@@ -30,6 +30,8 @@ RobotModel robotOf(const DhTable& table);
 // Reads a table from JSON; docs/robots.md has the keys. Limits: kMostArmJoints joints. Errors: ElementMalformed
 // {element, reason}, ValueOutOfRange, those of parseJson().
 Result<DhTable> readDhTable(std::string_view json);
+// Whether a file is such a table, by its first bytes.
+bool looksLikeDhTable(std::string_view head);
 
 // The robots that come with the program, by the tables of their manufacturers, as far as these are published.
 struct LibraryRobot {

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellErrors.h"
+
+namespace handwheel {
+
+const ErrorDescription CellError::PlaceMissing{
+    .id = "PlaceMissing",
+    .sentences = {translatable("ErrorText", "'%1' is neither a configuration of the cell nor a value for each joint")},
+    .advice = {translatable("ErrorText",
+                            "Name a configuration ('inspect' lists them), or give the joint values in "
+                            "radians, separated by spaces.")}};
+
+const ErrorDescription CellError::PathMissing{
+    .id = "PathMissing",
+    .sentences = {translatable("ErrorText", "'%1' is neither a path of the cell nor a file")},
+    .advice = {translatable("ErrorText", "Name a path of the cell ('inspect' lists them), or a file with one.")}};
+
+const ErrorDescription CellError::PathTooShort{
+    .id = "PathTooShort",
+    .sentences = {translatable("ErrorText", "the path '%1' has fewer than two places")},
+    .advice = {translatable("ErrorText", "Add the places that the robot is to move to.")}};
+
+const ErrorDescription CellError::PlaceCollides{
+    .id = "PlaceCollides",
+    .sentences = {translatable("ErrorText", "at %1 the robot collides: %2 with %3")},
+    .advice = {translatable("ErrorText",
+                            "Move the robot away there, require less clearance, or allow this pair if it "
+                            "always touches.")}};
+
+const ErrorDescription CellError::PlaceBeyondLimits{
+    .id = "PlaceBeyondLimits",
+    .sentences = {translatable("ErrorText", "at %1 the joint %2 is beyond its limits")},
+    .advice = {translatable("ErrorText", "Give joint values within the limits.")}};
+
+const ErrorDescription CellError::RouteNotFound{
+    .id = "RouteNotFound",
+    .sentences = {translatable("ErrorText", "no path from %1 to %2 was found in %3 s")},
+    .advice = {translatable("ErrorText",
+                            "Give it more time, insert a critical configuration in between, or require "
+                            "less clearance.")}};
+
+const ErrorDescription CellError::OthersMoved{
+    .id = "OthersMoved",
+    .sentences = {translatable("ErrorText", "at %1 a joint beside the arm, such as a finger, stands elsewhere")},
+    .advice = {translatable("ErrorText",
+                            "Only the joints between base and tool are planned; let the others stand as "
+                            "they are in the cell.")}};
+
+const ErrorDescription CellError::LineUnreachable{
+    .id = "LineUnreachable",
+    .sentences = {translatable("ErrorText", "the arm cannot follow the straight line to %1: it stops after %2 %")},
+    .advice = {translatable("ErrorText", "Move to it by the joints, or choose the same configuration at both ends.")}};
+
+const ErrorDescription CellError::PathCollides{
+    .id = "PathCollides",
+    .sentences = {translatable("ErrorText", "the path '%1' collides in %2 places, first %3 with %4")},
+    .advice = {translatable("ErrorText", "Plan it again, or see all of them with 'verify'.")}};
+
+}  // namespace handwheel

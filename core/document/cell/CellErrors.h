@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The error codes of planning in a robot cell.
+namespace handwheel::CellError {
+
+extern const ErrorDescription PlaceMissing;       // {text} it names no configuration, nor are these joint values
+extern const ErrorDescription PathMissing;        // {text} the cell has no such path, nor is it a file
+extern const ErrorDescription PathTooShort;       // {path} it has fewer than two places
+extern const ErrorDescription PlaceCollides;      // {place, link, link or body}
+extern const ErrorDescription PlaceBeyondLimits;  // {place, joint}
+extern const ErrorDescription RouteNotFound;      // {from, to, seconds}
+extern const ErrorDescription OthersMoved;        // {place} joints beside the arm stand elsewhere there
+extern const ErrorDescription LineUnreachable;    // {place, percent} the arm cannot follow the straight line to it
+extern const ErrorDescription PathCollides;       // {path, count of collisions, link, link or body} first of them
+
+}  // namespace handwheel::CellError

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellScene.h"
+
+#include "document/scene/BodyDisplay.h"
+#include "planning/PlanningSet.h"
+#include "scene/PrimitiveGeometry.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// Cylinders and spheres as they are: their triangles are inside of them.
+CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes) {
+  if (const auto* primitive = dynamic_cast<const PrimitiveGeometry*>(&geometry)) {
+    const std::vector<double>& d = primitive->dimensions();
+    switch (primitive->primitive()) {
+      case Primitive::Cuboid:
+        return CollisionBody({CollisionPiece::box(Pose::Identity(), {d[0], d[1], d[2]})});
+      case Primitive::Cylinder:
+        return CollisionBody({CollisionPiece::cylinder(Pose::Identity(), d[0], d[1])});
+      case Primitive::Sphere:
+        return CollisionBody({CollisionPiece::sphere(Vec3::Zero(), d[0])});
+      case Primitive::Cone:
+        break;
+    }
+  }
+  const std::shared_ptr<const CollisionMesh> mesh = meshes.of(geometry.surface());
+  if (mesh->bounds().isEmpty()) return {};
+  return CollisionBody({CollisionPiece::ofMesh(Pose::Identity(), mesh)});
+}
+
+// A description without any collision shapes collides with what it shows.
+RobotModel withCollisions(const RobotModel& robot) {
+  RobotModel changed = robot;
+  const bool hasAny =
+      std::any_of(robot.links.begin(), robot.links.end(), [](const Link& link) { return !link.collisions.empty(); });
+  for (Link& link : changed.links) {
+    if (!hasAny) link.collisions = link.visuals;
+  }
+  return changed;
+}
+
+std::vector<std::uint32_t> shapelessLinks(const RobotModel& robot, const CellRobot& cell) {
+  std::vector<std::uint32_t> links;
+  for (std::uint32_t l = 0; l < robot.links.size(); ++l) {
+    const auto& shapes = robot.links[l].collisions;
+    const auto isMissing = [&](const PlacedShape& placed) {
+      return std::holds_alternative<MeshShape>(robot.shapes[placed.shape]) && !cell.surfaces[placed.shape];
+    };
+    if (std::any_of(shapes.begin(), shapes.end(), isMissing)) links.push_back(l);
+  }
+  return links;
+}
+
+struct AllowedPairs {
+  std::set<LinkPair> links;
+  std::vector<std::pair<std::uint32_t, BodyId>> bodies;
+};
+
+AllowedPairs allowedOf(const RobotCellSnapshot& cell) {
+  const RobotModel& robot = cell.robot->model;
+  AllowedPairs pairs{neighbours(robot), {}};
+  for (const auto& [first, second] : cell.plans->allowed) {
+    const std::uint32_t a = linkNamed(robot, first), b = linkNamed(robot, second);
+    const auto body = bodyOfPart(second);
+    if (a != kNone && b != kNone)
+      pairs.links.insert(std::minmax(a, b));
+    else if (a != kNone && body)
+      pairs.bodies.emplace_back(a, *body);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::shared_ptr<const CollisionMesh> CollisionMeshes::of(const std::shared_ptr<const TriangleSoup>& soup) {
+  {
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_entries, [](const auto& entry) { return entry.second.soup.expired(); });
+    const auto found = m_entries.find(soup.get());
+    if (found != m_entries.end()) return found->second.mesh;
+  }
+  auto mesh = std::make_shared<const CollisionMesh>(*soup);
+  const std::lock_guard lock(m_mutex);
+  return m_entries.try_emplace(soup.get(), Entry{soup, std::move(mesh)}).first->second.mesh;
+}
+
+ArmValues CellScene::planned(const JointValues& joints) const {
+  ArmValues values(static_cast<Eigen::Index>(dofs.size()));
+  for (std::size_t i = 0; i < dofs.size(); ++i) values[static_cast<Eigen::Index>(i)] = joints[dofs[i]];
+  return values;
+}
+
+JointValues CellScene::whole(const ArmValues& values) const {
+  JointValues joints = others;
+  for (std::size_t i = 0; i < dofs.size(); ++i) joints[dofs[i]] = values[static_cast<Eigen::Index>(i)];
+  return joints;
+}
+
+std::pair<std::string, std::string> CellScene::namesOf(const RobotScene::Nearest& nearest) const {
+  const auto nameOfLink = [&](std::uint32_t link) {
+    return link == kNone ? std::string() : robot->model.links[link].name;
+  };
+  const BodyPointer body = nearest.owner == kNone ? nullptr : bodies.withId(nearest.owner);
+  return {nameOfLink(nearest.link), body ? body->name : nameOfLink(nearest.otherLink)};
+}
+
+bool CellScene::standsAs(const JointValues& joints) const {
+  return whole(planned(joints)) == joints;
+}
+
+Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes) {
+  const RobotModel robot = withCollisions(cell.robot->model);
+  Result<SerialArm::InRobot> arm = SerialArm::of(robot, robot.root, toolLink(robot));
+  if (!arm) return arm.error();
+  std::vector<std::shared_ptr<const CollisionMesh>> surfaces(robot.shapes.size());
+  for (std::size_t i = 0; i < robot.shapes.size(); ++i) {
+    if (std::holds_alternative<MeshShape>(robot.shapes[i]) && cell.robot->surfaces[i])
+      surfaces[i] = meshes.of(cell.robot->surfaces[i]);
+  }
+  const AllowedPairs allowed = allowedOf(cell);
+  RobotScene scene(robot, Pose::Identity(), collisionBodies(robot, surfaces), arm->dofs, cell.joints, allowed.links);
+  if (const Status sound = scene.isSound(); !sound) return sound.error();
+  std::set<LinkPair> alwaysMeeting = scene.alwaysMeeting();
+  scene.allowPairs(alwaysMeeting);
+  for (const BodyPointer& body : cell.bodies)
+    scene.addObstacle(collisionBodyOf(*body->geometry, meshes), body->pose, body->id);
+  for (const auto& [link, body] : allowed.bodies) scene.allow(link, body);
+  return CellScene{std::move(scene),
+                   std::move(arm->arm),
+                   std::move(arm->dofs),
+                   cell.joints,
+                   std::move(alwaysMeeting),
+                   shapelessLinks(robot, *cell.robot),
+                   cell.robot,
+                   cell.bodies};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/PlansBlobs.h"
+
+#include "base/JsonText.h"
+#include "robot/program/PathFile.h"
+#include "scene/RigidPose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using nlohmann::json;
+
+const std::string kPlans = "cell/plans.json";
+
+json numbersOfPose(const Pose& pose) {
+  json numbers = json::array();
+  for (Eigen::Index i = 0; i < 12; ++i) numbers.push_back(pose.matrix()(i / 4, i % 4));
+  return numbers;
+}
+
+class PlansReading {
+ public:
+  PlansReading(const RobotModel& robot, const JointValues& others, std::vector<Error>& damage)
+      : m_robot(robot), m_others(others), m_damage(damage) {}
+
+  CellPlans read(const json& stored) {
+    readConfigurations(listAt(stored, "configurations"));
+    for (const json& entry : listAt(stored, "paths")) readOnePath(entry);
+    for (const json& pair : listAt(stored, "allowed")) {
+      if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string())
+        m_plans.allowed.insert({pair[0].get<std::string>(), pair[1].get<std::string>()});
+    }
+    const std::vector<double> numbers = numbersAt(stored, "tool", 12);
+    if (numbers.size() == 12) readTool(numbers);
+    const auto clearance = stored.find("clearance_mm");
+    if (clearance != stored.end() && clearance->is_number())
+      m_plans.clearance = std::clamp(clearance->get<double>(), 0.0, 1e4);
+    return std::move(m_plans);
+  }
+
+ private:
+  static const json& listAt(const json& object, const char* key) {
+    static const json kNothing = json::array();
+    const auto found = object.find(key);
+    return found != object.end() && found->is_array() && found->size() <= CellPlans::kMost ? *found : kNothing;
+  }
+
+  void note(Error error) {
+    error.subject = {};
+    m_damage.push_back(std::move(error));
+  }
+
+  void readConfigurations(const json& list) {
+    for (const json& entry : list) {
+      const std::string name = stringAt(entry, "name", "configuration");
+      const auto stored = entry.is_object() ? entry.find("joints") : entry.end();
+      if (stored == entry.end()) {
+        note({ErrorCode::ElementMalformed, {"configurations", "its joints are missing"}, {}, {}});
+        continue;
+      }
+      Result<JointValues> joints = jointsFrom(*stored, m_robot, m_others);
+      if (!joints) {
+        note(joints.error());
+        continue;
+      }
+      m_plans.configurations.push_back({m_plans.freeConfigurationName(name), std::move(joints).value()});
+    }
+  }
+
+  void readOnePath(const json& entry) {
+    Result<RobotPath> path = pathFrom(entry, m_robot, m_others);
+    if (!path) return note(path.error());
+    path->name = m_plans.freePathName(path->name.empty() ? "path" : path->name);
+    m_plans.paths.push_back(std::move(path).value());
+  }
+
+  void readTool(const std::vector<double>& numbers) {
+    Pose pose = Pose::Identity();
+    for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = numbers[static_cast<std::size_t>(i)];
+    const auto rigid = isRigid(pose) ? std::optional(pose) : nearestRigid(pose);
+    if (rigid)
+      m_plans.tool = *rigid;
+    else
+      note({ErrorCode::ElementMalformed, {"tool", "its pose cannot be used"}, {}, {}});
+  }
+
+  const RobotModel& m_robot;
+  const JointValues& m_others;
+  std::vector<Error>& m_damage;
+  CellPlans m_plans;
+};
+
+}  // namespace
+
+void writePlans(const CellPlans& plans, const RobotModel& robot, Container& container) {
+  if (plans == CellPlans()) return;
+  json stored = {{"clearance_mm", plans.clearance},
+                 {"tool", numbersOfPose(plans.tool)},
+                 {"configurations", json::array()},
+                 {"paths", json::array()},
+                 {"allowed", json::array()}};
+  for (const NamedConfiguration& each : plans.configurations)
+    stored["configurations"].push_back({{"name", each.name}, {"joints", toJson(robot, each.joints)}});
+  for (const RobotPath& path : plans.paths) stored["paths"].push_back(toJson(robot, path));
+  for (const auto& [first, second] : plans.allowed) stored["allowed"].push_back({first, second});
+  container.blobs[kPlans] = stored.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::shared_ptr<const CellPlans> readPlans(const Container& container, const RobotModel& robot,
+                                           const JointValues& others, std::vector<Error>& damage) {
+  const auto bytes = container.blobs.find(kPlans);
+  if (bytes == container.blobs.end()) return std::make_shared<const CellPlans>();
+  const Result<json> stored = parseJson(bytes->second, "plans");
+  if (!stored || !stored->is_object()) {
+    damage.push_back(stored ? Error{ErrorCode::ElementMalformed, {"plans", "an object was expected"}, {}, {}}
+                            : stored.error());
+    return std::make_shared<const CellPlans>();
+  }
+  return std::make_shared<const CellPlans>(PlansReading(robot, others, damage).read(*stored));
+}
+
+}  // namespace handwheel

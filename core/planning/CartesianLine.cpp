@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/CartesianLine.h"
+
+#include "robot/arm/NumericalIk.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+Pose between(const Pose& from, const Pose& to, double share) {
+  const Eigen::Quaterniond first(from.linear()), second(to.linear());
+  Pose pose = Pose::Identity();
+  pose.translation() = (1.0 - share) * from.translation() + share * to.translation();
+  pose.linear() = first.slerp(share, second).toRotationMatrix();
+  return pose;
+}
+
+class Following {
+ public:
+  Following(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
+            const LineSettings& settings)
+      : m_arm(arm),
+        m_tool(tool),
+        m_settings(settings),
+        m_begin(arm.tipPose(from) * tool),
+        m_end(arm.tipPose(to) * tool) {
+    m_ik.tolerance = 1e-9;
+    m_ik.mostStarts = 1;
+    m_ik.seconds = 0.1;
+  }
+
+  // The joint values at a share of the line, next to those before; none where it cannot go on.
+  std::optional<ArmValues> at(double share, const ArmValues& before) const {
+    const Pose tip = between(m_begin, m_end, share) * m_tool.inverse(Eigen::Isometry);
+    const NumericalIkResult found = solvedNumerically(m_arm, tip, before, m_ik);
+    constexpr double kMostOff = 1e-4;  // mm, rad
+    if (found.distance > kMostOff || found.angle > kMostOff) return std::nullopt;
+    return found.values;
+  }
+
+  bool isClose(const ArmValues& a, double shareA, const ArmValues& b, double shareB) const {
+    if ((a - b).cwiseAbs().maxCoeff() > m_settings.largestStep && !isShort(a, b)) return false;
+    const Pose wanted = between(m_begin, m_end, 0.5 * (shareA + shareB));
+    const auto error = poseError(m_arm.tipPose(0.5 * (a + b)) * m_tool, wanted);
+    return error.head<3>().norm() <= m_settings.deviation && error.tail<3>().norm() <= m_settings.angle;
+  }
+
+ private:
+  // Slides count in mm.
+  bool isShort(const ArmValues& a, const ArmValues& b) const {
+    for (Eigen::Index i = 0; i < a.size(); ++i) {
+      const bool isSlide = m_arm.joints()[static_cast<std::size_t>(i)].isPrismatic;
+      if (!isSlide && std::abs(a[i] - b[i]) > m_settings.largestStep) return false;
+    }
+    return true;
+  }
+
+  const SerialArm& m_arm;
+  const Pose& m_tool;
+  const LineSettings& m_settings;
+  Pose m_begin, m_end;
+  NumericalIkSettings m_ik;
+};
+
+}  // namespace
+
+FollowedLine followLine(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
+                        const LineSettings& settings, Progress progress) {
+  constexpr double kLeastStep = 1e-5;  // of the line: what needs smaller ones is a leap
+  constexpr double kSameEnd = 1e-3;    // rad, mm
+  const Following following(arm, tool, from, to, settings);
+  FollowedLine line{{from}, 0.0};
+  double step = 0.1;
+  while (line.reached < 1.0 && !progress.cancelled()) {
+    const double share = std::min(1.0, line.reached + step);
+    const ArmValues& before = line.path.back();
+    std::optional<ArmValues> next = following.at(share, before);
+    if (next && following.isClose(before, line.reached, *next, share)) {
+      if (share == 1.0) {
+        if ((*next - to).cwiseAbs().maxCoeff() > kSameEnd) return line;
+        next = to;
+      }
+      line.path.push_back(*next);
+      line.reached = share;
+      step *= 1.5;
+    } else if ((step *= 0.5) < kLeastStep) {
+      return line;
+    }
+    progress.set(line.reached);
+  }
+  return line;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/RobotModel.h"
+
+#include <string>
+
+namespace handwheel {
+
+// A robot as a URDF that readUrdf() reads as the same: links, joints with their limits, shapes and colours. For robots
+// that come from elsewhere, as tables after Denavit and Hartenberg.
+std::string urdfOf(const RobotModel& robot);
+
+}  // namespace handwheel

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/program/PathFile.h"
+
+#include "base/JsonText.h"
+#include "base/NumberText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kSlack = 1e-6;  // rad, mm: what printed digits may be beyond a limit
+
+Error malformedPath(std::string element, const char* reason) {
+  return {ErrorCode::ElementMalformed, {std::move(element), reason}, {}, {}};
+}
+
+std::uint32_t dofNamed(const RobotModel& robot, std::string_view name) {
+  for (std::uint32_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    if (robot.jointOfDof(dof).name == name) return dof;
+  }
+  return kNone;
+}
+
+// The degrees of freedom that columns of waypoints stand for. Error: ReferenceMissing.
+Result<std::vector<std::uint32_t>> columnsOf(const Json& json, const RobotModel& robot) {
+  std::vector<std::uint32_t> columns;
+  const auto joints = json.find("joints");
+  if (joints == json.end()) {
+    for (std::uint32_t dof = 0; dof < robot.dofs.size(); ++dof) columns.push_back(dof);
+    return columns;
+  }
+  if (!joints->is_array()) return malformedPath("joints", "a list of names was expected");
+  for (const Json& name : *joints) {
+    const std::uint32_t dof = name.is_string() ? dofNamed(robot, name.get<std::string>()) : kNone;
+    if (dof == kNone)
+      return Error{ErrorCode::ReferenceMissing, {"joint", name.is_string() ? name.get<std::string>() : "", {}}, {}, {}};
+    columns.push_back(dof);
+  }
+  return columns;
+}
+
+Result<JointValues> valuesFrom(const Json& row, const std::string& element, const std::vector<std::uint32_t>& columns,
+                               const RobotModel& robot, const JointValues& others) {
+  if (!row.is_array() || row.size() != columns.size())
+    return malformedPath(element, "a number for each joint was expected");
+  JointValues values = others;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!row[i].is_number()) return malformedPath(element, "a number for each joint was expected");
+    values[columns[i]] = row[i].get<double>();
+  }
+  if (const Status within = checkLimits(robot, values); !within) return within.error();
+  return values;
+}
+
+double numberAt(const Json& json, const char* key, double otherwise, double least, double largest) {
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_number()) return otherwise;
+  const double value = found->get<double>();
+  return std::isfinite(value) ? std::clamp(value, least, largest) : otherwise;
+}
+
+Result<PathPlace> placeFrom(const Json& json, const std::string& element, const RobotModel& robot,
+                            const JointValues& others) {
+  if (!json.is_object()) return malformedPath(element, "an object was expected");
+  PathPlace place;
+  const auto joints = json.find("joints");
+  if (joints == json.end()) return malformedPath(element, "its joints are missing");
+  Result<JointValues> values = jointsFrom(*joints, robot, others);
+  if (!values) return values.error();
+  place.joints = std::move(values).value();
+  place.name = stringAt(json, "name");
+  const auto critical = json.find("critical");
+  if (critical != json.end() && critical->is_boolean()) place.isCritical = critical->get<bool>();
+  const std::string motion = stringAt(json, "motion", "joint");
+  if (motion != "joint" && motion != "linear")
+    return malformedPath(element + ".motion", "joint or linear was expected");
+  const bool isLinear = motion == "linear";
+  place.motion = isLinear ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
+  place.speed = numberAt(json, "speed", isLinear ? 250.0 : 0.25, 1e-3, isLinear ? 1e5 : 1.0);
+  place.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
+  return place;
+}
+
+}  // namespace
+
+Status checkLimits(const RobotModel& robot, const JointValues& joints) {
+  for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    const Joint& joint = robot.jointOfDof(dof);
+    const double value = joints[static_cast<Eigen::Index>(dof)];
+    const bool isFree = joint.kind == JointKind::Continuous;
+    const double least = isFree ? -kFarthestTravel : joint.limits.nearest(-HUGE_VAL),
+                 largest = isFree ? kFarthestTravel : joint.limits.nearest(HUGE_VAL);
+    if (value >= least - kSlack && value <= largest + kSlack) continue;
+    return Error{
+        ErrorCode::ValueOutOfRange, {joint.name, shownText(value), shownText(least), shownText(largest)}, {}, {}};
+  }
+  return Done{};
+}
+
+Json toJson(const RobotModel& robot, const JointValues& joints) {
+  Json json = Json::object();
+  for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)
+    json[robot.jointOfDof(dof).name] = joints[static_cast<Eigen::Index>(dof)];
+  return json;
+}
+
+Result<JointValues> jointsFrom(const Json& json, const RobotModel& robot, const JointValues& others) {
+  if (!json.is_object()) return malformedPath("joints", "an object was expected");
+  JointValues values = others;
+  for (const auto& [name, value] : json.items()) {
+    const std::uint32_t dof = dofNamed(robot, name);
+    if (dof == kNone) return Error{ErrorCode::ReferenceMissing, {"joint", name, {}}, {}, {}};
+    if (!value.is_number()) return malformedPath("joints." + name, "a number was expected");
+    values[dof] = value.get<double>();
+  }
+  if (const Status within = checkLimits(robot, values); !within) return within.error();
+  return values;
+}
+
+Json toJson(const RobotModel& robot, const RobotPath& path) {
+  Json places = Json::array();
+  for (const PathPlace& place : path.places) {
+    places.push_back({{"joints", toJson(robot, place.joints)},
+                      {"name", place.name},
+                      {"critical", place.isCritical},
+                      {"motion", place.motion == ProgramMotion::Kind::Linear ? "linear" : "joint"},
+                      {"speed", place.speed},
+                      {"blend_mm", place.blend}});
+  }
+  return {{"name", path.name}, {"places", places}};
+}
+
+Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const JointValues& others) {
+  if (!json.is_object()) return malformedPath("path", "an object was expected");
+  RobotPath path;
+  path.name = stringAt(json, "name", "path");
+  const auto places = json.find("places"), waypoints = json.find("waypoints");
+  const bool isDetailed = places != json.end();
+  const auto& list = isDetailed ? places : waypoints;
+  const std::string element = isDetailed ? "places" : "waypoints";
+  if (list == json.end() || !list->is_array()) return malformedPath(element, "a list was expected");
+  if (list->size() > RobotPath::kMostPlaces) {
+    return Error{ErrorCode::FileTooLarge,
+                 {"places", std::to_string(list->size()), std::to_string(RobotPath::kMostPlaces)},
+                 {},
+                 {}};
+  }
+  Result<std::vector<std::uint32_t>> columns = std::vector<std::uint32_t>();
+  if (!isDetailed) columns = columnsOf(json, robot);
+  if (!columns) return columns.error();
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string at = element + "[" + std::to_string(i) + "]";
+    if (isDetailed) {
+      Result<PathPlace> place = placeFrom((*list)[i], at, robot, others);
+      if (!place) return place.error();
+      path.places.push_back(std::move(place).value());
+      continue;
+    }
+    Result<JointValues> values = valuesFrom((*list)[i], at, *columns, robot, others);
+    if (!values) return values.error();
+    path.places.push_back({.joints = std::move(values).value()});
+  }
+  return path;
+}
+
+Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others) {
+  const Result<Json> json = parseJson(text, "path");
+  if (!json) return json.error();
+  return pathFrom(*json, robot, others);
+}
+
+}  // namespace handwheel

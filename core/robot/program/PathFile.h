@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "robot/program/RobotPath.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+
+namespace handwheel {
+
+// The places of a path in JSON: of each its joint values under their names, what it is called, and its motion.
+// docs/robots.md has the keys.
+nlohmann::json toJson(const RobotModel& robot, const RobotPath& path);
+
+// The places from such JSON, or only "waypoints": lists of numbers in the order of "joints", or of the robot's joints.
+// Joints that are not in it are those of `others`. Errors: ElementMalformed {element, reason}, ReferenceMissing
+// {joint}, ValueOutOfRange {joint, value, least, largest}, FileTooLarge.
+Result<RobotPath> pathFrom(const nlohmann::json& json, const RobotModel& robot, const JointValues& others);
+// The same from a file's text; errors of parseJson(), too.
+Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others);
+
+// Joint values under the names of the joints that move, and back; what is missing is that of `others`. Errors: as
+// pathFrom().
+nlohmann::json toJson(const RobotModel& robot, const JointValues& joints);
+Result<JointValues> jointsFrom(const nlohmann::json& json, const RobotModel& robot, const JointValues& others);
+
+// Error where a value is not within the limits of its joint: ValueOutOfRange {joint, value, least, largest; rad, mm}.
+Status checkLimits(const RobotModel& robot, const JointValues& joints);
+
+}  // namespace handwheel

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/RobotModel.h"
+#include "robot/program/RobotProgram.h"
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handwheel {
+
+// A place of a path, and the motion that ends there.
+struct PathPlace {
+  JointValues joints;  // of the whole robot; rad, mm
+  std::string name = {};
+  bool isCritical = true;  // set by a person: planning again passes through it
+  ProgramMotion::Kind motion = ProgramMotion::Kind::Joint;
+  double speed = 0.25;  // as in ProgramMotion
+  double blend = 0.0;   // mm
+
+  bool operator==(const PathPlace&) const = default;
+};
+
+// A path of a robot: its first place is where it starts.
+struct RobotPath {
+  static constexpr std::size_t kMostPlaces = 100'000;
+
+  std::string name;
+  std::vector<PathPlace> places;
+
+  bool operator==(const RobotPath&) const = default;
+};
+
+// Joint values under a name.
+struct NamedConfiguration {
+  std::string name;
+  JointValues joints;  // of the whole robot; rad, mm
+
+  bool operator==(const NamedConfiguration&) const = default;
+};
+
+// What is planned in a robot cell. Names are unique among configurations and among paths, and not empty.
+struct CellPlans {
+  static constexpr std::size_t kMost = 10'000;  // configurations; paths
+
+  std::vector<NamedConfiguration> configurations;
+  std::vector<RobotPath> paths;
+  // Names of links, or a link and a body ("body.3"), whose collisions do not count.
+  std::set<std::pair<std::string, std::string>> allowed;
+  Pose tool = Pose::Identity();  // the tool's centre point in the link that carries the tool
+  double clearance = 0.0;        // mm that paths keep from everything
+
+  const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
+  const RobotPath* path(std::string_view name) const;                    // null: there is none
+  // A name that none of the paths has: this one, or with a number.
+  std::string freePathName(const std::string& wish) const;
+  std::string freeConfigurationName(const std::string& wish) const;
+  std::size_t bytes() const;  // about
+
+  bool operator==(const CellPlans& other) const;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/arm/SerialArm.h"
+
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// A motion of a program: from where the one before ended to these joint values.
+struct ProgramMotion {
+  enum class Kind {
+    Joint,   // all joints together, straight in joint space
+    Linear,  // the tool's centre point along a straight line, its turn by the shortest way
+  };
+  Kind kind = Kind::Joint;
+  ArmValues joints;     // rad, mm; within the limits
+  double speed = 0.25;  // of the joints: a share of their largest, 0…1; of a line: mm/s
+  double blend = 0.0;   // mm that the motion may leave its end by; 0: an exact stop
+  std::string name;     // of the place that it ends at; may be empty
+};
+
+// What a controller is to do, before it is written in its language.
+struct RobotProgram {
+  std::string name;   // UTF-8
+  std::string robot;  // the name of the model
+  // From the base to the flange, as the controller counts: its tip is the flange.
+  SerialArm arm{{}, Pose::Identity()};
+  Pose tool = Pose::Identity();   // of the tool's centre point in the flange
+  Pose frame = Pose::Identity();  // that the places are written in, in the base
+  double toolMass = 1.0;          // kg
+  std::vector<ProgramMotion> motions;
+
+  Pose tipOf(const ProgramMotion& motion) const { return arm.tipPose(motion.joints) * tool; }  // in the base
+};
+
+}  // namespace handwheel

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Cells.h"
+#include "TestClass.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+JointValues anyJoints() {
+  return values({*rc::gen::inRange(0, 1001) / 1.0, *rc::gen::inRange(-200, 201) / 100.0});
+}
+
+CellPlans anyPlans() {
+  CellPlans plans;
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i)
+    plans.configurations.push_back({plans.freeConfigurationName("home"), anyJoints()});
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
+    RobotPath path{plans.freePathName("way"), {}};
+    for (int k = *rc::gen::inRange(0, 4); k > 0; --k) path.places.push_back({.joints = anyJoints()});
+    plans.paths.push_back(std::move(path));
+  }
+  if (*rc::gen::arbitrary<bool>()) plans.allowed.insert({"upper", "body.3"});
+  if (*rc::gen::arbitrary<bool>()) plans.tool = Pose(Eigen::Translation3d(1.0, 2.0, 3.5));
+  plans.clearance = *rc::gen::inRange(0, 100) / 10.0;
+  return plans;
+}
+
+}  // namespace
+
+// What is planned in a cell: saved, loaded, changed and undone.
+class CellPlansTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void saveAndLoad() {
+    const RobotCellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+    QVERIFY(rc::check("save and load", [&] {
+      auto planned = std::make_shared<RobotCellSnapshot>(cell);
+      planned->plans = std::make_shared<const CellPlans>(anyPlans());
+      const auto bytes = writeContainer(saved(*planned), Compression::Fast);
+      RC_ASSERT(bytes.hasValue());
+      const auto read = readContainer(*bytes);
+      RC_ASSERT(read.hasValue());
+      std::vector<Error> damage;
+      const auto again = loaded(read->container, damage);
+      RC_ASSERT(again && damage.empty());
+      RC_ASSERT(*again->plans == *planned->plans);
+    }));
+  }
+
+  void undo() {
+    RobotCellDocument document(importOrThrow(m_package.urdf()));
+    QVERIFY(!document.plansEdit(*document.plans()));
+    CellPlans plans;
+    plans.configurations.push_back({"home", values({0.0, 1.0})});
+    document.commit("store", document.plansEdit(plans));
+    QVERIFY(*document.plans() == plans);
+    document.history()->undo();
+    QVERIFY(*document.plans() == CellPlans());
+    document.history()->redo();
+    QVERIFY(*document.plans() == plans);
+  }
+
+  // Whatever stands there, the cell opens.
+  void hostile_data() {
+    QTest::addColumn<QByteArray>("stored");
+    QTest::newRow("no JSON") << QByteArray("{");
+    QTest::newRow("a list") << QByteArray("[]");
+    QTest::newRow("places beyond limits")
+        << QByteArray(R"({"paths": [{"name": "a", "places": [{"joints": {"turn": 3}}]}]})");
+    QTest::newRow("an unknown joint") << QByteArray(R"({"configurations": [{"name": "a", "joints": {"x": 3}}]})");
+    QTest::newRow("numbers in place of objects") << QByteArray(R"({"configurations": [1, 2], "paths": [3]})");
+    QTest::newRow("a tool without turn") << QByteArray(R"({"tool": [0,0,0,0,0,0,0,0,0,0,0,0]})");
+  }
+  void hostile() {
+    QFETCH(const QByteArray, stored);
+    Container container = saved(*importOrThrow(m_package.urdf()).content);
+    container.blobs["cell/plans.json"] = stored.toStdString();
+    std::vector<Error> damage;
+    const auto cell = loaded(container, damage);
+    QVERIFY(cell && !damage.empty());
+    QVERIFY(cell->plans->configurations.empty() && cell->plans->paths.empty());
+  }
+
+ private:
+  ArmPackage m_package;
+};
+
+HANDWHEEL_TEST(CellPlansTest)
+#include "CellPlansTest.moc"

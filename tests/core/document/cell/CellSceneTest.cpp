@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellScene.h"
+
+#include "Cells.h"
+#include "TestClass.h"
+#include "scene/PrimitiveGeometry.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+std::shared_ptr<RobotCellSnapshot> withBody(const RobotCellSnapshot& cell, Primitive primitive,
+                                            std::vector<double> dimensions, const Vec3& at) {
+  auto changed = std::make_shared<RobotCellSnapshot>(cell);
+  Body body;
+  body.id = 7;
+  body.name = "thing";
+  body.pose = Pose(Eigen::Translation3d(at));
+  body.geometry = *PrimitiveGeometry::make(primitive, std::move(dimensions));
+  changed->bodies = changed->bodies.with(std::make_shared<const Body>(std::move(body)));
+  return changed;
+}
+
+}  // namespace
+
+// A cell prepared for planning: its distances are those of its shapes.
+class CellSceneTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    std::string urdf = kArmUrdf;
+    const std::string mimic = "<mimic joint='turn' multiplier='0.5'/>";
+    urdf.replace(urdf.find(mimic), mimic.size(), "");  // a claw of its own, which is not planned
+    write(m_package.urdf(), urdf);
+  }
+
+  // The arm is a box from x 0 to 500 mm, 100 mm wide; beside it a ball, exact though it is drawn with flat faces.
+  void distanceOfABall() {
+    const auto cell = withBody(cellIn(importOrThrow(m_package.urdf())), Primitive::Sphere, {50.0}, {250.0, 200.0, 0.0});
+    CollisionMeshes meshes;
+    const Result<CellScene> scene = sceneOf(*cell, meshes);
+    QVERIFY(scene.hasValue());
+    QCOMPARE(scene->dofs.size(), std::size_t{2});
+    const RobotScene::Nearest nearest = scene->scene.nearest(scene->planned(values({0.0, 0.0, 0.0})), 1e3);
+    QVERIFY(std::abs(nearest.distance - 100.0) < 1e-3);
+    QCOMPARE(scene->namesOf(nearest).first, std::string("upper"));
+    QCOMPARE(scene->namesOf(nearest).second, std::string("thing"));
+    QVERIFY(scene->shapeless.empty());
+  }
+
+  void allowedPairs() {
+    auto cell = withBody(cellIn(importOrThrow(m_package.urdf())), Primitive::Cuboid, {10.0, 10.0, 10.0}, {100.0, 0, 0});
+    CollisionMeshes meshes;
+    const Result<CellScene> meeting = sceneOf(*cell, meshes);
+    QVERIFY(meeting.hasValue());
+    QVERIFY(meeting->scene.nearest(meeting->planned(values({0.0, 0.0, 0.0})), 1.0).distance <= 0.0);
+    CellPlans plans;
+    plans.allowed.insert({"upper", "body.7"});
+    cell->plans = std::make_shared<const CellPlans>(plans);
+    const Result<CellScene> allowed = sceneOf(*cell, meshes);
+    QVERIFY(allowed.hasValue());
+    QVERIFY(allowed->scene.nearest(allowed->planned(values({0.0, 0.0, 0.0})), 1.0).distance > 0.0);
+  }
+
+  void valuesOfTheWholeRobot() {
+    CollisionMeshes meshes;
+    const Result<CellScene> scene = sceneOf(cellIn(importOrThrow(m_package.urdf())), meshes);
+    QVERIFY(scene.hasValue());
+    const JointValues joints = values({250.0, -1.5, 0.0});
+    QVERIFY(scene->whole(scene->planned(joints)) == joints);
+    QVERIFY(scene->standsAs(joints));
+    QVERIFY(!scene->standsAs(values({250.0, -1.5, 0.5})));
+  }
+
+  // A hierarchy lives as long as its mesh, and is built once.
+  void hierarchiesAreShared() {
+    CollisionMeshes meshes;
+    auto soup = std::make_shared<const TriangleSoup>(surfaceOf(BoxShape{{10, 10, 10}}));
+    const auto first = meshes.of(soup);
+    QVERIFY(meshes.of(soup) == first);
+    soup = std::make_shared<const TriangleSoup>(surfaceOf(BoxShape{{20, 10, 10}}));
+    QVERIFY(meshes.of(soup) != first);
+  }
+
+ private:
+  ArmPackage m_package;
+};
+
+HANDWHEEL_TEST(CellSceneTest)
+#include "CellSceneTest.moc"
