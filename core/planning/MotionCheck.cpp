@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-namespace {
-
-constexpr double kRounding = 1e-9;  // of lengths: what sums of poses and distances are off by is far less
-
-}  // namespace
+RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
+                              QueryCounts* counts) {
+  const double margin = 0.5 * settings.resolution;
+  return scene.tooNear(values, settings.clearance + margin, settings.ownClearance + margin, counts);
+}
 
 MotionCheck::MotionCheck(const RobotScene& scene, const ArmValues& from, const ArmValues& to,
                          const MotionCheckSettings& settings)
@@ -24,36 +24,18 @@ MotionCheck::MotionCheck(const RobotScene& scene, const ArmValues& from, const A
   }
   m_open.push_back({0.0, 1.0});
   const RobotScene::Places places = scene.placesAt(from);
-  for (std::uint32_t p = 0; p < scene.m_parts.size(); ++p) m_reach = std::max(m_reach, speedOf(p, kNone, 0.5, places));
+  for (std::uint32_t p = 0; p < scene.m_parts.size(); ++p)
+    m_reach = std::max(m_reach, scene.speedOf(m_way, p, kNone, 0.5, places));
 }
 
 double MotionCheck::openLength() const {
   return m_open.empty() ? 0.0 : m_reach * (m_open.front().end - m_open.front().begin);
 }
 
-// From the part towards the base: what the joints nearer to the part may have moved it by adds to its distance from
-// the axes of those before. half: of the interval, as a share of the motion; the speed is for the whole motion.
-double MotionCheck::speedOf(std::uint32_t part, std::uint32_t below, double half,
-                            const RobotScene::Places& places) const {
-  const RobotScene::Part& of = m_scene->m_parts[part];
-  if (of.joint == kNone) return 0.0;
-  double speed = 0.0;
-  for (std::uint32_t j = of.joint; j != below; j = m_scene->m_joints[j].parent) {
-    const double rate = std::abs(m_way[j]);
-    if (m_scene->m_joints[j].joint.isPrismatic) {
-      speed += rate;
-    } else if (rate > 0.0) {
-      const Vec3 away = places.centres[part] - places.joints[j].translation();
-      speed += rate * (away.cross(places.joints[j].linear().col(2)).norm() + of.body.radius() + half * speed);
-    }
-  }
-  return speed * (1.0 + kRounding);
-}
-
 // Shortens the half interval that is free around the present point to what this distance allows; false: it keeps no
 // clearance.
-bool MotionCheck::cover(double distance, double speed, double& half) const {
-  const double room = distance - m_settings.clearance;
+bool MotionCheck::cover(double distance, double clearance, double speed, double& half) const {
+  const double room = distance - clearance;
   if (!(room > 0.5 * m_settings.resolution)) return false;
   if (speed * half >= room) half = room / speed;
   return true;
@@ -69,8 +51,8 @@ MotionCheck::State MotionCheck::step(QueryCounts* counts) {
   const ArmValues values = m_from + middle * m_way;
   const RobotScene::Places places = m_scene->placesAt(values);
   // More than what the motion needs is not asked for.
-  const auto enough = [&](double speed, double half) {
-    return (m_settings.clearance + speed * half) * (1.0 + kRounding) + m_settings.resolution;
+  const auto enough = [&](double clearance, double speed, double half) {
+    return (clearance + speed * half) * (1.0 + RobotScene::kRounding) + m_settings.resolution;
   };
   const auto block = [&](const RobotScene::Nearest& by) {
     m_blockedAt = middle;
@@ -85,20 +67,23 @@ MotionCheck::State MotionCheck::step(QueryCounts* counts) {
   speeds.reserve(m_scene->m_parts.size());
   for (std::uint32_t p = 0; p < m_scene->m_parts.size(); ++p) {
     const RobotScene::Part& part = m_scene->m_parts[p];
-    speeds.push_back(speedOf(p, kNone, whole, places));
+    speeds.push_back(m_scene->speedOf(m_way, p, kNone, whole, places));
     if (part.joint == kNone || isKnown(speeds[p])) continue;
-    const auto found =
-        m_scene->m_obstacles.distance(part.body, places.parts[p], enough(speeds[p], half), part.leftOut, counts);
-    if (!cover(found.distance, speeds[p], half)) return block({found.distance, part.link, kNone, found.owner});
+    const auto found = m_scene->m_obstacles.distance(
+        part.body, places.parts[p], enough(m_settings.clearance, speeds[p], half), part.leftOut, counts);
+    if (!cover(found.distance, m_settings.clearance, speeds[p], half))
+      return block({found.distance, part.link, kNone, found.owner});
   }
   for (const RobotScene::Pair& pair : m_scene->m_pairs) {
     // Relative to each other they are no faster than both together in the world.
-    if (m_scene->areApart(pair, places, enough(speeds[pair.first] + speeds[pair.second], half))) continue;
-    const double speed =
-        speedOf(pair.first, pair.common, half, places) + speedOf(pair.second, pair.common, half, places);
+    if (m_scene->areApart(pair, places,
+                          enough(m_settings.ownClearance, speeds[pair.first] + speeds[pair.second], half)))
+      continue;
+    const double speed = m_scene->speedOf(m_way, pair.first, pair.common, half, places) +
+                         m_scene->speedOf(m_way, pair.second, pair.common, half, places);
     if (isKnown(speed)) continue;
-    const double distance = m_scene->pairDistance(pair, places, enough(speed, half), counts);
-    if (!cover(distance, speed, half)) {
+    const double distance = m_scene->pairDistance(pair, places, enough(m_settings.ownClearance, speed, half), counts);
+    if (!cover(distance, m_settings.ownClearance, speed, half)) {
       const auto link = [&](std::uint32_t part) { return m_scene->m_parts[part].link; };
       return block({distance, link(pair.first), link(pair.second), kNone});
     }

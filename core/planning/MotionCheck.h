@@ -10,10 +10,15 @@ namespace handwheel {
 
 // How motions are checked.
 struct MotionCheckSettings {
-  double clearance = 0.0;  // mm that the robot keeps from everything, at least
+  double clearance = 0.0;     // mm that the robot keeps from what stands around it, at least
+  double ownClearance = 0.0;  // mm that its links keep from each other
   // mm: what comes nearer to the clearance than this is not told apart from what does not keep it.
   double resolution = 0.05;
 };
+
+// What blocks the robot at these values; no link: nothing does, and motions from there can be proven free.
+RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
+                              QueryCounts* counts = nullptr);
 
 // Proves that a straight motion in joint space is free of collisions, or finds where it is not: nothing between two
 // points of the motion is left to chance. At a point of the motion everything is so far from everything else; around it
@@ -51,9 +56,7 @@ class MotionCheck {
   struct Interval {
     double begin, end;  // shares of the motion
   };
-  // How fast points of a part move at most, relative to the frame of a joint, around the present point.
-  double speedOf(std::uint32_t part, std::uint32_t below, double half, const RobotScene::Places& places) const;
-  bool cover(double distance, double speed, double& half) const;
+  bool cover(double distance, double clearance, double speed, double& half) const;
 
   const RobotScene* m_scene;
   ArmValues m_from, m_to, m_way;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "planning/SblPlanner.h"
+#include "base/Progress.h"
+#include "planning/Plan.h"
 
 namespace handwheel {
 

@@ -124,6 +124,20 @@ std::set<LinkPair> RobotScene::alwaysMeeting(int samples) const {
   return pairs;
 }
 
+std::set<LinkPair> RobotScene::closePairsMeeting(const ArmValues& values) const {
+  std::set<LinkPair> pairs;
+  const Places places = placesAt(values);
+  for (const Pair& pair : m_pairs) {
+    int joints = 0;  // that move one of them and not the other
+    for (const std::uint32_t part : {pair.first, pair.second}) {
+      for (std::uint32_t j = m_parts[part].joint; j != pair.common; j = m_joints[j].parent) ++joints;
+    }
+    if (joints > 2 || pairDistance(pair, places, 1.0, nullptr) > 0.0) continue;
+    pairs.insert(std::minmax(m_parts[pair.first].link, m_parts[pair.second].link));
+  }
+  return pairs;
+}
+
 void RobotScene::allowPairs(const std::set<LinkPair>& pairs) {
   std::erase_if(m_pairs, [&](const Pair& pair) {
     return pairs.contains(std::minmax(m_parts[pair.first].link, m_parts[pair.second].link));
@@ -174,8 +188,33 @@ RobotScene::Places RobotScene::placesAt(const ArmValues& values) const {
   return places;
 }
 
-RobotScene::Nearest RobotScene::nearest(const ArmValues& values, double enough, QueryCounts* counts) const {
+// From the part towards the base: what the joints nearer to the part may have moved it by adds to its distance from
+// the axes of those before.
+double RobotScene::speedOf(const ArmValues& rates, std::uint32_t part, std::uint32_t below, double half,
+                           const Places& places) const {
+  const Part& of = m_parts[part];
+  if (of.joint == kNone) return 0.0;
+  double speed = 0.0;
+  for (std::uint32_t j = of.joint; j != below; j = m_joints[j].parent) {
+    const double rate = std::abs(rates[j]);
+    if (m_joints[j].joint.isPrismatic) {
+      speed += rate;
+    } else if (rate > 0.0) {
+      const Vec3 away = places.centres[part] - places.joints[j].translation();
+      speed += rate * (away.cross(places.joints[j].linear().col(2)).norm() + of.body.radius() + half * speed);
+    }
+  }
+  return speed * (1.0 + kRounding);
+}
+
+double RobotScene::travelBound(const ArmValues& values, const ArmValues& spread) const {
   const Places places = placesAt(values);
+  double most = 0.0;
+  for (std::uint32_t p = 0; p < m_parts.size(); ++p) most = std::max(most, speedOf(spread, p, kNone, 1.0, places));
+  return most;
+}
+
+RobotScene::Nearest RobotScene::nearestObstacle(const Places& places, double enough, QueryCounts* counts) const {
   Nearest least{enough};
   for (std::size_t p = 0; p < m_parts.size(); ++p) {
     const Part& part = m_parts[p];
@@ -183,12 +222,38 @@ RobotScene::Nearest RobotScene::nearest(const ArmValues& values, double enough, 
     const auto found = m_obstacles.distance(part.body, places.parts[p], least.distance, part.leftOut, counts);
     if (found.owner != kNone) least = {found.distance, part.link, kNone, found.owner};
   }
+  return least;
+}
+
+RobotScene::Nearest RobotScene::nearestLinks(const Places& places, double enough, QueryCounts* counts) const {
+  Nearest least{enough};
   for (const Pair& pair : m_pairs) {
     if (areApart(pair, places, least.distance)) continue;
     const double distance = pairDistance(pair, places, least.distance, counts);
     if (distance < least.distance) least = {distance, m_parts[pair.first].link, m_parts[pair.second].link, kNone};
   }
   return least;
+}
+
+RobotScene::Nearest RobotScene::nearest(const ArmValues& values, double enough, QueryCounts* counts) const {
+  const Places places = placesAt(values);
+  const Nearest obstacle = nearestObstacle(places, enough, counts);
+  const Nearest links = nearestLinks(places, obstacle.distance, counts);
+  return links.link == kNone ? obstacle : links;
+}
+
+RobotScene::Nearest RobotScene::nearestObstacle(const ArmValues& values, double enough, QueryCounts* counts) const {
+  return nearestObstacle(placesAt(values), enough, counts);
+}
+
+RobotScene::Nearest RobotScene::tooNear(const ArmValues& values, double clearance, double ownClearance,
+                                        QueryCounts* counts) const {
+  const Places places = placesAt(values);
+  const Nearest obstacle = nearestObstacle(places, clearance, counts);
+  const Nearest links = nearestLinks(places, ownClearance, counts);
+  if (links.link == kNone) return obstacle;
+  if (obstacle.link == kNone) return links;
+  return obstacle.distance - clearance < links.distance - ownClearance ? obstacle : links;
 }
 
 }  // namespace handwheel

@@ -22,6 +22,9 @@ class RobotScene {
   // The pairs of links that meet however the joints stand, as those of which one hangs closely on the other: at each of
   // so many random places. Their collisions tell nothing; allowPairs() leaves them out. Deterministic.
   std::set<LinkPair> alwaysMeeting(int samples = 200) const;
+  // The pairs of links with at most two planned joints between them that meet at these values, as housings of
+  // wrists do that are drawn larger than they are.
+  std::set<LinkPair> closePairsMeeting(const ArmValues& values) const;
   void allowPairs(const std::set<LinkPair>& pairs);
 
   // owner: a number of the caller's.
@@ -45,6 +48,14 @@ class RobotScene {
   };
   // The least distance of the links from obstacles and each other where it is below `enough`.
   Nearest nearest(const ArmValues& values, double enough, QueryCounts* counts = nullptr) const;
+  // The same of the obstacles alone.
+  Nearest nearestObstacle(const ArmValues& values, double enough, QueryCounts* counts = nullptr) const;
+  // What is nearer than it may be: of obstacles nearer than `clearance`, of links to each other `ownClearance`; the one
+  // that is nearer by most. No link: nothing is.
+  Nearest tooNear(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
+  // How far a point of the robot can be from where it is at these values, when each joint is off by at most so much;
+  // mm.
+  double travelBound(const ArmValues& values, const ArmValues& spread) const;
 
  private:
   friend class MotionCheck;
@@ -70,6 +81,13 @@ class RobotScene {
     std::vector<Vec3> centres;  // of the parts' spheres
   };
   Places placesAt(const ArmValues& values) const;
+  Nearest nearestObstacle(const Places& places, double enough, QueryCounts* counts) const;
+  Nearest nearestLinks(const Places& places, double enough, QueryCounts* counts) const;
+  static constexpr double kRounding = 1e-9;  // of lengths: sums of poses and distances are off by far less
+  // How fast points of a part move at most, relative to the frame of the joint `below`, while the joints move at most
+  // at these rates, for `half` of the time before and after they are at these places.
+  double speedOf(const ArmValues& rates, std::uint32_t part, std::uint32_t below, double half,
+                 const Places& places) const;
   // Whether the spheres of a pair are so far from each other.
   bool areApart(const Pair& pair, const Places& places, double enough) const {
     const double radii = m_parts[pair.first].body.radius() + m_parts[pair.second].body.radius();

@@ -30,19 +30,13 @@ struct Milestone {
 class Sbl {
  public:
   Sbl(const RobotScene& scene, const PlanSettings& settings, PlanResult& result)
-      : m_scene(scene), m_settings(settings), m_result(result), m_random(settings.seed) {
-    for (Eigen::Index i = 0; i < scene.size(); ++i) {
-      const ArmJoint& joint = scene.joint(i);
-      const double far = joint.isPrismatic ? 1000.0 : M_PI;
-      m_low[i] = std::isfinite(joint.lower) ? joint.lower : -far;
-      m_high[i] = std::isfinite(joint.upper) ? joint.upper : far;
-    }
-  }
+      : m_scene(scene), m_settings(settings), m_result(result), m_random(settings.seed) {}
 
   void begin(const ArmValues& start, const ArmValues& goal) {
-    for (Eigen::Index i = 0; i < m_scene.size(); ++i) {  // joints without limits
-      m_low[i] = std::min({m_low[i], start[i], goal[i]});
-      m_high[i] = std::max({m_high[i], start[i], goal[i]});
+    for (Eigen::Index i = 0; i < m_scene.size(); ++i) {
+      const JointRange range = planningRange(m_scene, i, start, goal);
+      m_low[i] = range.low;
+      m_high[i] = range.high;
     }
     add({start, kNoParent, nullptr, false});
     add({goal, kNoParent, nullptr, true});
@@ -106,8 +100,7 @@ class Sbl {
 
   bool isFree(const ArmValues& values) {
     ++m_result.steps;
-    const double least = m_settings.check.clearance + 0.5 * m_settings.check.resolution;
-    return m_scene.nearest(values, least + m_settings.check.resolution, &m_result.queries).distance > least;
+    return blockerAt(m_scene, values, m_settings.check, &m_result.queries).link == kNone;
   }
 
   // The largest share of a joint's range between them.
@@ -232,18 +225,8 @@ PlanResult planBySbl(const RobotScene& scene, const ArmValues& start, const ArmV
                      const PlanSettings& settings, Progress progress) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  PlanResult result;
-  if (!start.allFinite() || !goal.allFinite() || !scene.isWithinLimits(start) || !scene.isWithinLimits(goal)) {
-    result.outcome = PlanResult::Outcome::OutOfLimits;
-    return result;
-  }
-  const double least = settings.check.clearance + 0.5 * settings.check.resolution;
-  for (const bool isGoal : {false, true}) {
-    result.blocked = scene.nearest(isGoal ? goal : start, least + settings.check.resolution, &result.queries);
-    if (result.blocked.distance > least) continue;
-    result.outcome = isGoal ? PlanResult::Outcome::GoalBlocked : PlanResult::Outcome::StartBlocked;
-    return result;
-  }
+  PlanResult result = checkedEnds(scene, start, goal, settings);
+  if (result.outcome != PlanResult::Outcome::TimeOut) return result;
   Sbl sbl(scene, settings, result);
   sbl.begin(start, goal);
   while (!sbl.isSolved() && sbl.count() < settings.mostMilestones) {

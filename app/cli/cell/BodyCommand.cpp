@@ -8,8 +8,11 @@
 #include "cli/OperationJson.h"
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
+#include "cli/cell/ConfigurationCommand.h"
 #include "cli/cell/IkCommand.h"
+#include "cli/cell/PlanCommand.h"
 #include "cli/cell/PlanningBenchmark.h"
+#include "cli/cell/VerifyCommand.h"
 #include "document/Document.h"
 #include "document/scene/BodyDescription.h"
 #include "document/scene/BodyOwner.h"
@@ -88,7 +91,8 @@ std::vector<Command> cellCommands() {
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
-  return {{std::move(spec), runBody}, ikCommand(), planningBenchmarkCommand()};
+  return {{std::move(spec), runBody}, configurationCommand(), ikCommand(), planCommand(), verifyCommand(),
+          planningBenchmarkCommand()};
 }
 
 }  // namespace handwheel

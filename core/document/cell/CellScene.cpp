@@ -125,6 +125,10 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
   RobotScene scene(robot, Pose::Identity(), collisionBodies(robot, surfaces), arm->dofs, cell.joints, allowed.links);
   if (const Status sound = scene.isSound(); !sound) return sound.error();
   std::set<LinkPair> alwaysMeeting = scene.alwaysMeeting();
+  const JointValues rest = restValues(robot);
+  ArmValues atRest(static_cast<Eigen::Index>(arm->dofs.size()));
+  for (Eigen::Index i = 0; i < atRest.size(); ++i) atRest[i] = rest[arm->dofs[static_cast<std::size_t>(i)]];
+  alwaysMeeting.merge(scene.closePairsMeeting(atRest));
   scene.allowPairs(alwaysMeeting);
   for (const BodyPointer& body : cell.bodies)
     scene.addObstacle(collisionBodyOf(*body->geometry, meshes), body->pose, body->id);

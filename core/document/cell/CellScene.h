@@ -29,10 +29,11 @@ class CollisionMeshes {
 // All bodies are obstacles, those that are not shown, too. Immutable; any thread.
 struct CellScene {
   RobotScene scene;
-  SerialArm arm;                         // from the root to the link that carries the tool
-  std::vector<std::uint32_t> dofs;       // of the robot, one for each planned joint
-  JointValues others;                    // of the whole robot: where the joints are that are not planned
-  std::set<LinkPair> alwaysMeeting;      // pairs of links that meet however the joints stand: they do not count
+  SerialArm arm;                    // from the root to the link that carries the tool
+  std::vector<std::uint32_t> dofs;  // of the robot, one for each planned joint
+  JointValues others;               // of the whole robot: where the joints are that are not planned
+  std::set<LinkPair>
+      alwaysMeeting;  // pairs of links that meet however the joints stand, or close ones at rest: they do not count
   std::vector<std::uint32_t> shapeless;  // links whose meshes are missing: collisions of these are not seen
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/CellFile.h"
+
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "document/cell/CellImport.h"
+#include "text/NoteText.h"
+
+#include <optional>
+
+namespace handwheel {
+
+Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds) {
+  std::error_code ignored;
+  const DhTable* const shipped = std::filesystem::exists(name, ignored) ? nullptr : libraryTable(name);
+  if (shipped) {
+    CellFile file;
+    file.opened.kind = kinds.withId("cell");
+    file.cell = cellOf(*shipped);
+    file.opened.content = file.cell;
+    return file;
+  }
+  std::optional<Result<OpenedFile>> opened;
+  runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(name, {}, job.progress()); });
+  if (!*opened) return opened->error();
+  reportLosses(opened->value().file);
+  auto cell = std::dynamic_pointer_cast<const RobotCellSnapshot>(opened->value().content);
+  if (!cell) return Error{ErrorCode::Unsupported, {"a document that is no robot cell"}, {}, name};
+  return CellFile{std::move(opened->value()), std::move(cell)};
+}
+
+int saveCell(const CellFile& file, const RobotCellSnapshot& content, const std::filesystem::path& output) {
+  if (const std::string refusal = refusalToReplace(output, file.opened.file); !refusal.empty()) return refuse(refusal);
+  std::optional<Result<WrittenFile>> written;
+  runInterruptible("Writing", [&](CommandJob& job) {
+    written = saveDocument(*file.opened.kind, file.opened.file, content, output, job.progress());
+  });
+  if (!*written) return fail(written->error());
+  for (const Note& note : written->value().notes) complain(noteText(note).toStdString());
+  return kExitDone;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/ConfigurationCommand.h"
+
+#include "cli/Messages.h"
+#include "cli/OperationJson.h"
+#include "cli/OperationOptions.h"
+#include "cli/ReportJson.h"
+#include "cli/cell/CellFile.h"
+#include "document/FileBytes.h"
+#include "tools/cell/ConfigurationOperation.h"
+
+namespace handwheel {
+
+namespace {
+
+// The plans with what a semantic description adds.
+Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const RobotCellSnapshot& cell) {
+  const auto named = [&](Error error) {
+    error.subject = path;
+    return error;
+  };
+  const Result<std::string> bytes = readFileBytes(path);
+  if (!bytes) return named(bytes.error());
+  const Result<RobotSemantics> semantics = readSrdf(*bytes, cell.robot->model);
+  if (!semantics) return named(semantics.error());
+  for (const Error& damage : semantics->damage) complain(sentenceFor(named(damage)));
+  Result<CellPlans> changed = withSemantics(std::move(plans), *semantics, cell);
+  return changed ? changed : named(changed.error());
+}
+
+std::string reportOf(const nlohmann::json& described, bool asJson) {
+  if (asJson) return textOf({{"configurations", described["configurations"]}, {"paths", described["paths"]}});
+  std::string text;
+  for (const nlohmann::json& each : described["configurations"])
+    text += "configuration " + each["name"].get<std::string>() + "\n";
+  for (const nlohmann::json& each : described["paths"]) {
+    text += "path " + each["name"].get<std::string>() + ", " + std::to_string(each["places"].get<std::size_t>()) +
+            " places\n";
+  }
+  return text;
+}
+
+int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
+  OperationValues values(configurationOperation());
+  const std::string& id = configurationOperation().id;
+  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
+  if (const std::string problem = problemOfConfigurationValues(values); !problem.empty())
+    return failUsage(sentenceOf(problem), id);
+  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", id);
+  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  if (!file) return fail(file.error());
+  Result<ChangedCell> changed = changedCell(values, *file->cell);
+  if (!changed) return fail(changed.error());
+  if (arguments.has("srdf")) {
+    Result<CellPlans> plans = withSrdf(std::move(changed->plans), arguments.valueOf("srdf"), *file->cell);
+    if (!plans) return fail(plans.error());
+    changed->plans = std::move(plans).value();
+  }
+  RobotCellSnapshot cell = *file->cell;
+  cell.plans = std::make_shared<const CellPlans>(std::move(changed->plans));
+  cell.joints = changed->joints;
+  if (const int code = saveCell(*file, cell, arguments.valueOf("output")); code != kExitDone) return code;
+  return print(reportOf(file->opened.kind->describe(cell), arguments.has("json")));
+}
+
+}  // namespace
+
+Command configurationCommand() {
+  CommandSpec spec = {configurationOperation().id,
+                      "CELL",
+                      "Stores named joint values in a robot cell, which paths are planned between.\n"
+                      "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
+                      {}};
+  spec.options = optionsOf(configurationOperation());
+  spec.options.push_back({"srdf", 0, "FILE", "Adds the pairs that may touch and the states of a semantic description"});
+  spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel; may be CELL"});
+  spec.options.push_back({"json", 0, "", "Report as JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return {std::move(spec), runConfiguration};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/PathReport.h"
+
+#include "base/NumberText.h"
+#include "document/FileBytes.h"
+#include "document/cell/CellErrors.h"
+#include "robot/program/PathFile.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+namespace {
+
+nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked, const PathCollision& collision) {
+  const auto [link, other] = scene.namesOf(collision.deepest);
+  return {{"place", checked.placeOf(collision.motion)},
+          {"from", collision.from},
+          {"to", collision.to},
+          {"link", link},
+          {"with", other},
+          {"distance_mm", collision.deepest.distance},
+          {"q", std::vector<double>(checked.way.joints[collision.motion].begin(),
+                                    checked.way.joints[collision.motion].end())}};
+}
+
+std::string share(double value) {
+  return roundedText(100.0 * value, 3) + " %";
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
+  const PathMetrics& metrics = checked.metrics;
+  nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
+  for (const PathCollision& each : checked.verification.collisions) collisions.push_back(toJson(scene, checked, each));
+  nlohmann::ordered_json json = {{"certified", checked.isCertified()},
+                                 {"length_rad", metrics.length},
+                                 {"waypoints", path.places.size()},
+                                 {"min_clearance_mm", metrics.leastClearance},
+                                 {"manipulability", metrics.manipulability},
+                                 {"security_mm", metrics.security},
+                                 {"limit_margin", metrics.leastMargin},
+                                 {"cycle_s", checked.seconds},
+                                 {"collisions", collisions}};
+  if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
+  return json;
+}
+
+std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
+  const PathMetrics& metrics = checked.metrics;
+  std::string text = path.name + ": " + std::to_string(path.places.size()) + " places, " +
+                     roundedText(metrics.length, 4) + " rad, " + roundedText(checked.seconds, 3) + " s, " +
+                     (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") + "\n" +
+                     "least clearance " + roundedText(metrics.leastClearance, 4) + " mm, security index " +
+                     roundedText(metrics.security, 4) + " mm, manipulability " +
+                     roundedText(metrics.manipulability, 3) + ", margin to the limits " + share(metrics.leastMargin) +
+                     "\n";
+  if (checked.way.stopsAt) {
+    text += "the arm cannot follow the line to place " + std::to_string(*checked.way.stopsAt + 1) +
+            ": it stops after " + share(checked.way.reached) + "\n";
+  }
+  for (const PathCollision& each : checked.verification.collisions) {
+    const auto [link, other] = scene.namesOf(each.deepest);
+    text += "motion to place " + std::to_string(checked.placeOf(each.motion) + 1) + ", " + share(each.from) + " to " +
+            share(each.to) + ": " + link + " with " + other + "\n";
+  }
+  return text;
+}
+
+nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
+  const RobotModel& robot = scene.robot->model;
+  nlohmann::json file = toJson(robot, path);
+  file["robot"] = robot.name;
+  file["certified"] = checked.isCertified();
+  file["joints"] = nlohmann::json::array();
+  for (const std::uint32_t dof : scene.dofs) file["joints"].push_back(robot.jointOfDof(dof).name);
+  file["waypoints"] = nlohmann::json::array();
+  for (const PathPlace& place : path.places) {
+    const ArmValues values = scene.planned(place.joints);
+    file["waypoints"].push_back(std::vector<double>(values.begin(), values.end()));
+  }
+  return file;
+}
+
+Result<RobotPath> pathCalled(const RobotCellSnapshot& cell, const std::string& name) {
+  if (const RobotPath* path = cell.plans->path(name)) return *path;
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
+  constexpr std::size_t kLargestFile = std::size_t{64} << 20;
+  const Result<std::string> bytes = readFileHead(name, kLargestFile);
+  Result<RobotPath> path = bytes ? readPath(*bytes, cell.robot->model, cell.joints) : Result<RobotPath>(bytes.error());
+  if (path) return path;
+  Error error = path.error();
+  error.subject = name;
+  return error;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/cell/PathCheck.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+// What was measured of a path, as reports have it. Keys: certified, length_rad, waypoints, min_clearance_mm,
+// manipulability, security_mm, limit_margin, cycle_s, collisions.
+nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
+std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
+
+// The path as a file: joints, waypoints in their order, certified, and the places in full.
+nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
+
+// A path of a cell by its name, or read from a file. Errors: PathMissing, those of readPath().
+Result<RobotPath> pathCalled(const RobotCellSnapshot& cell, const std::string& name);
+
+}  // namespace handwheel

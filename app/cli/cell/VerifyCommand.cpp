@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/VerifyCommand.h"
+
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/ReportJson.h"
+#include "cli/cell/CellFile.h"
+#include "cli/cell/PathReport.h"
+
+namespace handwheel {
+
+namespace {
+
+int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
+  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  if (!file) return fail(file.error());
+  const Result<RobotPath> path = pathCalled(*file->cell, arguments.operands[1]);
+  if (!path) return fail(path.error());
+  double clearance = file->cell->plans->clearance;
+  if (arguments.has("clearance") && (!readNumber(arguments.valueOf("clearance"), clearance) || !(clearance >= 0.0)))
+    return failUsage("The option --clearance takes a length in mm.", "verify");
+  CollisionMeshes meshes;
+  Result<CellScene> scene = Error{};
+  Result<CheckedPath> checked = Error{};
+  runInterruptible("Verifying", [&](CommandJob& job) {
+    scene = sceneOf(*file->cell, meshes);
+    if (scene) checked = checkPath(*scene, *file->cell->plans, *path, clearance, job.progress());
+  });
+  if (!scene) return fail(scene.error());
+  if (!checked) return fail(checked.error());
+  const int code =
+      print(arguments.has("json") ? textOf(toJson(*scene, *path, *checked)) : textOf(*scene, *path, *checked));
+  return code == kExitDone && !checked->isCertified() ? kExitSomethingLeft : code;
+}
+
+}  // namespace
+
+Command verifyCommand() {
+  CommandSpec spec = {"verify",
+                      "CELL PATH",
+                      "Verifies a path of a robot: proves each motion free of collisions, or lists all that collides.\n"
+                      "PATH is the name of a path in the cell, or a file. The program ends with 2 unless all is free.",
+                      {}};
+  spec.options.push_back({"clearance", 0, "MM", "That is to be kept from everything; without it that of the cell"});
+  spec.options.push_back({"json", 0, "", "Report as JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return {std::move(spec), runVerify};
+}
+
+}  // namespace handwheel

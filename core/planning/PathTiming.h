@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planning/Plan.h"
+
+namespace handwheel {
+
+// A motion from rest to rest with limited velocity, acceleration and jerk, as fast as these let it be (double-S
+// profile: Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
+class RestToRest {
+ public:
+  // All above 0, but the distance, which may be 0.
+  RestToRest(double distance, double velocity, double acceleration, double jerk);
+
+  double duration() const { return 2.0 * m_ramp + m_cruise; }
+  double at(double time) const;  // the way done, 0 to the distance; before and after the motion these
+
+ private:
+  double rampAt(double time) const;  // the way done in the first ramp
+
+  double m_distance, m_jerk;
+  double m_turn = 0.0;    // s, with the jerk on, at each end of a ramp
+  double m_ramp = 0.0;    // s, speeding up
+  double m_cruise = 0.0;  // s
+};
+
+// How fast the joints of a robot may be.
+struct PathTimingSettings {
+  double speed = 1.0;         // share of the largest velocities, 0…1
+  double turning = M_PI;      // rad/s of hinges whose velocity is not known
+  double sliding = 500.0;     // mm/s of slides
+  double timeToSpeed = 0.25;  // s from rest to the largest velocity: gives the acceleration
+  double timeToRamp = 0.1;    // s until the acceleration is there: gives the jerk
+};
+
+// A path in time: it stops at each place.
+class TimedPath {
+ public:
+  // speeds: of each motion, share of the largest velocities; empty: 1.
+  TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
+            std::span<const double> speeds = {});
+
+  double duration() const { return m_begins.back(); }
+  double beginOf(std::size_t motion) const { return m_begins[motion]; }  // also of the one after the last: the end
+  std::size_t motionAt(double time) const;
+  double shareAt(double time) const;  // of motionAt()
+  ArmValues valuesAt(double time) const;
+  const JointPath& path() const { return m_path; }
+
+ private:
+  JointPath m_path;
+  std::vector<RestToRest> m_motions;  // shares of the motions
+  std::vector<double> m_begins;       // s; one more than motions
+};
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planning/Plan.h"
+
+namespace handwheel {
+
+// A stretch of a motion in which the robot is too near to something.
+struct PathCollision {
+  std::size_t motion = 0;         // from 0
+  double from = 0.0, to = 0.0;    // shares of the motion
+  RobotScene::Nearest deepest{};  // where it is nearest, and to what
+  double deepestAt = 0.0;         // share of the motion
+};
+
+// What the verification of a path has found.
+struct VerifiedPath {
+  std::vector<bool> certified;            // by motion: proven free between its points
+  std::vector<PathCollision> collisions;  // in order; also places of motions that are only too near to be proven free
+  std::uint64_t steps = 0;                // points that were looked at
+
+  bool isCertified() const { return std::find(certified.begin(), certified.end(), false) == certified.end(); }
+};
+
+// Verifies all of a path and does not stop at what it finds: each motion is proven free (MotionCheck) or is looked at
+// every `step` (rad of a joint, slides a metre a radian), and what collides is listed by pairs. Incomplete once
+// cancelled.
+VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
+                      double step = 0.01, Progress progress = {});
+
+}  // namespace handwheel

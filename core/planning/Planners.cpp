@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/Planners.h"
+
+#include "base/Translatable.h"
+#include "planning/OmplPlanner.h"
+#include "planning/SblPlanner.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace handwheel {
+
+std::span<const PlannerName> planners() {
+  static constexpr PlannerName kAll[] = {{"sbl", translatable("Property", "SBL")},
+                                         {"rrtconnect", translatable("Property", "RRTConnect (OMPL)")},
+                                         {"prm", translatable("Property", "PRM (OMPL)")},
+                                         {"lazyprm", translatable("Property", "Lazy PRM (OMPL)")},
+                                         {"ompl-sbl", translatable("Property", "SBL (OMPL)")},
+                                         {"bitrrt", translatable("Property", "BiTRRT (OMPL)")},
+                                         {"bkpiece", translatable("Property", "BKPIECE (OMPL)")},
+                                         {"est", translatable("Property", "EST (OMPL)")}};
+  return kAll;
+}
+
+PlanResult planPath(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
+                    const PlanSettings& settings, std::string_view planner, Progress progress) {
+  assert(std::ranges::any_of(planners(), [&](const PlannerName& each) { return each.id == planner; }));
+  return planner == "sbl" ? planBySbl(scene, start, goal, settings, progress)
+                          : planByOmpl(scene, start, goal, settings, planner, progress);
+}
+
+}  // namespace handwheel

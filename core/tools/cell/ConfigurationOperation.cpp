@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/ConfigurationOperation.h"
+
+#include "base/NumberText.h"
+#include "document/cell/CellErrors.h"
+#include "document/scene/BodyChanges.h"
+#include "document/scene/BodyErrors.h"
+#include "robot/program/PathFile.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr const char* kVerbs[] = {"add", "remove", "go", "remove-path"};
+
+Parameter nameParameter(const char* id, std::string meaning, const char* word = "NAME") {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = word,
+          .hasDefault = false};
+}
+
+// Joint values under names: "joint_1=0.5,joint_2=-1", in rad and mm.
+Result<JointValues> jointsFromText(const std::string& text, const RobotModel& robot, const JointValues& others) {
+  JointValues joints = others;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const auto dof = std::find_if(robot.dofs.begin(), robot.dofs.end(),
+                                  [&](std::uint32_t joint) { return robot.joints[joint].name == name; });
+    ErrorCode why{};
+    double value = 0.0;
+    if (dof == robot.dofs.end()) return Error{ErrorCode::ReferenceMissing, {"joint", name, {}}, {}, {}};
+    if (equals == word.npos || !parseDecimal(word.substr(equals + 1), value, why))
+      return Error{ErrorCode::NumberMalformed, {word}, {}, {}};
+    joints[dof - robot.dofs.begin()] = value;
+  }
+  if (const Status within = checkLimits(robot, joints); !within) return within.error();
+  return joints;
+}
+
+std::optional<Error> problemOfName(const std::string& name) {
+  if (isBodyName(name)) return std::nullopt;
+  return Error{BodyError::NameUnusable, {name, std::to_string(kLongestBodyName)}, {}, {}};
+}
+
+}  // namespace
+
+const Operation& configurationOperation() {
+  static const Operation kOperation = {
+      .id = "configuration",
+      .title = QT_TRANSLATE_NOOP("Tool", "Configuration"),
+      .meaning = "Stores named joint values in a cell, moves the robot there, and sets what planning goes by",
+      .parameters = {
+          nameParameter("add", "Stores where the robot stands; one of that name is replaced"),
+          nameParameter("joints", "What is stored in its place, rad and mm; the others stand", "JOINT=VALUE,..."),
+          nameParameter("go", "Moves the robot to this configuration"),
+          nameParameter("remove", "Removes this configuration"),
+          nameParameter("remove-path", "Removes this path"),
+          {.property = {.id = "clearance",
+                        .group = {},
+                        .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
+                        .value = 0.0,
+                        .quantity = Quantity::Length,
+                        .least = 0.0,
+                        .largest = 1e4},
+           .meaning = "Kept from everything by paths that are planned from now on",
+           .word = "MM",
+           .hasDefault = false},
+          {.property = {.id = "tool", .group = {}, .label = {}, .value = "", .least = -1e5, .largest = 1e5},
+           .meaning = "The tool's centre point in the flange, mm",
+           .word = "X,Y,Z",
+           .parts = {{"x"}, {"y"}, {"z"}},
+           .hasDefault = false}}};
+  return kOperation;
+}
+
+std::string problemOfConfigurationValues(const OperationValues& values) {
+  const auto isSet = [&](const char* id) { return values.isSet(id); };
+  if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isSet) > 1)
+    return "only one of add, remove, go and remove-path can be done at a time";
+  if (isSet("joints") && !isSet("add") && !isSet("go")) return "joints needs add or go";
+  return {};
+}
+
+Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSnapshot& cell) {
+  ChangedCell changed{*cell.plans, cell.joints};
+  CellPlans& plans = changed.plans;
+  JointValues stored = cell.joints;
+  if (values.isSet("joints")) {
+    Result<JointValues> joints = jointsFromText(values.text("joints"), cell.robot->model, cell.joints);
+    if (!joints) return joints.error();
+    stored = std::move(joints).value();
+  }
+  const auto find = [&](const std::string& name) {
+    return std::find_if(plans.configurations.begin(), plans.configurations.end(),
+                        [&](const NamedConfiguration& each) { return each.name == name; });
+  };
+  if (values.isSet("add")) {
+    const std::string name = values.text("add");
+    if (const auto problem = problemOfName(name)) return *problem;
+    if (const auto found = find(name); found != plans.configurations.end())
+      found->joints = stored;
+    else
+      plans.configurations.push_back({name, stored});
+  }
+  for (const char* const verb : {"go", "remove"}) {
+    if (!values.isSet(verb)) continue;
+    const auto found = find(values.text(verb));
+    if (found == plans.configurations.end()) return Error{CellError::PlaceMissing, {values.text(verb)}, {}, {}};
+    if (verb == std::string_view("go"))
+      changed.joints = found->joints;
+    else
+      plans.configurations.erase(found);
+  }
+  if (values.isSet("remove-path")) {
+    const std::string name = values.text("remove-path");
+    if (!plans.path(name)) return Error{CellError::PathMissing, {name}, {}, {}};
+    std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
+  }
+  if (const auto clearance = values.given("clearance")) plans.clearance = *clearance;
+  if (values.isSet("tool")) {
+    const std::vector<double> at = values.numbers("tool");
+    plans.tool.translation() = Vec3(at[0], at[1], at[2]);
+  }
+  return changed;
+}
+
+Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics, const RobotCellSnapshot& cell) {
+  const RobotModel& robot = cell.robot->model;
+  for (const auto& [a, b] : semantics.allowed) plans.allowed.insert({robot.links[a].name, robot.links[b].name});
+  for (const RobotSemantics::State& state : semantics.states) {
+    JointValues joints = cell.joints;
+    for (const auto& [dof, value] : state.values) joints[dof] = value;
+    if (const Status within = checkLimits(robot, joints); !within) return within.error();
+    plans.configurations.push_back({plans.freeConfigurationName(state.name), joints});
+  }
+  return plans;
+}
+
+}  // namespace handwheel

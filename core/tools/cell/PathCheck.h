@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/CellScene.h"
+#include "planning/PathMetrics.h"
+#include "planning/PathTiming.h"
+#include "planning/PathVerification.h"
+#include "robot/program/RobotProgram.h"
+
+namespace handwheel {
+
+// A path of a cell as motions straight in joint space: lines of the tool are followed by short ones.
+struct ResolvedPath {
+  JointPath joints;
+  std::vector<std::size_t> placeOf;         // of each motion: the place that it leads to, from 1
+  std::optional<std::size_t> stopsAt = {};  // a place that a line cannot be followed to; what is after it is missing
+  double reached = 1.0;                     // of that line
+};
+ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress = {});
+
+// What is known of a path in a cell.
+struct CheckedPath {
+  ResolvedPath way;
+  VerifiedPath verification;
+  PathMetrics metrics;
+  // mm, of each place: how far the robot may leave it by and stay free on every way within that zone. 0: an exact stop.
+  std::vector<double> blends;
+  double seconds = 0.0;  // with a stop at each place
+
+  bool isCertified() const { return !way.stopsAt && !verification.certified.empty() && verification.isCertified(); }
+  // The place that a motion of the verification leads to, from 1.
+  std::size_t placeOf(std::size_t motion) const { return way.placeOf[motion]; }
+};
+
+// Verifies and measures a path: all of it, whatever it finds. clearance: mm that it must keep. Errors: PathTooShort,
+// OthersMoved, Cancelled.
+Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path, double clearance,
+                              Progress progress = {});
+
+// The path in time, as the robot plays it.
+TimedPath timed(const CellScene& scene, const RobotPath& path, const ResolvedPath& way);
+
+// The program of a path for a controller. Blends that are not certified become exact stops.
+RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                       const CheckedPath& checked);
+
+}  // namespace handwheel

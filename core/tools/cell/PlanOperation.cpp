@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/PlanOperation.h"
+
+#include "base/NumberText.h"
+#include "document/cell/CellErrors.h"
+#include "planning/CartesianLine.h"
+#include "planning/Planners.h"
+#include "robot/program/PathFile.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <chrono>
+
+namespace handwheel {
+
+namespace {
+
+Parameter placeParameter(const char* id, const char* word, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = word,
+          .hasDefault = false};
+}
+
+Parameter plannerParameter() {
+  Parameter parameter = {
+      .property = {.id = "planner", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Planner"), .value = 0.0},
+      .meaning = "How a path is looked for where the straight one is blocked",
+      .word = "PLANNER"};
+  for (const PlannerName& planner : planners()) {
+    parameter.property.choices.emplace_back(planner.title);
+    parameter.words.emplace_back(planner.id);
+  }
+  return parameter;
+}
+
+// The words between these separators; empty ones are left out.
+std::vector<std::string> wordsOf(const std::string& text, std::string_view separators) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(separators, begin)) != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return words;
+}
+
+std::optional<ArmValues> numbersOf(const std::string& text, Eigen::Index count) {
+  const std::vector<std::string> words = wordsOf(text, " ,\t");
+  if (static_cast<Eigen::Index>(words.size()) != count) return std::nullopt;
+  ArmValues values(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    ErrorCode why{};
+    if (!parseDecimal(words[static_cast<std::size_t>(i)], values[i], why) || !std::isfinite(values[i]))
+      return std::nullopt;
+  }
+  return values;
+}
+
+std::string nameOf(const PathPlace& place, std::size_t number) {
+  return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
+}
+
+// Plans between two places of a path.
+class LegPlanning {
+ public:
+  LegPlanning(const CellScene& scene, const CellPlans& plans, const RouteSettings& settings)
+      : m_scene(scene), m_plans(plans), m_settings(settings) {}
+
+  std::uint64_t steps() const { return m_steps; }
+
+  // Adds the places after `from`, up to `to`. names: of both, for errors.
+  Status plan(const PathPlace& from, const PathPlace& to, const std::array<std::string, 2>& names, RobotPath& path,
+              Progress progress) {
+    const ArmValues begin = m_scene.planned(from.joints), end = m_scene.planned(to.joints);
+    if (to.motion == ProgramMotion::Kind::Linear) return follow(begin, end, to, names[1], path, progress);
+    const std::array<ArmValues, 2> ends{begin, end};
+    const Route route = planRoute(m_scene.scene, ends, m_settings, progress);
+    m_steps += route.steps;
+    if (!route.isSolved()) return problemOf(route, begin, end, names);
+    const JointPath& leg = route.legs.front();
+    for (std::size_t i = 1; i + 1 < leg.size(); ++i) {
+      PathPlace between{.joints = m_scene.whole(leg[i]), .isCritical = false, .speed = to.speed, .blend = to.blend};
+      path.places.push_back(std::move(between));
+    }
+    path.places.push_back(to);
+    return Done{};
+  }
+
+ private:
+  // A straight line of the tool; between its places the arm is within the deviation of what is checked.
+  Status follow(const ArmValues& begin, const ArmValues& end, const PathPlace& to, const std::string& name,
+                RobotPath& path, Progress progress) {
+    const LineSettings line;
+    const FollowedLine followed = followLine(m_scene.arm, m_plans.tool, begin, end, line, progress);
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    if (followed.reached < 1.0)
+      return Error{CellError::LineUnreachable, {name, roundedText(100.0 * followed.reached, 3)}, {}, {}};
+    MotionCheckSettings check = m_settings.plan.check;
+    check.clearance += line.deviation;
+    for (std::size_t i = 1; i < followed.path.size(); ++i) {
+      MotionCheck motion(m_scene.scene, followed.path[i - 1], followed.path[i], check);
+      const bool isFree = motion.run() == MotionCheck::State::Free;
+      m_steps += motion.steps();
+      if (isFree) continue;
+      const auto [link, other] = m_scene.namesOf(motion.blockedBy());
+      return Error{CellError::PathCollides, {name, "1", link, other}, {}, {}};
+    }
+    path.places.push_back(to);
+    return Done{};
+  }
+
+  Error problemOf(const Route& route, const ArmValues& begin, const ArmValues& end,
+                  const std::array<std::string, 2>& names) const {
+    const auto [link, other] = m_scene.namesOf(route.blocked);
+    switch (route.outcome) {
+      case PlanResult::Outcome::StartBlocked:
+        return {CellError::PlaceCollides, {names[0], link, other}, {}, {}};
+      case PlanResult::Outcome::GoalBlocked:
+        return {CellError::PlaceCollides, {names[1], link, other}, {}, {}};
+      case PlanResult::Outcome::OutOfLimits: {
+        const bool isBegin = !m_scene.scene.isWithinLimits(begin);
+        return {CellError::PlaceBeyondLimits, {names[isBegin ? 0 : 1], jointBeyond(isBegin ? begin : end)}, {}, {}};
+      }
+      case PlanResult::Outcome::Cancelled:
+        return {ErrorCode::Cancelled, {}, {}, {}};
+      case PlanResult::Outcome::Solved:
+      case PlanResult::Outcome::TimeOut:
+        break;
+    }
+    return {CellError::RouteNotFound, {names[0], names[1], shownText(m_settings.plan.seconds)}, {}, {}};
+  }
+
+  std::string jointBeyond(const ArmValues& values) const {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      if (!m_scene.scene.joint(i).isWithin(values[i]))
+        return m_scene.robot->model.jointOfDof(m_scene.dofs[static_cast<std::size_t>(i)]).name;
+    }
+    return {};
+  }
+
+  const CellScene& m_scene;
+  const CellPlans& m_plans;
+  const RouteSettings& m_settings;
+  std::uint64_t m_steps = 0;
+};
+
+}  // namespace
+
+const Operation& planOperation() {
+  static const Operation kOperation = [] {
+    Operation made = {
+        .id = "plan",
+        .title = QT_TRANSLATE_NOOP("Tool", "Plan path"),
+        .meaning = "Plans a path of the robot that is proven free of collisions",
+        .parameters = {
+            placeParameter("from", "PLACE", "Where it starts: a configuration, 'here', or joint values (rad, mm)"),
+            placeParameter("to", "PLACE", "Where it ends"),
+            placeParameter("via", "PLACE,...", "Critical configurations on the way; joint values: separated by ';'"),
+            placeParameter("name", "NAME", "The name of the path in the cell"),
+            plannerParameter(),
+            {.property = {.id = "clearance",
+                          .group = {},
+                          .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
+                          .value = 0.0,
+                          .quantity = Quantity::Length,
+                          .least = 0.0,
+                          .largest = 1e4},
+             .meaning = "Kept from everything; without it that of the cell",
+             .word = "MM",
+             .hasDefault = false},
+            {.property = {.id = "time",
+                          .group = {},
+                          .label = QT_TRANSLATE_NOOP("Property", "Time limit (s)"),
+                          .value = 10.0,
+                          .least = 0.001,
+                          .largest = 3600.0},
+             .meaning = "After which each leg is given up, in seconds",
+             .word = "S"},
+            {.property = {.id = "shortcuts",
+                          .group = {},
+                          .label = QT_TRANSLATE_NOOP("Property", "Shortcuts"),
+                          .value = 100.0,
+                          .least = 0.0,
+                          .largest = 1e5},
+             .meaning = "Attempts to make each leg shorter",
+             .word = "N",
+             .isWhole = true},
+            {.property = {.id = "seed", .group = {}, .label = {}, .value = 1.0, .least = 0.0, .largest = 1e9},
+             .meaning = "Of the random numbers",
+             .word = "N",
+             .isWhole = true}}};
+    return made;
+  }();
+  return kOperation;
+}
+
+Result<PathPlace> placeCalled(const CellScene& scene, const CellPlans& plans, const std::string& text) {
+  if (const NamedConfiguration* configuration = plans.configuration(text))
+    return PathPlace{.joints = configuration->joints, .name = configuration->name};
+  if (text == "here") return PathPlace{.joints = scene.others};
+  const auto numbers = numbersOf(text, scene.scene.size());
+  if (!numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
+  PathPlace place{.joints = scene.whole(*numbers)};
+  if (const Status within = checkLimits(scene.robot->model, place.joints); !within) return within.error();
+  return place;
+}
+
+Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene, const CellPlans& plans) {
+  std::vector<std::string> texts{values.text("from")};
+  if (values.isSet("via")) {
+    const std::string via = values.text("via");
+    const bool isOne = plans.configuration(via) || numbersOf(via, scene.scene.size());
+    const bool isMany = !isOne && via.find(';') != via.npos;
+    for (std::string& word : isOne ? std::vector<std::string>{via} : wordsOf(via, isMany ? ";" : ","))
+      texts.push_back(std::move(word));
+  }
+  texts.push_back(values.text("to"));
+  std::vector<PathPlace> places;
+  for (const std::string& text : texts) {
+    Result<PathPlace> place = placeCalled(scene, plans, text);
+    if (!place) return place.error();
+    places.push_back(std::move(place).value());
+  }
+  return places;
+}
+
+RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans) {
+  RouteSettings settings;
+  settings.planner = planners()[values.whole("planner")].id;
+  settings.plan.check.clearance = values.given("clearance").value_or(plans.clearance);
+  settings.plan.seconds = values.number("time");
+  settings.plan.seed = values.whole("seed");
+  settings.shortcuts = static_cast<int>(values.whole("shortcuts"));
+  return settings;
+}
+
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
+                                   const RouteSettings& settings, Progress progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<const PathPlace*> kept;
+  for (const PathPlace& place : places) {
+    const bool isEnd = &place == &places.front() || &place == &places.back();
+    if (place.isCritical || isEnd) kept.push_back(&place);
+  }
+  PlannedPath planned;
+  if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
+  LegPlanning legs(scene, plans, settings);
+  planned.path.places.push_back(*kept.front());
+  const double share = 1.0 / static_cast<double>(kept.size() - 1);
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const std::array<std::string, 2> names{nameOf(*kept[i - 1], i - 1), nameOf(*kept[i], i)};
+    if (!scene.standsAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
+    const double done = share * static_cast<double>(i - 1);
+    const Status leg = legs.plan(*kept[i - 1], *kept[i], names, planned.path, progress.part(done, done + share));
+    if (!leg) return leg.error();
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  }
+  planned.steps = legs.steps();
+  planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return planned;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+#include "document/cell/CellScene.h"
+#include "planning/RoutePlanning.h"
+
+namespace handwheel {
+
+// The operation "plan": a path of the robot from one place through others to the last.
+const Operation& planOperation();
+
+// Joint values by the name of a configuration, "here" for where the robot stands, or a number for each joint between
+// base and tool (rad, mm), separated by spaces or commas. Errors: PlaceMissing, ValueOutOfRange.
+Result<PathPlace> placeCalled(const CellScene& scene, const CellPlans& plans, const std::string& text);
+
+// The places that "from", "via" and "to" name. Errors: those of placeCalled().
+Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene, const CellPlans& plans);
+RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
+
+// A path that was planned. It is free between its places (MotionCheck).
+struct PlannedPath {
+  RobotPath path;
+  double seconds = 0.0;
+  std::uint64_t steps = 0;  // points that were looked at
+};
+
+// Plans through these places, at least two. Those that are not critical are left out; straight lines to a place stay
+// lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, PathCollides of a
+// straight line, PathTooShort, Cancelled.
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
+                                   const RouteSettings& settings, Progress progress = {});
+
+}  // namespace handwheel
