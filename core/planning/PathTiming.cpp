@@ -55,13 +55,15 @@ TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSe
     for (Eigen::Index k = 0; k < scene.size(); ++k) {
       const ArmJoint& joint = scene.joint(k);
       const double way = std::abs(m_path[i][k] - m_path[i - 1][k]);
-      const double known = joint.velocity.value_or(joint.isPrismatic ? settings.sliding : settings.turning);
+      const double known = joint.velocity.value_or(0.0) > 0.0 ? *joint.velocity
+                           : joint.isPrismatic                ? settings.sliding
+                                                              : settings.turning;
       if (way > 0.0) velocity = std::min(velocity, known / way);
     }
     const double own = i - 1 < speeds.size() ? speeds[i - 1] : 1.0;
-    velocity *= std::clamp(settings.speed * own, 1e-3, 1.0);
     const double acceleration = velocity / settings.timeToSpeed;
-    const bool moves = velocity < 1e-3 * kFastest;
+    const bool moves = velocity < kFastest;
+    velocity *= std::clamp(settings.speed * own, 1e-3, 1.0);
     m_motions.emplace_back(moves ? 1.0 : 0.0, velocity, acceleration, acceleration / settings.timeToRamp);
     m_begins.push_back(m_begins.back() + m_motions.back().duration());
   }
@@ -80,6 +82,7 @@ double TimedPath::shareAt(double time) const {
 }
 
 ArmValues TimedPath::valuesAt(double time) const {
+  assert(!m_path.empty());
   if (m_motions.empty()) return m_path.front();
   const std::size_t motion = motionAt(time);
   const double share = shareAt(time);

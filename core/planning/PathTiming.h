@@ -28,9 +28,9 @@ class RestToRest {
 // How fast the joints of a robot may be.
 struct PathTimingSettings {
   double speed = 1.0;         // share of the largest velocities, 0…1
-  double turning = M_PI;      // rad/s of hinges whose velocity is not known
+  double turning = M_PI;      // rad/s of hinges whose velocity is not known, or 0
   double sliding = 500.0;     // mm/s of slides
-  double timeToSpeed = 0.25;  // s from rest to the largest velocity: gives the acceleration
+  double timeToSpeed = 0.25;  // s from rest to the largest velocity, which gives the acceleration, whatever the speed
   double timeToRamp = 0.1;    // s until the acceleration is there: gives the jerk
 };
 
@@ -44,8 +44,8 @@ class TimedPath {
   double duration() const { return m_begins.back(); }
   double beginOf(std::size_t motion) const { return m_begins[motion]; }  // also of the one after the last: the end
   std::size_t motionAt(double time) const;
-  double shareAt(double time) const;  // of motionAt()
-  ArmValues valuesAt(double time) const;
+  double shareAt(double time) const;      // of motionAt()
+  ArmValues valuesAt(double time) const;  // the path must have a place
   const JointPath& path() const { return m_path; }
 
  private:

@@ -38,33 +38,45 @@ class CollisionList {
   std::size_t m_begin;
 };
 
+// Shares of a motion at which no joint has moved by more than the step (slides a metre a radian), and one more.
+std::vector<double> marksOf(const RobotScene& scene, ArmValues way, double step, double also) {
+  for (Eigen::Index k = 0; k < way.size(); ++k) way[k] *= scene.joint(k).isPrismatic ? 1e-3 : 1.0;
+  const auto parts = static_cast<std::size_t>(std::max(1.0, std::ceil(way.cwiseAbs().maxCoeff() / step)));
+  std::vector<double> shares{also};
+  for (std::size_t k = 0; k <= parts; ++k) shares.push_back(static_cast<double>(k) / static_cast<double>(parts));
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
 }  // namespace
 
 VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check, double step,
                       Progress progress) {
   VerifiedPath result;
-  for (std::size_t i = 1; i < path.size() && !progress.cancelled(); ++i) {
-    progress.set(static_cast<double>(i - 1) / static_cast<double>(path.size() - 1));
-    MotionCheck motion(scene, path[i - 1], path[i], check);
+  const std::size_t motions = path.size() == 1 ? 1 : std::max<std::size_t>(path.size(), 1) - 1;
+  for (std::size_t i = 0; i < motions && !progress.cancelled(); ++i) {
+    progress.set(static_cast<double>(i) / static_cast<double>(motions));
+    const ArmValues &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
+    MotionCheck motion(scene, from, to, check);
     while (motion.state() == MotionCheck::State::Open && !progress.cancelled()) motion.step();
     result.steps += motion.steps();
     result.certified.push_back(motion.state() == MotionCheck::State::Free);
     if (result.certified.back() || progress.cancelled()) continue;
     CollisionList list(result.collisions);
-    ArmValues way = path[i] - path[i - 1];
-    for (Eigen::Index k = 0; k < way.size(); ++k) way[k] *= scene.joint(k).isPrismatic ? 1e-3 : 1.0;
-    const auto parts = static_cast<std::size_t>(std::max(1.0, std::ceil(way.cwiseAbs().maxCoeff() / step)));
-    double before = -1.0;
-    for (std::size_t k = 0; k <= parts && !progress.cancelled(); ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(parts);
-      const ArmValues values = path[i - 1] + share * (path[i] - path[i - 1]);
-      constexpr double kTouch = 1e-9;  // mm: what is as near as it may be is listed, too
-      const RobotScene::Nearest nearest = scene.tooNear(values, check.clearance + kTouch, check.ownClearance + kTouch);
-      ++result.steps;
-      if (nearest.link != kNone) list.add(i - 1, share, before, nearest);
-      before = share;
+    const ArmValues way = to - from;
+    if (way.allFinite()) {
+      double before = -1.0;
+      for (const double share : marksOf(scene, way, step, motion.blockedAt())) {
+        if (progress.cancelled()) break;
+        constexpr double kTouch = 1e-9;  // mm: what is as near as it may be is listed, too
+        ++result.steps;
+        for (const RobotScene::Nearest& each :
+             scene.allTooNear(from + share * way, check.clearance + kTouch, check.ownClearance + kTouch))
+          list.add(i, share, before, each);
+        before = share;
+      }
     }
-    if (list.isEmpty()) list.add(i - 1, motion.blockedAt(), -1.0, motion.blockedBy());
+    if (list.isEmpty()) list.add(i, motion.blockedAt(), -1.0, motion.blockedBy());
   }
   return result;
 }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "planning/Plan.h"
+
+#include <algorithm>
 
 namespace handwheel {
 
@@ -17,15 +20,15 @@ struct PathCollision {
 // What the verification of a path has found.
 struct VerifiedPath {
   std::vector<bool> certified;            // by motion: proven free between its points
-  std::vector<PathCollision> collisions;  // in order; also places of motions that are only too near to be proven free
+  std::vector<PathCollision> collisions;  // in order; also where a motion is only too near to be proven free
   std::uint64_t steps = 0;                // points that were looked at
 
   bool isCertified() const { return std::find(certified.begin(), certified.end(), false) == certified.end(); }
 };
 
-// Verifies all of a path and does not stop at what it finds: each motion is proven free (MotionCheck) or is looked at
-// every `step` (rad of a joint, slides a metre a radian), and what collides is listed by pairs. Incomplete once
-// cancelled.
+// Verifies all of a path and does not stop at what it finds: each motion is proven free (MotionCheck), or is looked at
+// every `step` (rad of a joint, slides a metre a radian) and where the proof failed; all that collides is listed, each
+// pair by itself. A path of one place counts as one motion. Incomplete once cancelled.
 VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
                       double step = 0.01, Progress progress = {});
 

@@ -256,4 +256,27 @@ RobotScene::Nearest RobotScene::tooNear(const ArmValues& values, double clearanc
   return obstacle.distance - clearance < links.distance - ownClearance ? obstacle : links;
 }
 
+std::vector<RobotScene::Nearest> RobotScene::allTooNear(const ArmValues& values, double clearance,
+                                                        double ownClearance) const {
+  const Places places = placesAt(values);
+  std::vector<Nearest> all;
+  for (std::size_t p = 0; p < m_parts.size(); ++p) {
+    const Part& part = m_parts[p];
+    if (part.joint == kNone) continue;
+    std::vector<std::uint32_t> leftOut = part.leftOut;  // and those that are listed
+    for (;;) {
+      const auto found = m_obstacles.distance(part.body, places.parts[p], clearance, leftOut);
+      if (found.owner == kNone) break;
+      all.push_back({found.distance, part.link, kNone, found.owner});
+      leftOut.push_back(found.owner);
+    }
+  }
+  for (const Pair& pair : m_pairs) {
+    if (areApart(pair, places, ownClearance)) continue;
+    const double distance = pairDistance(pair, places, ownClearance, nullptr);
+    if (distance < ownClearance) all.push_back({distance, m_parts[pair.first].link, m_parts[pair.second].link, kNone});
+  }
+  return all;
+}
+
 }  // namespace handwheel

@@ -53,6 +53,8 @@ class RobotScene {
   // What is nearer than it may be: of obstacles nearer than `clearance`, of links to each other `ownClearance`; the one
   // that is nearer by most. No link: nothing is.
   Nearest tooNear(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
+  // All that is: each link with each owner of obstacles, and each pair of links.
+  std::vector<Nearest> allTooNear(const ArmValues& values, double clearance, double ownClearance) const;
   // How far a point of the robot can be from where it is at these values, when each joint is off by at most so much;
   // mm.
   double travelBound(const ArmValues& values, const ArmValues& spread) const;

@@ -26,7 +26,7 @@ struct Planned {
 
 Result<Planned> planned(const OperationValues& values, const CellScene& scene, const RobotCellSnapshot& cell,
                         Progress progress) {
-  const Result<std::vector<PathPlace>> places = placesOf(values, scene, *cell.plans);
+  const Result<std::vector<PathPlace>> places = placesOf(values, scene, cell);
   if (!places) return places.error();
   const RouteSettings settings = routeSettingsOf(values, *cell.plans);
   Result<PlannedPath> path = plannedThrough(scene, *cell.plans, *places, settings, progress.part(0.0, 0.8));

@@ -15,6 +15,7 @@
 #include "viewport/surface/PartsLayer.h"
 #include "window/JobRunner.h"
 #include "window/cell/BodySight.h"
+#include "window/cell/CollisionColour.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/tools/ToolHost.h"
@@ -29,13 +30,21 @@
 namespace handwheel {
 
 RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
-    : RigidPartsUi(window, {"Joints"}), m_bodies(window, this), m_panel(makePanel()) {
+    : RigidPartsUi(window, {"Joints"}),
+      m_bodies(window, this),
+      m_collisions(window, this),
+      m_paths(window, m_collisions, this),
+      m_pathDock(window, m_paths, this),
+      m_panel(makePanel()) {
   const auto follow = [&kind, &choice = window.fidelity] {
     kind.setShapeSides(static_cast<std::uint32_t>(choice.values().of(shapeSidesSetting())));
   };
   connect(&window.fidelity, &FidelityChoice::changed, this, follow);
   follow();
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
+  connect(&m_paths, &CellPaths::message, this, &KindUi::message);
+  connect(&m_pathDock, &PathDock::partsShown, this, &RobotCellUi::showPast);
+  connect(&m_collisions, &CellCollisions::prepared, this, [this] { show(); });
   connect(&m_bodies, &CellBodies::selectionChanged, this, [this, &tools = window.tools] {
     markSelected(false);
     refreshPanel();
@@ -68,20 +77,64 @@ QWidget* RobotCellUi::makePanel() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(line);
   column->addWidget(m_bodies.list(), 1);
+  auto* plans = new QWidget(parts().window);
+  auto* plansHeading = new QLabel(tr("Configurations and paths"), plans);
+  plansHeading->setProperty("strong", true);
+  auto* plansLine = new QHBoxLayout;
+  plansLine->setContentsMargins(12, 8, 8, 0);
+  plansLine->addWidget(plansHeading, 1);
+  for (QAction* const action : m_paths.buttons()) {
+    auto* button = new QToolButton(plans);
+    button->setObjectName(action->objectName() + QStringLiteral("Button"));
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    plansLine->addWidget(button);
+  }
+  auto* plansColumn = new QVBoxLayout(plans);
+  plansColumn->setContentsMargins(0, 0, 0, 0);
+  plansColumn->addLayout(plansLine);
+  plansColumn->addWidget(m_paths.tree(), 1);
   auto* panel = new QSplitter(Qt::Vertical, parts().window);
   panel->setObjectName(QStringLiteral("cellPanel"));
   panel->setChildrenCollapsible(false);
   panel->addWidget(bodies);
+  panel->addWidget(plans);
   panel->addWidget(RigidPartsUi::panel());
   panel->setStretchFactor(1, 2);
+  panel->setStretchFactor(2, 2);
   return panel;
 }
 
 void RobotCellUi::setDocument(DocumentTab* document) {
   m_dragged.reset();
+  m_pathDock.setDocument(document);
   m_bodies.setDocument(document);
+  m_collisions.setDocument(document);
+  m_paths.setDocument(document);
   RigidPartsUi::setDocument(document);
   if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
+}
+
+QList<QAction*> RobotCellUi::menu() {
+  return m_bodies.all() + m_paths.all() + QList<QAction*>{m_pathDock.action()};
+}
+
+QList<QAction*> RobotCellUi::toolBar() {
+  return m_paths.buttons() + QList<QAction*>{m_pathDock.action()};
+}
+
+void RobotCellUi::refreshVisibility() {
+  RigidPartsUi::refreshVisibility();
+  if (document()) m_paths.setVisible(document()->visible);
+}
+
+// What collides where the robot stands has a colour of its own.
+DisplayModel RobotCellUi::displayed(const Document& document) const {
+  DisplayModel model = RigidPartsUi::displayed(document);
+  const auto scene = m_collisions.scene();
+  const auto& cell = static_cast<const RobotCellDocument&>(document);
+  if (scene) markColliding(model, *scene, m_collisions.meetingAt(cell.joints()));
+  return model;
 }
 
 void RobotCellUi::forget(DocumentTab* document) {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "window/cell/CellBodies.h"
+#include "window/cell/CellCollisions.h"
+#include "window/cell/CellPaths.h"
+#include "window/cell/PathDock.h"
 #include "window/kinds/RigidPartsUi.h"
 
 namespace handwheel {
@@ -21,10 +24,12 @@ class RobotCellUi : public RigidPartsUi {
   QString panelIcon() const override { return QStringLiteral("kind-cell"); }
   QWidget* panel() override { return m_panel; }
   QString menuTitle() const override { return tr("&Cell"); }
-  QList<QAction*> menu() override { return m_bodies.all(); }
+  QList<QAction*> menu() override;
+  QList<QAction*> toolBar() override;
   QMenu* menuAt(const QPointF& position) override;
   void setDocument(DocumentTab* document) override;
   void forget(DocumentTab* document) override;
+  void refreshVisibility() override;
   void showPreview(const ToolPreview& preview) override;
   std::vector<Property> listedProperties(const Document& document) const override;
   std::vector<StartAction> startActions() const override;
@@ -36,6 +41,7 @@ class RobotCellUi : public RigidPartsUi {
  private:
   std::unique_ptr<Tool> handTool();
   std::vector<Property> panelProperties(const Document& document) const override;
+  DisplayModel displayed(const Document& document) const override;
   std::optional<Body> shownBody(const Document& document) const;
   QWidget* makePanel();
   void select(const Pick& pick);
@@ -44,6 +50,9 @@ class RobotCellUi : public RigidPartsUi {
   void reveal(BodyId id, bool isNew);
 
   CellBodies m_bodies;
+  CellCollisions m_collisions;
+  CellPaths m_paths;
+  PathDock m_pathDock;
   QPointer<QWidget> m_panel;
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged

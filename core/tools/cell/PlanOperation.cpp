@@ -196,10 +196,10 @@ const Operation& planOperation() {
   return kOperation;
 }
 
-Result<PathPlace> placeCalled(const CellScene& scene, const CellPlans& plans, const std::string& text) {
-  if (const NamedConfiguration* configuration = plans.configuration(text))
+Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text) {
+  if (const NamedConfiguration* configuration = cell.plans->configuration(text))
     return PathPlace{.joints = configuration->joints, .name = configuration->name};
-  if (text == "here") return PathPlace{.joints = scene.others};
+  if (text == "here") return PathPlace{.joints = cell.joints};
   const auto numbers = numbersOf(text, scene.scene.size());
   if (!numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
   PathPlace place{.joints = scene.whole(*numbers)};
@@ -207,11 +207,12 @@ Result<PathPlace> placeCalled(const CellScene& scene, const CellPlans& plans, co
   return place;
 }
 
-Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene, const CellPlans& plans) {
+Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
+                                        const RobotCellSnapshot& cell) {
   std::vector<std::string> texts{values.text("from")};
   if (values.isSet("via")) {
     const std::string via = values.text("via");
-    const bool isOne = plans.configuration(via) || numbersOf(via, scene.scene.size());
+    const bool isOne = cell.plans->configuration(via) || numbersOf(via, scene.scene.size());
     const bool isMany = !isOne && via.find(';') != via.npos;
     for (std::string& word : isOne ? std::vector<std::string>{via} : wordsOf(via, isMany ? ";" : ","))
       texts.push_back(std::move(word));
@@ -219,7 +220,7 @@ Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const Cel
   texts.push_back(values.text("to"));
   std::vector<PathPlace> places;
   for (const std::string& text : texts) {
-    Result<PathPlace> place = placeCalled(scene, plans, text);
+    Result<PathPlace> place = placeCalled(scene, cell, text);
     if (!place) return place.error();
     places.push_back(std::move(place).value());
   }

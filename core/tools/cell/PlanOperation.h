@@ -13,10 +13,11 @@ const Operation& planOperation();
 
 // Joint values by the name of a configuration, "here" for where the robot stands, or a number for each joint between
 // base and tool (rad, mm), separated by spaces or commas. Errors: PlaceMissing, ValueOutOfRange.
-Result<PathPlace> placeCalled(const CellScene& scene, const CellPlans& plans, const std::string& text);
+Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text);
 
 // The places that "from", "via" and "to" name. Errors: those of placeCalled().
-Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene, const CellPlans& plans);
+Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
+                                        const RobotCellSnapshot& cell);
 RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
 
 // A path that was planned. It is free between its places (MotionCheck).

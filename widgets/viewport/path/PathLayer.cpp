@@ -22,6 +22,7 @@ double widthOf(PathLine::Look look) {  // logical pixels
     case PathLine::Look::Feed:
       return 1.8;
     case PathLine::Look::Thread:
+    case PathLine::Look::Collision:
       break;
   }
   return 3.2;
@@ -36,6 +37,8 @@ QColor pathColour(PathLine::Look look, const SceneColours& colours) {
       return isDark ? QColor(0xf2, 0x8b, 0x82) : QColor(0xc0, 0x30, 0x28);
     case PathLine::Look::Feed:
       return isDark ? QColor(0x6c, 0xb8, 0xf0) : QColor(0x12, 0x5f, 0xa8);
+    case PathLine::Look::Collision:
+      return isDark ? QColor(0xff, 0x5a, 0x4d) : QColor(0xd4, 0x10, 0x10);
     case PathLine::Look::Thread:
       break;
   }

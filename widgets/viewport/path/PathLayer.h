@@ -12,8 +12,8 @@ namespace handwheel {
 
 // A line of a tool path in one look.
 struct PathLine {
-  enum class Look { Rapid, Feed, Thread };
-  static constexpr std::size_t kLooks = 3;
+  enum class Look { Rapid, Feed, Thread, Collision };
+  static constexpr std::size_t kLooks = 4;
 
   std::vector<Vec3> points;  // mm
   Look look = Look::Feed;

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/CellScene.h"
+#include "window/kinds/KindUi.h"
+
+#include <set>
+
+namespace handwheel {
+
+class RobotCellDocument;
+
+// What collides in the cell in view, now and while the robot is dragged. Prepares the cell on a worker whenever its
+// robot, bodies or allowed pairs have changed. Window thread.
+class CellCollisions : public QObject {
+  Q_OBJECT
+
+ public:
+  CellCollisions(const WindowContext& parts, QObject* parent);
+
+  void setDocument(DocumentTab* document);
+  // The cell prepared for planning, as it is now; null while that is under way, or impossible.
+  std::shared_ptr<const CellScene> scene() const { return m_scene; }
+  const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
+
+  // What the robot meets at these joint values; no link: nothing, or the cell is not prepared.
+  RobotScene::Nearest meetingAt(const JointValues& joints) const;
+
+ signals:
+  void prepared();
+
+ private:
+  const RobotCellDocument& cell() const;
+  bool isPrepared() const;
+  void prepare();
+
+  WindowContext m_parts;
+  std::shared_ptr<CollisionMeshes> m_meshes;
+  DocumentTab* m_document = nullptr;
+  std::shared_ptr<const CellScene> m_scene;
+  std::set<std::pair<std::string, std::string>> m_allowed;  // that m_scene was made with
+};
+
+}  // namespace handwheel

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/cell/CellPaths.h"
+
+#include "controls/CommandModel.h"
+#include "document/cell/RobotCellDocument.h"
+#include "viewport/Viewport.h"
+#include "viewport/path/PathLayer.h"
+#include "window/ActionToolTip.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// reason: why it is disabled, when it is.
+void offer(QAction& action, bool isEnabled, const QString& reason) {
+  action.setEnabled(isEnabled);
+  action.setProperty(kDisabledReason, isEnabled ? QString() : reason);
+}
+
+}  // namespace
+
+CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_collisions(collisions),
+      m_tree(new PlanTree(parts.window)),
+      m_layer(std::make_shared<PathLayer>()),
+      m_store(tr("&Store this configuration"), this),
+      m_go(tr("&Go to it"), this),
+      m_plan(tr("&Plan a path…"), this),
+      m_again(tr("Plan the path &again"), this),
+      m_insert(tr("&Insert this configuration into the path"), this),
+      m_here(tr("Set the place to &here"), this),
+      m_up(tr("Move the place &up"), this),
+      m_down(tr("Move the place &down"), this),
+      m_straight(tr("Straight &line to the place"), this),
+      m_verify(tr("&Verify the path"), this),
+      m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
+      m_remove(tr("Re&move from the plan"), this),
+      m_menu(new QMenu(parts.window)) {
+  prepare(m_store, "storeConfiguration", "place", tr("Store where the robot stands under a name"));
+  prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration or place"));
+  prepare(m_plan, "planPath", "program", tr("Plan a path between configurations that is proven free of collisions"));
+  prepare(m_again, "planPathAgain", nullptr, tr("Plan the path again through its critical places"));
+  prepare(m_insert, "insertPlace", nullptr,
+          tr("Insert where the robot stands behind the selected place, as a critical configuration"));
+  prepare(m_here, "setPlaceHere", nullptr, tr("Replace the selected place by where the robot stands"));
+  prepare(m_up, "movePlaceUp", nullptr, tr("Let the robot come to the selected place earlier"));
+  prepare(m_down, "movePlaceDown", nullptr, tr("Let the robot come to the selected place later"));
+  prepare(m_straight, "straightToPlace", nullptr,
+          tr("Move the tool's centre point to the place along a straight line"));
+  m_straight.setCheckable(true);
+  prepare(m_verify, "verifyPath", "ok", tr("Prove each motion free of collisions, or list all that collides"));
+  prepare(m_semantics, "readSemantics", nullptr, tr("Read the pairs of links that may touch, and named states"));
+  prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path or place"));
+  m_menu->setObjectName(QStringLiteral("planMenu"));
+  m_menu->addActions(all());
+  parts.viewport.addLayer(m_layer);
+  connectActions();
+  update();
+}
+
+CellPaths::~CellPaths() {
+  m_parts.viewport.removeLayer(*m_layer);
+}
+
+void CellPaths::connectActions() {
+  connect(&m_store, &QAction::triggered, this, &CellPaths::store);
+  connect(&m_go, &QAction::triggered, this, [this] { goTo(m_tree->current()); });
+  connect(&m_plan, &QAction::triggered, this, &CellPaths::askForPath);
+  connect(&m_again, &QAction::triggered, this, &CellPaths::planAgain);
+  connect(&m_insert, &QAction::triggered, this, &CellPaths::insertHere);
+  connect(&m_here, &QAction::triggered, this, &CellPaths::setPlaceHere);
+  connect(&m_up, &QAction::triggered, this, [this] { movePlace(-1); });
+  connect(&m_down, &QAction::triggered, this, [this] { movePlace(1); });
+  connect(&m_straight, &QAction::triggered, this, &CellPaths::setStraight);
+  connect(&m_verify, &QAction::triggered, this, [this] {
+    m_checks.clear();
+    verify();
+  });
+  connect(&m_semantics, &QAction::triggered, this, [this] {
+    auto* dialog =
+        new QFileDialog(m_parts.window, tr("Read allowed pairs"), QFileInfo(m_document->document.path()).path(),
+                        tr("Semantic descriptions (*.srdf *.xml);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::readSemantics);
+    dialog->open();
+  });
+  connect(&m_remove, &QAction::triggered, this, &CellPaths::removeCurrent);
+  connect(m_tree, &PlanTree::currentChanged, this, [this] {
+    verify();
+    update();
+    showPath();
+  });
+  connect(m_tree, &PlanTree::activated, this, &CellPaths::goTo);
+  connect(m_tree, &PlanTree::renameRequested, this, &CellPaths::rename);
+  connect(m_tree, &PlanTree::removalRequested, this, &CellPaths::removeCurrent);
+  connect(m_tree, &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& position) { m_menu->popup(m_tree->viewport()->mapToGlobal(position)); });
+  connect(&m_collisions, &CellCollisions::prepared, this, &CellPaths::verify);
+}
+
+QList<QAction*> CellPaths::all() {
+  return {&m_store, &m_go,   &m_plan,     &m_again,  &m_insert,    &m_here,
+          &m_up,    &m_down, &m_straight, &m_verify, &m_semantics, &m_remove};
+}
+
+void CellPaths::setDocument(DocumentTab* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_parts.jobs.cancelOf(this);
+  m_document = document;
+  m_checks.clear();
+  if (document) connect(&document->document, &Document::changed, this, &CellPaths::followDocument);
+  followDocument();
+}
+
+void CellPaths::setVisible(bool isVisible) {
+  m_layer->setVisible(isVisible);
+}
+
+RobotCellDocument& CellPaths::cell() const {
+  return static_cast<RobotCellDocument&>(m_document->document);
+}
+
+const CellPlans& CellPaths::plans() const {
+  static const CellPlans kNothing;
+  return m_document ? *cell().plans() : kNothing;
+}
+
+const RobotPath* CellPaths::path() const {
+  const PlanTree::Entry entry = m_tree->current();
+  const bool isOfPath = entry.kind == PlanTree::Entry::Kind::Path || entry.kind == PlanTree::Entry::Kind::Place;
+  if (isOfPath) return plans().path(entry.name);
+  return plans().paths.size() == 1 ? &plans().paths.front() : nullptr;
+}
+
+bool CellPaths::isCurrent(const Check& check) const {
+  const RobotPath* const present = plans().path(check.path.name);
+  return present && *present == check.path && check.scene == m_collisions.scene() &&
+         check.clearance == plans().clearance && check.tool.matrix() == plans().tool.matrix();
+}
+
+std::shared_ptr<const CheckedPath> CellPaths::checked() const {
+  const RobotPath* const present = path();
+  const auto found = present ? m_checks.find(present->name) : m_checks.end();
+  return found != m_checks.end() && isCurrent(found->second) ? found->second.result : nullptr;
+}
+
+void CellPaths::followDocument() {
+  std::erase_if(m_checks, [this](const auto& each) { return !isCurrent(each.second); });
+  verify();
+  update();
+  showPath();
+}
+
+// Looks at the present path, unless that was done.
+void CellPaths::verify() {
+  const RobotPath* const present = path();
+  const auto scene = m_collisions.scene();
+  if (!present || !scene || present->places.size() < 2) return;
+  if (const auto found = m_checks.find(present->name); found != m_checks.end() && isCurrent(found->second)) return;
+  const Check check{*present, scene, plans().clearance, plans().tool, nullptr};
+  m_checks[present->name] = check;
+  Job job;
+  job.name = tr("Verifying the path");
+  job.owner = this;
+  job.work = [this, check, all = cell().plans()](Progress progress) -> Job::Finish {
+    auto result = checkPath(*check.scene, *all, check.path, check.clearance, progress);
+    return [this, check, result = std::move(result)] {
+      if (!m_document || !isCurrent(check)) return;
+      Check& done = m_checks[check.path.name] = check;
+      if (result)
+        done.result = std::make_shared<const CheckedPath>(*result);
+      else
+        done.problem = tr("cannot be verified");
+      update();
+      showPath();
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+  update();
+}
+
+QString CellPaths::remarkOf(const Check& check) const {
+  if (!check.problem.isEmpty()) return check.problem;
+  if (!check.result) return tr("verifying…");
+  if (check.result->isCertified())
+    return tr("free of collisions, %1 s").arg(QLocale().toString(check.result->seconds, 'f', 1));
+  if (check.result->way.stopsAt) return tr("line cannot be followed");
+  return tr("%Ln collision(s)", nullptr, static_cast<int>(check.result->verification.collisions.size()));
+}
+
+// The way of the tool's centre point; what collides in another colour.
+void CellPaths::showPath() {
+  const auto known = checked();
+  const auto scene = m_collisions.scene();
+  auto lines = std::make_shared<std::vector<PathLine>>();
+  if (known && scene) {
+    const CheckedPath& path = *known;
+    for (std::size_t i = 1; i < path.metrics.samples.size(); ++i) {
+      const PathSample &from = path.metrics.samples[i - 1], &to = path.metrics.samples[i];
+      const bool meets = std::any_of(path.verification.collisions.begin(), path.verification.collisions.end(),
+                                     [&](const PathCollision& each) {
+                                       const double begin = from.motion == to.motion ? from.share : 0.0;
+                                       return each.motion == to.motion && each.to >= begin && each.from <= to.share;
+                                     });
+      const auto look = meets ? PathLine::Look::Collision : PathLine::Look::Feed;
+      const auto placeOf = [&](const PathSample& at) {
+        return Vec3((scene->arm.tipPose(at.values) * plans().tool).translation());
+      };
+      if (lines->empty() || lines->back().look != look) lines->push_back({{placeOf(from)}, look});
+      lines->back().points.push_back(placeOf(to));
+    }
+  }
+  m_layer->setLines(lines->empty() ? nullptr : lines);
+  emit pathChanged();
+}
+
+void CellPaths::update() {
+  std::map<std::string, QString> remarks;
+  for (const auto& [name, check] : m_checks) remarks[name] = remarkOf(check);
+  m_tree->setPlans(plans(), remarks);
+  using Kind = PlanTree::Entry::Kind;
+  const PlanTree::Entry entry = m_tree->current();
+  const bool isCell = m_document != nullptr, isSomething = entry.kind != Kind::None;
+  const bool isPlace = entry.kind == Kind::Place;
+  const RobotPath* const present = path();
+  const QString noCell = tr("Open a robot cell first."), noPlace = tr("Select a place of a path first."),
+                noPath = tr("Select a path first.");
+  offer(m_store, isCell, noCell);
+  offer(m_plan, isCell && !plans().configurations.empty(),
+        isCell ? tr("Store a configuration first: where the path is to begin or end.") : noCell);
+  offer(m_go, entry.kind == Kind::Configuration || isPlace, tr("Select a configuration or a place first."));
+  offer(m_again, present && present->places.size() >= 2, noPath);
+  offer(m_insert, present != nullptr, noPath);
+  offer(m_here, isPlace, noPlace);
+  offer(m_up, isPlace && entry.place > 0, noPlace);
+  offer(m_down, isPlace && present && entry.place + 1 < present->places.size(), noPlace);
+  offer(m_straight, isPlace && entry.place > 0, noPlace);
+  m_straight.setChecked(isPlace && present && entry.place < present->places.size() &&
+                        present->places[entry.place].motion == ProgramMotion::Kind::Linear);
+  offer(m_verify, present && present->places.size() >= 2, noPath);
+  offer(m_semantics, isCell, noCell);
+  offer(m_remove, isSomething, tr("Select a configuration, a path or a place first."));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/MessageBar.h"
+#include "tools/cell/PathCheck.h"
+#include "tools/cell/PlanOperation.h"
+#include "window/cell/CellCollisions.h"
+#include "window/cell/PlanTree.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QPointer>
+
+namespace handwheel {
+
+class PathLayer;
+class RobotCellDocument;
+
+// The list of what is planned in a robot cell and its actions: stores configurations, plans paths through them, edits
+// their places, verifies and shows them. The path of the selected row, or the only one, is the present one.
+class CellPaths : public QObject {
+  Q_OBJECT
+
+ public:
+  CellPaths(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
+  ~CellPaths() override;
+
+  void setDocument(DocumentTab* document);
+  QList<QAction*> all();
+  QList<QAction*> buttons() { return {&m_store, &m_plan, &m_verify}; }  // those of the panel
+  QMenu& menu() { return *m_menu; }
+  PlanTree* tree() { return m_tree; }  // owned by the window
+  void setVisible(bool isVisible);     // the line of the path in the view
+
+  // The present path, and what is known of it; null while nothing is.
+  const RobotPath* path() const;
+  std::shared_ptr<const CheckedPath> checked() const;
+  std::shared_ptr<const CellScene> scene() const { return m_collisions.scene(); }
+  const CellPlans& plans() const;
+
+ signals:
+  void pathChanged();  // the present path, or what is known of it
+  void message(const handwheel::Message& message);
+
+ private:
+  // What was found for a path in a cell.
+  struct Check {
+    RobotPath path;
+    std::shared_ptr<const CellScene> scene;
+    double clearance = 0.0;
+    Pose tool;
+    std::shared_ptr<const CheckedPath> result;  // null: under way, or impossible
+    QString problem = {};
+  };
+
+  RobotCellDocument& cell() const;
+  void connectActions();
+  void commit(const QString& text, CellPlans plans);
+  void store();
+  void goTo(const PlanTree::Entry& entry);
+  void askForPath();
+  void plan(const OperationValues& values);
+  void planAgain();
+  void startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
+                     const QString& text);
+  void insertHere();
+  void setPlaceHere();
+  void movePlace(int by);
+  void setStraight(bool isStraight);
+  void removeCurrent();
+  void rename(const PlanTree::Entry& entry, const QString& name);
+  void readSemantics(const QString& file);
+  void verify();
+  void report(const Error& error);
+  void followDocument();
+  void showPath();
+  void update();
+  QString remarkOf(const Check& check) const;
+  bool isCurrent(const Check& check) const;
+
+  WindowContext m_parts;
+  CellCollisions& m_collisions;
+  DocumentTab* m_document = nullptr;
+  PlanTree* m_tree;
+  std::shared_ptr<PathLayer> m_layer;
+  std::map<std::string, Check> m_checks;  // by the name of the path
+  QAction m_store, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_semantics, m_remove;
+  QMenu* m_menu;  // owned by the window
+};
+
+}  // namespace handwheel

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How the actions for paths change the document.
+#include "document/FileBytes.h"
+#include "document/cell/CellErrors.h"
+#include "document/cell/RobotCellDocument.h"
+#include "document/scene/BodyChanges.h"
+#include "text/ErrorText.h"
+#include "tools/cell/ConfigurationOperation.h"
+#include "window/JobRunner.h"
+#include "window/cell/CellPaths.h"
+#include "window/cell/PlanDialog.h"
+#include "window/documents/DocumentTab.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+using Kind = PlanTree::Entry::Kind;
+
+RobotPath* pathOf(CellPlans& plans, const std::string& name) {
+  const auto found =
+      std::find_if(plans.paths.begin(), plans.paths.end(), [&](const RobotPath& path) { return path.name == name; });
+  return found == plans.paths.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void CellPaths::report(const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return;
+  emit message({Message::Weight::Error,
+                tr("This could not be done"),
+                errorSentence(error),
+                errorAdvice(error),
+                {},
+                {},
+                {},
+                {},
+                m_document ? &m_document->document : nullptr});
+}
+
+void CellPaths::commit(const QString& text, CellPlans plans) {
+  if (auto edit = cell().plansEdit(std::move(plans))) cell().commit(text, std::move(edit));
+}
+
+void CellPaths::store() {
+  CellPlans changed = plans();
+  const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
+  const std::string name = changed.freeConfigurationName(wish);
+  changed.configurations.push_back({name, cell().joints()});
+  commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed));
+  m_tree->select({Kind::Configuration, name});
+}
+
+void CellPaths::goTo(const PlanTree::Entry& entry) {
+  const NamedConfiguration* const configuration =
+      entry.kind == Kind::Configuration ? plans().configuration(entry.name) : nullptr;
+  const RobotPath* const of = entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
+  const bool isPlace = of && entry.place < of->places.size();
+  if (!configuration && !isPlace) return;
+  auto edit = cell().jointEdit(configuration ? configuration->joints : of->places[entry.place].joints);
+  if (!edit) return;
+  const QString name = QString::fromStdString(entry.name);
+  cell().commit(configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.place + 1).arg(name),
+                std::move(edit));
+}
+
+void CellPaths::askForPath() {
+  auto* dialog = new PlanDialog(plans(), m_document->document.displayUnit(), m_parts.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PlanDialog::chosen, this, [this, document = m_document](const OperationValues& values) {
+    if (document == m_document) plan(values);
+  });
+  dialog->open();
+}
+
+void CellPaths::plan(const OperationValues& values) {
+  const auto scene = m_collisions.scene();
+  if (!scene) return;
+  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
+  const Result<std::vector<PathPlace>> places = placesOf(values, *scene, *content);
+  if (!places) return report(places.error());
+  const std::string name = plans().freePathName(values.isSet("name") ? values.text("name") : tr("Path").toStdString());
+  startPlanning(*places, routeSettingsOf(values, plans()), name, tr("Plan %1"));
+}
+
+void CellPaths::planAgain() {
+  const RobotPath* const present = path();
+  if (!present) return;
+  OperationValues values(planOperation());
+  startPlanning(present->places, routeSettingsOf(values, plans()), present->name, tr("Plan %1 again"));
+}
+
+void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
+                              const QString& text) {
+  const auto scene = m_collisions.scene();
+  if (!scene) {
+    emit message({Message::Weight::Info,
+                  tr("The cell is still being prepared"),
+                  tr("Plan again in a moment."),
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  &m_document->document});
+    return;
+  }
+  Job job;
+  job.name = tr("Planning %1").arg(QString::fromStdString(name));
+  job.owner = this;
+  job.failed = [this](const Error& error) { report(error); };
+  job.work = [this, scene, all = cell().plans(), places = std::move(places), settings, name,
+              text](Progress progress) -> Job::Finish {
+    auto planned = plannedThrough(*scene, *all, places, settings, progress);
+    return [this, scene, name, text, planned = std::move(planned)]() mutable {
+      if (!m_document || scene != m_collisions.scene()) return;
+      if (!planned) return report(planned.error());
+      planned->path.name = name;
+      CellPlans changed = plans();
+      if (RobotPath* const old = pathOf(changed, name))
+        *old = planned->path;
+      else
+        changed.paths.push_back(planned->path);
+      commit(text.arg(QString::fromStdString(name)), std::move(changed));
+      m_tree->select({Kind::Path, name});
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void CellPaths::insertHere() {
+  const PlanTree::Entry entry = m_tree->current();
+  const RobotPath* const present = path();
+  if (!present) return;
+  CellPlans changed = plans();
+  RobotPath& of = *pathOf(changed, present->name);
+  const std::size_t behind = entry.kind == Kind::Place ? std::min(entry.place + 1, of.places.size()) : of.places.size();
+  PathPlace place{.joints = cell().joints()};
+  if (behind > 0)
+    place.speed = of.places[behind - 1].motion == place.motion ? of.places[behind - 1].speed : place.speed;
+  of.places.insert(of.places.begin() + static_cast<std::ptrdiff_t>(behind), std::move(place));
+  const PlanTree::Entry inserted{Kind::Place, of.name, behind};
+  commit(tr("Insert a place into %1").arg(QString::fromStdString(of.name)), std::move(changed));
+  m_tree->select(inserted);
+}
+
+void CellPaths::setPlaceHere() {
+  const PlanTree::Entry entry = m_tree->current();
+  CellPlans changed = plans();
+  RobotPath* const of = pathOf(changed, entry.name);
+  if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
+  of->places[entry.place].joints = cell().joints();
+  of->places[entry.place].isCritical = true;
+  commit(tr("Set place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
+}
+
+void CellPaths::movePlace(int by) {
+  const PlanTree::Entry entry = m_tree->current();
+  CellPlans changed = plans();
+  RobotPath* const of = pathOf(changed, entry.name);
+  const std::size_t to = entry.place + static_cast<std::size_t>(by);  // below 0: larger than all
+  if (entry.kind != Kind::Place || !of || std::max(entry.place, to) >= of->places.size()) return;
+  std::swap(of->places[entry.place], of->places[to]);
+  commit(tr("Move place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
+  m_tree->select({Kind::Place, entry.name, to});
+}
+
+void CellPaths::setStraight(bool isStraight) {
+  const PlanTree::Entry entry = m_tree->current();
+  CellPlans changed = plans();
+  RobotPath* const of = pathOf(changed, entry.name);
+  if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
+  PathPlace& place = of->places[entry.place];
+  place.motion = isStraight ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
+  place.speed = isStraight ? 250.0 : 0.25;
+  commit(isStraight ? tr("Straight line to place %1").arg(entry.place + 1)
+                    : tr("Joint motion to place %1").arg(entry.place + 1),
+         std::move(changed));
+}
+
+void CellPaths::removeCurrent() {
+  const PlanTree::Entry entry = m_tree->current();
+  CellPlans changed = plans();
+  const QString name = QString::fromStdString(entry.name);
+  if (entry.kind == Kind::Configuration) {
+    std::erase_if(changed.configurations, [&](const NamedConfiguration& each) { return each.name == entry.name; });
+    commit(tr("Remove %1").arg(name), std::move(changed));
+  } else if (entry.kind == Kind::Path) {
+    std::erase_if(changed.paths, [&](const RobotPath& each) { return each.name == entry.name; });
+    commit(tr("Remove %1").arg(name), std::move(changed));
+  } else if (RobotPath* const of = pathOf(changed, entry.name);
+             entry.kind == Kind::Place && of && entry.place < of->places.size()) {
+    of->places.erase(of->places.begin() + static_cast<std::ptrdiff_t>(entry.place));
+    commit(tr("Remove place %1 of %2").arg(entry.place + 1).arg(name), std::move(changed));
+  }
+}
+
+void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
+  CellPlans changed = plans();
+  const std::string wanted = name.toStdString();
+  const bool isConfiguration = entry.kind == Kind::Configuration;
+  const bool isTaken = isConfiguration ? changed.configuration(wanted) != nullptr : changed.path(wanted) != nullptr;
+  if (wanted == entry.name || isTaken || !isBodyName(wanted)) return update();
+  if (isConfiguration) {
+    for (NamedConfiguration& each : changed.configurations) {
+      if (each.name == entry.name) each.name = wanted;
+    }
+  } else if (RobotPath* const of = pathOf(changed, entry.name)) {
+    of->name = wanted;
+  }
+  commit(tr("Rename %1").arg(QString::fromStdString(entry.name)), std::move(changed));
+  m_tree->select({entry.kind, wanted});
+}
+
+void CellPaths::readSemantics(const QString& file) {
+  Error error;
+  const Result<std::string> bytes = readFileBytes(QFile::encodeName(file).toStdString());
+  const Result<RobotSemantics> semantics =
+      bytes ? readSrdf(*bytes, cell().robot().model) : Result<RobotSemantics>(bytes.error());
+  if (semantics) {
+    const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
+    Result<CellPlans> changed = withSemantics(plans(), *semantics, *content);
+    if (changed) return commit(tr("Read %1").arg(QFileInfo(file).fileName()), std::move(changed).value());
+    error = changed.error();
+  } else {
+    error = semantics.error();
+  }
+  error.subject = QFile::encodeName(file).toStdString();
+  report(error);
+}
+
+}  // namespace handwheel

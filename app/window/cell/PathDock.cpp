@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/cell/PathDock.h"
+
+#include "document/cell/CellDisplay.h"
+#include "document/cell/RobotCellDocument.h"
+#include "document/scene/BodyDisplay.h"
+#include "panels/DockTitle.h"
+#include "panels/time/TimeLinePanel.h"
+#include "window/ActionToolTip.h"
+#include "window/cell/CellPaths.h"
+#include "window/cell/CollisionColour.h"
+#include "window/documents/DocumentTab.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QLocale>
+#include <QMainWindow>
+#include <QVBoxLayout>
+
+namespace handwheel {
+
+PathDock::PathDock(const WindowContext& parts, CellPaths& paths, QObject* parent)
+    : QObject(parent), m_parts(parts), m_paths(paths), m_toggle(tr("Pl&ay the path"), this) {
+  handwheel::prepare(m_toggle, "pathDockToggle", "play",
+                     tr("Plays the path on a time line, with its clearance and what collides"));
+  m_toggle.setCheckable(true);
+  connect(&m_toggle, &QAction::triggered, this, &PathDock::open);
+  connect(&paths, &CellPaths::pathChanged, this, [this] {
+    if (m_isOpen && m_shown != m_paths.checked()) prepare();
+  });
+}
+
+void PathDock::makeDock() {
+  auto* const window = qobject_cast<QMainWindow*>(m_parts.window);
+  if (m_dock || !window) return;
+  m_dock = new QDockWidget(tr("Path"), window);
+  m_dock->setObjectName(QStringLiteral("pathDock"));
+  m_dock->setAccessibleName(m_dock->windowTitle());
+  m_dock->setTitleBarWidget(new DockTitle(m_dock));
+  auto* const page = new QWidget(m_dock);
+  m_text = new QLabel(page);
+  m_text->setObjectName(QStringLiteral("pathText"));
+  m_text->setTextFormat(Qt::PlainText);
+  m_line = new TimeLinePanel(page);
+  m_line->setObjectName(QStringLiteral("pathTimeLine"));
+  auto* const column = new QVBoxLayout(page);
+  column->addWidget(m_text);
+  column->addWidget(m_line, 1);
+  m_dock->setWidget(page);
+  window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
+  connect(m_line, &TimeLinePanel::timeChanged, this, &PathDock::show);
+  connect(m_dock, &QDockWidget::visibilityChanged, this, [this] {
+    m_toggle.setChecked(!m_dock->isHidden());
+    if (m_isOpen && m_document && m_dock->isHidden()) open(false);
+  });
+}
+
+void PathDock::setDocument(DocumentTab* document) {
+  open(false);
+  m_document = document;
+}
+
+void PathDock::open(bool isOpen) {
+  if (isOpen) makeDock();
+  m_isOpen = isOpen && m_document && m_dock;
+  if (m_dock && m_dock->isHidden() == m_isOpen) m_dock->setVisible(m_isOpen);
+  m_toggle.setChecked(m_isOpen);
+  if (m_isOpen) {
+    m_dock->raise();
+    return prepare();
+  }
+  if (m_line) m_line->setPlaying(false);
+  m_shown.reset();
+  m_timed.reset();
+  emit partsShown(nullptr);
+}
+
+void PathDock::prepare() {
+  emit partsShown(nullptr);
+  m_shown = m_paths.checked();
+  m_timed.reset();
+  const auto scene = m_paths.scene();
+  const bool isKnown = m_shown && scene && m_paths.path();
+  m_line->setEnabled(isKnown);
+  if (!isKnown) {
+    m_line->setRecordings({});
+    m_text->setText(m_paths.path() ? tr("The path is being verified.")
+                                   : tr("Select a path in the panel, or plan one, to play it here."));
+    return;
+  }
+  m_timed = std::make_unique<TimedPath>(timed(*scene, *m_paths.path(), m_shown->way));
+  m_line->setRecordings({recordingOf(*m_shown)});
+  show(0.0);
+}
+
+double PathDock::timeOf(std::size_t motion, double share) const {
+  // The way within a motion is not even in time: looked for by halving.
+  double low = m_timed->beginOf(motion), high = m_timed->beginOf(motion + 1);
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool isBefore = m_timed->motionAt(middle) <= motion && m_timed->shareAt(middle) < share;
+    (isBefore ? low : high) = middle;
+  }
+  return high;
+}
+
+TimeLineRecording PathDock::recordingOf(const CheckedPath& checked) const {
+  TimeLineRecording recording;
+  recording.name = QString::fromStdString(m_paths.path()->name);
+  recording.duration = m_timed->duration();
+  TimeLineCurve clearance{tr("Clearance"), tr("mm"), {}}, margin{tr("Margin to the limits"), tr("%"), {}},
+      manipulability{tr("Manipulability"), {}, {}};
+  for (const PathSample& sample : checked.metrics.samples) {
+    const double time = timeOf(sample.motion, sample.share);
+    clearance.points.emplace_back(time, sample.clearance);
+    margin.points.emplace_back(time, 100.0 * sample.limitMargin);
+    manipulability.points.emplace_back(time, sample.manipulability);
+  }
+  recording.curves = {clearance, manipulability, margin};
+  const auto scene = m_paths.scene();
+  for (const PathCollision& each : checked.verification.collisions) {
+    const auto [link, other] = scene->namesOf(each.deepest);
+    recording.markers.push_back(
+        {timeOf(each.motion, each.deepestAt),
+         tr("Collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other)),
+         TimeLineMarker::Severity::Error});
+  }
+  return recording;
+}
+
+void PathDock::show(double seconds) {
+  const auto scene = m_paths.scene();
+  if (!m_timed || !m_isOpen || !scene) return;
+  const ArmValues values = m_timed->valuesAt(seconds);
+  auto model = std::make_shared<DisplayModel>(displayOf(*scene->robot, scene->whole(values)));
+  for (DisplayPart& part : displayPartsOf(scene->bodies)) model->parts.push_back(std::move(part));
+  const RobotScene::Nearest nearest = scene->scene.tooNear(values, 0.0, 0.0);
+  markColliding(*model, *scene, nearest);
+  const std::size_t place = m_shown->placeOf(m_timed->motionAt(seconds));
+  const Vec3 at = (scene->arm.tipPose(values) * m_paths.plans().tool).translation();
+  const QLocale locale;
+  QString text =
+      tr("To place %1 of %2: X %3  Y %4  Z %5 mm")
+          .arg(place + 1)
+          .arg(m_paths.path()->places.size())
+          .arg(locale.toString(at.x(), 'f', 1), locale.toString(at.y(), 'f', 1), locale.toString(at.z(), 'f', 1));
+  if (nearest.link != kNone) {
+    const auto [link, other] = scene->namesOf(nearest);
+    text += tr("; collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other));
+  }
+  m_text->setText(text);
+  emit partsShown(model);
+}
+
+}  // namespace handwheel

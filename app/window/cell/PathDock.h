@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DisplayModel.h"
+#include "planning/PathTiming.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <QPointer>
+
+class QDockWidget;
+class QLabel;
+
+namespace handwheel {
+
+class CellPaths;
+class TimeLinePanel;
+struct CheckedPath;
+struct TimeLineRecording;
+
+// The dock “Path”: plays a path of the robot on a time line, with its clearance, manipulability and margin to the
+// limits as curves and its collisions as marks. As long as it is open the view shows the robot there. Window thread.
+class PathDock : public QObject {
+  Q_OBJECT
+
+ public:
+  PathDock(const WindowContext& parts, CellPaths& paths, QObject* parent);
+
+  QAction* action() { return &m_toggle; }
+  void setDocument(DocumentTab* document);
+
+ signals:
+  // What the view is to show before all else; null: nothing.
+  void partsShown(const std::shared_ptr<const handwheel::DisplayModel>& parts);
+
+ private:
+  void makeDock();
+  void open(bool isOpen);
+  void prepare();
+  void show(double seconds);
+  TimeLineRecording recordingOf(const CheckedPath& checked) const;
+  double timeOf(std::size_t motion, double share) const;
+
+  WindowContext m_parts;
+  CellPaths& m_paths;
+  QAction m_toggle;
+  bool m_isOpen = false;
+  DocumentTab* m_document = nullptr;
+  QPointer<QDockWidget> m_dock;
+  QPointer<QLabel> m_text;
+  QPointer<TimeLinePanel> m_line;
+  std::shared_ptr<const CheckedPath> m_shown;
+  std::unique_ptr<TimedPath> m_timed;  // of m_shown
+};
+
+}  // namespace handwheel

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "controls/PropertyList.h"
+#include "tools/cell/PlanOperation.h"
+
+#include <QDialog>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace handwheel {
+
+// Asks for a path: where it begins and ends, the configurations on its way, and how it is planned.
+class PlanDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PlanDialog(const CellPlans& plans, LengthUnit unit, QWidget* parent);
+
+ signals:
+  void chosen(const handwheel::OperationValues& values);
+
+ private:
+  void showValues();
+  void accept() override;
+
+  std::vector<std::string> m_places;  // that can be chosen, "here" first
+  OperationValues m_values;
+  double m_clearance;  // mm, of the cell
+  PropertyList* m_list;
+  QListWidget* m_via;
+  QLabel* m_remark;
+  QPushButton* m_plan;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/cell/PlanTree.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QTreeWidgetItemIterator>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kKindRole = Qt::UserRole, kNameRole = Qt::UserRole + 1, kPlaceRole = Qt::UserRole + 2;
+
+QString placeText(const PathPlace& place, std::size_t number) {
+  const QString name = QString::fromStdString(place.name);
+  if (!name.isEmpty()) return PlanTree::tr("%1: %2").arg(number + 1).arg(name);
+  return place.isCritical ? PlanTree::tr("%1: critical").arg(number + 1) : QString::number(number + 1);
+}
+
+}  // namespace
+
+PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
+  setObjectName(QStringLiteral("planTree"));
+  setAccessibleName(tr("Configurations and paths"));
+  setColumnCount(2);
+  setHeaderHidden(true);
+  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
+  setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(this, &QTreeWidget::currentItemChanged, this, [this] {
+    if (!m_isFilling) emit currentChanged();
+  });
+  connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { emit activated(entryOf(item)); });
+  connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+    if (!m_isFilling && column == 0) emit renameRequested(entryOf(item), item->text(0).trimmed());
+  });
+}
+
+PlanTree::Entry PlanTree::entryOf(const QTreeWidgetItem* item) const {
+  if (!item) return {};
+  return {static_cast<Entry::Kind>(item->data(0, kKindRole).toInt()), item->data(0, kNameRole).toString().toStdString(),
+          static_cast<std::size_t>(item->data(0, kPlaceRole).toULongLong())};
+}
+
+QTreeWidgetItem* PlanTree::add(QTreeWidgetItem* parent, const Entry& entry, const QString& text,
+                               const QString& remark) {
+  auto* item = new QTreeWidgetItem({text, remark});
+  item->setData(0, kKindRole, static_cast<int>(entry.kind));
+  item->setData(0, kNameRole, QString::fromStdString(entry.name));
+  item->setData(0, kPlaceRole, static_cast<qulonglong>(entry.place));
+  item->setToolTip(0, text);
+  item->setToolTip(1, remark);
+  const bool isNamed = entry.kind == Entry::Kind::Configuration || entry.kind == Entry::Kind::Path;
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isNamed ? Qt::ItemIsEditable : Qt::NoItemFlags));
+  parent->addChild(item);
+  return item;
+}
+
+void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks) {
+  m_isFilling = true;
+  const Entry before = current();
+  std::set<std::string> collapsed;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const Entry entry = entryOf(*it);
+    if (entry.kind == Entry::Kind::Path && !(*it)->isExpanded()) collapsed.insert(entry.name);
+  }
+  clear();
+  constexpr std::size_t kMostPlaces = 2'000;  // that are listed of a path
+  auto* configurations = new QTreeWidgetItem(this, {tr("Configurations")});
+  configurations->setFlags(Qt::ItemIsEnabled);
+  for (const NamedConfiguration& each : plans.configurations)
+    add(configurations, {Entry::Kind::Configuration, each.name}, QString::fromStdString(each.name), {});
+  auto* paths = new QTreeWidgetItem(this, {tr("Paths")});
+  paths->setFlags(Qt::ItemIsEnabled);
+  for (const RobotPath& path : plans.paths) {
+    const auto remark = remarks.find(path.name);
+    QTreeWidgetItem* item = add(paths, {Entry::Kind::Path, path.name}, QString::fromStdString(path.name),
+                                remark == remarks.end() ? QString() : remark->second);
+    for (std::size_t i = 0; i < std::min(path.places.size(), kMostPlaces); ++i) {
+      add(item, {Entry::Kind::Place, path.name, i}, placeText(path.places[i], i),
+          path.places[i].motion == ProgramMotion::Kind::Linear ? tr("straight line") : QString());
+    }
+    item->setExpanded(!collapsed.contains(path.name));
+  }
+  configurations->setExpanded(true);
+  paths->setExpanded(true);
+  select(before);
+  m_isFilling = false;
+}
+
+PlanTree::Entry PlanTree::current() const {
+  return entryOf(currentItem());
+}
+
+void PlanTree::select(const Entry& entry) {
+  if (entry.kind == Entry::Kind::None) return;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    if (entryOf(*it) == entry) return setCurrentItem(*it);
+  }
+}
+
+void PlanTree::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Delete) return emit removalRequested();
+  QTreeWidget::keyPressEvent(event);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/program/RobotPath.h"
+
+#include <QTreeWidget>
+#include <map>
+
+namespace handwheel {
+
+// A list of what is planned in a cell: its configurations, and its paths with their places. It only asks for changes.
+class PlanTree : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  // What a row stands for.
+  struct Entry {
+    enum class Kind { None, Configuration, Path, Place };
+    Kind kind = Kind::None;
+    std::string name;       // of the configuration, or of the path
+    std::size_t place = 0;  // in the path
+    bool operator==(const Entry&) const = default;
+  };
+
+  explicit PlanTree(QWidget* parent = nullptr);
+
+  // remarks: by path, what is known of it ("free of collisions").
+  void setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks);
+  Entry current() const;
+  void select(const Entry& entry);
+
+ signals:
+  void currentChanged();
+  void activated(const handwheel::PlanTree::Entry& entry);  // by a double click or Return
+  void renameRequested(const handwheel::PlanTree::Entry& entry, const QString& name);
+  void removalRequested();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  Entry entryOf(const QTreeWidgetItem* item) const;
+  QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& remark);
+
+  bool m_isFilling = false;
+};
+
+}  // namespace handwheel
