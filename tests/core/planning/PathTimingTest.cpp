@@ -7,6 +7,7 @@
 
 #include <rapidcheck.h>
 #include <QTest>
+#include <array>
 #include <cmath>
 
 using namespace handwheel;
@@ -22,6 +23,68 @@ class PathTimingTest : public QObject {
     QVERIFY(std::abs(RestToRest(2.0, 1e6, 1e6, 1.0).duration() - 4.0) < 1e-12);
     QVERIFY(std::abs(RestToRest(100.0, 2.0, 1.0, 0.5).duration() - (50.0 + 2.0 + 2.0)) < 1e-12);
     QCOMPARE(RestToRest(0.0, 1.0, 1.0, 1.0).duration(), 0.0);
+    // The acceleration is reached, the velocity is not: ramps of 3 s, of which 1 s at each end with jerk; 1 · 2 · 3.
+    QVERIFY(std::abs(RestToRest(6.0, 1e6, 1.0, 1.0).duration() - 6.0) < 1e-12);
+    // The velocity is reached, the acceleration is not: ramps of 2 s over 1 each, and 3 s in between.
+    QVERIFY(std::abs(RestToRest(5.0, 1.0, 1e6, 1.0).duration() - 7.0) < 1e-12);
+  }
+
+  // What is as fast as it can be has a limit reached at every moment: that of the jerk, of the acceleration, or of the
+  // velocity.
+  void aLimitIsAlwaysReached() {
+    QVERIFY(rc::check("limits", [] {
+      const double d = evenly(0.01, 10.0), v = evenly(0.1, 5.0), a = evenly(0.1, 20.0), j = evenly(0.5, 200.0);
+      const RestToRest motion(d, v, a, j);
+      constexpr int kSteps = 1000;
+      const double step = motion.duration() / kSteps;
+      const double rounding = 1e-13 * (1.0 + d);  // of places
+      int idle = 0;
+      for (int i = 2; i < kSteps - 1; ++i) {
+        const double before = motion.at((i - 1) * step), at = motion.at(i * step), after = motion.at((i + 1) * step);
+        const double next = motion.at((i + 2) * step);
+        const bool isFast = (after - at) / step >= v * 0.999;
+        const bool isHard = std::abs(after - 2.0 * at + before) / (step * step) >= a * 0.999;
+        const double jerk = std::abs(next - 3.0 * after + 3.0 * at - before);
+        const bool isBrisk = jerk >= 0.999 * j * step * step * step - 8.0 * rounding;
+        idle += isFast || isHard || isBrisk ? 0 : 1;
+      }
+      RC_ASSERT(idle <= 7 * 3);  // the differences reach over the seven changes of phase
+    }));
+  }
+
+  // Of a path: no joint exceeds its own velocity, nor the acceleration and the jerk that follow from it, and one of
+  // them reaches its velocity in each long motion.
+  void jointsKeepTheirLimits() {
+    RobotModel robot = planarArm({500.0, 500.0}, 30.0);
+    const double most[] = {0.5, 0.0};  // rad/s; 0: not known
+    for (std::size_t i = 0; i < 2; ++i) robot.joints[robot.dofs[i]].limits.velocity = most[i];
+    const RobotScene scene = sceneOf(robot);
+    PathTimingSettings settings;
+    settings.turning = 2.0;
+    JointPath path(3, ArmValues::Zero(2));
+    path[1] << 1.0, 0.5;
+    path[2] << 1.1, -2.5;
+    const TimedPath timed(scene, path, settings);
+    const double step = 1e-3;
+    std::array<ArmValues, 2> fastest{ArmValues::Zero(2), ArmValues::Zero(2)};
+    const Eigen::Array2d velocity(0.5, 2.0), acceleration = velocity / 0.25, jerk = acceleration / 0.1;
+    for (double t = 2.0 * step; t < timed.duration(); t += step) {
+      const auto place = [&](int back) -> Eigen::Array2d { return timed.valuesAt(t - back * step).array(); };
+      const Eigen::Array2d v = ((place(0) - place(1)) / step).abs();
+      const Eigen::Array2d a = ((place(0) - 2.0 * place(1) + place(2)) / (step * step)).abs();
+      QVERIFY((v <= velocity * (1.0 + 1e-9)).all());
+      QVERIFY((a <= acceleration * (1.0 + 1e-6)).all());
+      if (t > 3.0 * step) {
+        const Eigen::Array2d j = ((place(0) - 3.0 * place(1) + 3.0 * place(2) - place(3)) / (step * step * step)).abs();
+        QVERIFY((j <= jerk * (1.0 + 1e-3)).all());
+      }
+      ArmValues& seen = fastest[timed.motionAt(t)];
+      seen = seen.cwiseMax(v.matrix());
+    }
+    QVERIFY(std::abs(fastest[0][0] - 0.5) < 1e-6);
+    QVERIFY(std::abs(fastest[1][1] - 2.0) < 1e-6);
+    // d/v + v/a + a/j, twice.
+    QVERIFY(std::abs(timed.duration() - (1.0 / 0.5 + 0.35 + 3.0 / 2.0 + 0.35)) < 1e-9);
   }
 
   // By differences: velocity, acceleration and jerk stay within their limits, and the way is done.
