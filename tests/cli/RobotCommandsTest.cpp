@@ -119,6 +119,10 @@ class RobotCommandsTest : public QObject {
     QVERIFY(path["certified"].get<bool>());
     QVERIFY(path["waypoints"].front() == nlohmann::json({-0.9, -0.2}));
     QVERIFY(path["waypoints"].back() == nlohmann::json({0.9, 0.2}));
+    const nlohmann::json other = reportOf(bench.run({"benchmark-planning", "set.json", "--robot", "arm.urdf",
+                                                     "--planner", "rrtconnect", "--json", "--time", "60"}));
+    QVERIFY(other["planner"] == "rrtconnect" && other["certified"] == 1);
+    QVERIFY(other["checks_mean"].get<double>() > 0.0);
     QCOMPARE(bench.run({"benchmark-planning", "set.json"}).code, 1);
   }
 };

@@ -10,6 +10,7 @@
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "planning/PathShortcuts.h"
+#include "planning/Planners.h"
 #include "planning/PlanningSet.h"
 #include "robot/UrdfReader.h"
 
@@ -35,17 +36,29 @@ Parameter numberParameter(const char* id, const char* value, double standard, do
           .word = value};
 }
 
+Parameter plannerParameter() {
+  Parameter parameter = {.property = {.id = "planner", .group = {}, .label = {}, .value = 0.0},
+                         .meaning = "That looks for the paths",
+                         .word = "PLANNER"};
+  for (const PlannerName& planner : planners()) {
+    parameter.property.choices.emplace_back(planner.title);
+    parameter.words.emplace_back(planner.id);
+  }
+  return parameter;
+}
+
 const Operation& benchmarkOperation() {
   static const Operation kOperation = [] {
-    Operation made = {.id = "benchmark-planning",
-                      .title = QT_TRANSLATE_NOOP("Tool", "Planning benchmark"),
-                      .meaning = "Plans the paths of a set of problems and measures them",
-                      .parameters = {fileParameter("robot", "URDF", "The robot; its collision shapes count"),
-                                     fileParameter("srdf", "FILE", "The pairs of its links that may touch"),
-                                     fileParameter("paths", "DIR", "A folder to write each path to, as JSON"),
-                                     numberParameter("time", "S", 2.0, 3600.0, "After which a problem is given up"),
-                                     numberParameter("clearance", "MM", 0.0, 1e4, "That is kept from everything"),
-                                     numberParameter("seed", "N", 1.0, 1e9, "Of the random numbers")}};
+    Operation made = {
+        .id = "benchmark-planning",
+        .title = QT_TRANSLATE_NOOP("Tool", "Planning benchmark"),
+        .meaning = "Plans the paths of a set of problems and measures them",
+        .parameters = {fileParameter("robot", "URDF", "The robot; its collision shapes count"),
+                       fileParameter("srdf", "FILE", "The pairs of its links that may touch"),
+                       fileParameter("paths", "DIR", "A folder to write each path to, as JSON"), plannerParameter(),
+                       numberParameter("time", "S", 2.0, 3600.0, "After which a problem is given up"),
+                       numberParameter("clearance", "MM", 0.0, 1e4, "That is kept from everything"),
+                       numberParameter("seed", "N", 1.0, 1e9, "Of the random numbers")}};
     made.parameters.back().isWhole = true;
     return made;
   }();
@@ -55,9 +68,10 @@ const Operation& benchmarkOperation() {
 struct PlannedProblem {
   std::string name;
   PlanResult result;
-  JointPath path;  // made shorter
-  double seconds = 0.0;
-  double length = 0.0;  // rad
+  JointPath path;         // made shorter
+  double planning = 0.0;  // s, until there was a path
+  double seconds = 0.0;   // until it was made shorter, too
+  double length = 0.0;    // rad
   bool isCertified = false;
 };
 
@@ -147,12 +161,16 @@ PlannedProblem planned(const PlanningProblem& problem, const BenchmarkRobot& rob
   settings.seed = values.whole("seed");
   settings.check.clearance = values.number("clearance");
   constexpr int kRounds = 50;
-  const auto begin = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const auto since = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   PlannedProblem made{problem.name, {}, {}};
-  made.result = planBySbl(scene, valuesOf(problem.start), valuesOf(problem.goal), settings, progress);
+  made.result = planPath(scene, valuesOf(problem.start), valuesOf(problem.goal), settings,
+                         planners()[values.whole("planner")].id, progress);
+  made.planning = since();
   made.path = shortened(scene, made.result.path, settings.check, kRounds, settings.seconds, settings.seed, progress);
+  made.seconds = since();
   made.isCertified = isCertified(scene, made.path, settings.check);
-  made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   made.length = lengthOf(scene, made.path);
   return made;
 }
@@ -164,8 +182,8 @@ double quantile(std::vector<double> values, double share) {
 }
 
 nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robot,
-                              const std::vector<PlannedProblem>& all) {
-  std::vector<double> seconds;
+                              const std::vector<PlannedProblem>& all, const std::string& planner) {
+  std::vector<double> seconds, planning, checks, distances;
   double length = 0.0;
   std::size_t certified = 0;
   nlohmann::ordered_json problems = nlohmann::ordered_json::array(), touching = nlohmann::ordered_json::array();
@@ -173,28 +191,40 @@ nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robo
     const bool isSolved = each.result.outcome == PlanResult::Outcome::Solved;
     if (isSolved) {
       seconds.push_back(each.seconds);
+      planning.push_back(each.planning);
+      checks.push_back(static_cast<double>(each.result.steps));
+      distances.push_back(static_cast<double>(each.result.queries.exact));
       length += each.length;
     }
     certified += each.isCertified ? 1 : 0;
     problems.push_back({{"name", each.name},
                         {"outcome", wordFor(each.result.outcome)},
                         {"certified", each.isCertified},
+                        {"planning_seconds", each.planning},
                         {"seconds", each.seconds},
                         {"length_rad", each.length},
                         {"waypoints", each.path.size()},
                         {"milestones", each.result.milestones},
-                        {"checks", each.result.steps}});
+                        {"checks", each.result.steps},
+                        {"distances", each.result.queries.exact}});
   }
   for (const auto& [a, b] : robot.alwaysMeeting)
     touching.push_back({robot.model.links[a].name, robot.model.links[b].name});
   const double count = std::max<double>(1.0, static_cast<double>(seconds.size()));
+  const auto mean = [&](const std::vector<double>& of) { return std::accumulate(of.begin(), of.end(), 0.0) / count; };
   return {{"set", set.name},
+          {"planner", planner},
           {"problems", all.size()},
           {"solved", seconds.size()},
           {"certified", certified},
           {"seconds_median", quantile(seconds, 0.5)},
-          {"seconds_mean", std::accumulate(seconds.begin(), seconds.end(), 0.0) / count},
+          {"seconds_mean", mean(seconds)},
           {"seconds_p95", quantile(seconds, 0.95)},
+          {"planning_seconds_median", quantile(planning, 0.5)},
+          {"planning_seconds_mean", mean(planning)},
+          {"checks_median", quantile(checks, 0.5)},
+          {"checks_mean", mean(checks)},
+          {"distances_mean", mean(distances)},
           {"length_rad_mean", length / count},
           {"always_touching", touching},
           {"results", problems}};
@@ -202,10 +232,12 @@ nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robo
 
 std::string planningText(const nlohmann::ordered_json& report) {
   const auto ms = [&](const char* key) { return roundedText(1e3 * report[key].get<double>(), 3) + " ms"; };
-  std::string text = report["set"].get<std::string>() + ": " + std::to_string(report["solved"].get<int>()) + " of " +
+  std::string text = report["set"].get<std::string>() + ", " + report["planner"].get<std::string>() + ": " +
+                     std::to_string(report["solved"].get<int>()) + " of " +
                      std::to_string(report["problems"].get<int>()) + " solved, " +
                      std::to_string(report["certified"].get<int>()) + " certified; median " + ms("seconds_median") +
-                     ", 95 % within " + ms("seconds_p95") + "\n";
+                     ", 95 % within " + ms("seconds_p95") + "; " + roundedText(report["checks_mean"].get<double>(), 4) +
+                     " points looked at\n";
   for (const auto& each : report["results"]) {
     if (each["outcome"] != "solved")
       text += each["name"].get<std::string>() + ": " + each["outcome"].get<std::string>() + "\n";
@@ -247,7 +279,7 @@ int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
     }
   });
   if (!written) return fail(written.error());
-  const nlohmann::ordered_json report = toJson(*set, *robot, all);
+  const nlohmann::ordered_json report = toJson(*set, *robot, all, planners()[values.whole("planner")].id);
   return print(arguments.has("json") ? textOf(report) : planningText(report));
 }
 
