@@ -130,7 +130,8 @@ std::string overview(const Registered& registered) {
   return page +
          "\n"
          "'handwheel help COMMAND' gives details. --version shows the version.\n"
-         "Exit codes: 0 done, 1 error, 2 incomplete or over budget (repair, edit, measure, ik), 130 interrupted.\n";
+         "Exit codes: 0 done, 1 error, 2 incomplete or over budget (repair, edit, measure, ik, plan, verify), 130\n"
+         "interrupted.\n";
 }
 
 int helpOn(const Command& command, const Registered& registered) {

@@ -20,7 +20,8 @@ class CommandLineTest : public QObject {
     for (const char* command :
          {"inspect",  "repair", "convert", "picture", "new",   "set",   "measure", "compare", "decimate",
           "split",    "merge",  "section", "devices", "feel",  "edit",  "turn",    "body",    "recording",
-          "exercise", "mark",   "program", "target",  "train", "force", "thread",  "ik",      "benchmark-planning"}) {
+          "exercise", "mark",   "program", "target",  "train", "force", "thread",  "ik",      "benchmark-planning",
+          "plan",     "verify", "configuration", "post"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -33,8 +34,8 @@ class CommandLineTest : public QObject {
     const QRegularExpression command("^  [a-z-]+ ", QRegularExpression::MultilineOption);
     const QRegularExpression entry("^  [a-z-]+ +[A-Z][A-Za-z ,;:().'\n-]*?\\.$(?!\\n   )",
                                    QRegularExpression::MultilineOption);
-    QCOMPARE(table.count(command), 27);
-    QCOMPARE(table.count(entry), 27);
+    QCOMPARE(table.count(command), 31);
+    QCOMPARE(table.count(entry), 31);
     for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
       QVERIFY2(line.startsWith(QString(22, ' ')) || command.match(line).hasMatch(), qPrintable(line));
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",

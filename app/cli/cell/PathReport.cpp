@@ -6,6 +6,7 @@
 #include "document/FileBytes.h"
 #include "document/cell/CellErrors.h"
 #include "robot/program/PathFile.h"
+#include "tools/cell/PathExport.h"
 
 #include <filesystem>
 
@@ -84,13 +85,16 @@ nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const Che
   return file;
 }
 
-Result<RobotPath> pathCalled(const RobotCellSnapshot& cell, const std::string& name) {
+Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name) {
   if (const RobotPath* path = cell.plans->path(name)) return *path;
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
   constexpr std::size_t kLargestFile = std::size_t{64} << 20;
   const Result<std::string> bytes = readFileHead(name, kLargestFile);
-  Result<RobotPath> path = bytes ? readPath(*bytes, cell.robot->model, cell.joints) : Result<RobotPath>(bytes.error());
+  const Post* const post = postForEnding(name);
+  Result<RobotPath> path = !bytes ? Result<RobotPath>(bytes.error())
+                           : post ? pathFromProgram(scene, cell, *post, *bytes)
+                                  : readPath(*bytes, cell.robot->model, cell.joints);
   if (path) return path;
   Error error = path.error();
   error.subject = name;

@@ -16,7 +16,8 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
 // The path as a file: joints, waypoints in their order, certified, and the places in full.
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 
-// A path of a cell by its name, or read from a file. Errors: PathMissing, those of readPath().
-Result<RobotPath> pathCalled(const RobotCellSnapshot& cell, const std::string& name);
+// A path of a cell by its name, or read from a file: as JSON, or a program of a controller. Errors: PathMissing, those
+// of readPath() and pathFromProgram().
+Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name);
 
 }  // namespace handwheel

@@ -15,19 +15,20 @@ namespace {
 int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<CellFile> file = openCell(arguments.operands[0], kinds);
   if (!file) return fail(file.error());
-  const Result<RobotPath> path = pathCalled(*file->cell, arguments.operands[1]);
-  if (!path) return fail(path.error());
   double clearance = file->cell->plans->clearance;
   if (arguments.has("clearance") && (!readNumber(arguments.valueOf("clearance"), clearance) || !(clearance >= 0.0)))
     return failUsage("The option --clearance takes a length in mm.", "verify");
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
+  Result<RobotPath> path = Error{};
   Result<CheckedPath> checked = Error{};
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) checked = checkPath(*scene, *file->cell->plans, *path, clearance, job.progress());
+    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
+    if (path) checked = checkPath(*scene, *file->cell->plans, *path, clearance, job.progress());
   });
   if (!scene) return fail(scene.error());
+  if (!path) return fail(path.error());
   if (!checked) return fail(checked.error());
   const int code =
       print(arguments.has("json") ? textOf(toJson(*scene, *path, *checked)) : textOf(*scene, *path, *checked));

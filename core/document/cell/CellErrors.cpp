@@ -7,9 +7,7 @@ namespace handwheel {
 const ErrorDescription CellError::PlaceMissing{
     .id = "PlaceMissing",
     .sentences = {translatable("ErrorText", "'%1' is neither a configuration of the cell nor a value for each joint")},
-    .advice = {translatable("ErrorText",
-                            "Name a configuration ('inspect' lists them), or give the joint values in "
-                            "radians, separated by spaces.")}};
+    .advice = {translatable("ErrorText", "Name a configuration, or give the joint values in radians ('0 0.5 -1 …').")}};
 
 const ErrorDescription CellError::PathMissing{
     .id = "PathMissing",
@@ -24,9 +22,7 @@ const ErrorDescription CellError::PathTooShort{
 const ErrorDescription CellError::PlaceCollides{
     .id = "PlaceCollides",
     .sentences = {translatable("ErrorText", "at %1 the robot collides: %2 with %3")},
-    .advice = {translatable("ErrorText",
-                            "Move the robot away there, require less clearance, or allow this pair if it "
-                            "always touches.")}};
+    .advice = {translatable("ErrorText", "Move the robot away there, require less clearance, or allow this pair.")}};
 
 const ErrorDescription CellError::PlaceBeyondLimits{
     .id = "PlaceBeyondLimits",
@@ -36,21 +32,22 @@ const ErrorDescription CellError::PlaceBeyondLimits{
 const ErrorDescription CellError::RouteNotFound{
     .id = "RouteNotFound",
     .sentences = {translatable("ErrorText", "no path from %1 to %2 was found in %3 s")},
-    .advice = {translatable("ErrorText",
-                            "Give it more time, insert a critical configuration in between, or require "
-                            "less clearance.")}};
+    .advice = {translatable("ErrorText", "Allow more time, or insert a critical configuration in between.")}};
 
 const ErrorDescription CellError::OthersMoved{
     .id = "OthersMoved",
-    .sentences = {translatable("ErrorText", "at %1 a joint beside the arm, such as a finger, stands elsewhere")},
-    .advice = {translatable("ErrorText",
-                            "Only the joints between base and tool are planned; let the others stand as "
-                            "they are in the cell.")}};
+    .sentences = {translatable("ErrorText", "at %1 a joint beside the arm, such as a finger, has another value")},
+    .advice = {translatable("ErrorText", "Only the joints between base and tool are planned; the others must stay.")}};
 
 const ErrorDescription CellError::LineUnreachable{
     .id = "LineUnreachable",
     .sentences = {translatable("ErrorText", "the arm cannot follow the straight line to %1: it stops after %2 %")},
     .advice = {translatable("ErrorText", "Move to it by the joints, or choose the same configuration at both ends.")}};
+
+const ErrorDescription CellError::PoseUnreachable{
+    .id = "PoseUnreachable",
+    .sentences = {translatable("ErrorText", "the robot cannot reach where motion %1 ends")},
+    .advice = {translatable("ErrorText", "Check that the program is for this robot, its tool and its frame.")}};
 
 const ErrorDescription CellError::PathCollides{
     .id = "PathCollides",

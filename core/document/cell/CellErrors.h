@@ -15,6 +15,7 @@ extern const ErrorDescription PlaceBeyondLimits;  // {place, joint}
 extern const ErrorDescription RouteNotFound;      // {from, to, seconds}
 extern const ErrorDescription OthersMoved;        // {place} joints beside the arm stand elsewhere there
 extern const ErrorDescription LineUnreachable;    // {place, percent} the arm cannot follow the straight line to it
+extern const ErrorDescription PoseUnreachable;    // {motion} of a program: no joint values reach it
 extern const ErrorDescription PathCollides;       // {path, count of collisions, link, link or body} first of them
 
 }  // namespace handwheel::CellError

@@ -13,6 +13,7 @@
 
 #include <QFile>
 #include <algorithm>
+#include <optional>
 
 namespace handwheel {
 
@@ -134,6 +135,16 @@ class Import {
   ImportedCell m_result;
 };
 
+// The cell with the overlaps of plain shapes as pairs that may touch.
+std::shared_ptr<const RobotCellSnapshot> withOverlaps(const RobotCellSnapshot& cell, const DhTable& table) {
+  CellPlans plans = *cell.plans;
+  const auto& links = cell.robot->model.links;
+  for (const auto& [a, b] : overlappingLinks(table)) plans.allowed.insert({links[a].name, links[b].name});
+  auto changed = std::make_shared<RobotCellSnapshot>(cell);
+  changed->plans = std::make_shared<const CellPlans>(std::move(plans));
+  return changed;
+}
+
 }  // namespace
 
 std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint32_t shapeSides) {
@@ -142,7 +153,7 @@ std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint3
   std::string description = urdfOf(read.robot);
   Import import(std::move(read), {}, shapeSides);
   import.readSurfaces({});
-  return import.finish(std::move(description), {}).cell;
+  return withOverlaps(*import.finish(std::move(description), {}).cell, robot);
 }
 
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides) {
@@ -166,9 +177,11 @@ Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path
 Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides, Progress progress) {
   Result<std::string> bytes = readBounded(path, kLargestDescription, progress.part(0.0, 0.05));
   if (!bytes) return bytes.error();
+  std::optional<DhTable> table;
   if (looksLikeDhTable(*bytes)) {
-    const Result<DhTable> table = readDhTable(*bytes);
-    if (!table) return table.error();
+    Result<DhTable> given = readDhTable(*bytes);
+    if (!given) return given.error();
+    table = std::move(given).value();
     bytes = urdfOf(robotOf(*table));
   }
   Result<ReadRobot> read = readUrdf(*bytes, progress.part(0.05, 0.1));
@@ -176,7 +189,9 @@ Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t
   Import import(std::move(read).value(), path.parent_path(), shapeSides);
   if (!import.readSurfaces(progress.part(0.1, 1.0))) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const std::string source = QFile::decodeName(QByteArray::fromStdString(path.string())).toStdString();
-  return import.finish(std::move(bytes).value(), source);
+  ImportedCell imported = import.finish(std::move(bytes).value(), source);
+  if (table) imported.cell = withOverlaps(*imported.cell, *table);
+  return imported;
 }
 
 }  // namespace handwheel

@@ -60,16 +60,30 @@ void drawLink(Builder& builder, std::uint32_t link, const DhRow& row, double rad
   builder.addBar(link, corner, end, 0.9 * radius);
 }
 
+double thicknessOf(const DhTable& table) {
+  if (table.thickness > 0.0) return table.thickness;
+  return 0.055 * std::max(armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end())).reach(), 1e-3);
+}
+
 }  // namespace
+
+std::set<LinkPair> overlappingLinks(const DhTable& table) {
+  std::set<LinkPair> pairs;
+  const double reach = 2.5 * thicknessOf(table);
+  for (std::uint32_t i = 0; i + 1 < table.joints.size(); ++i) {
+    const bool isPlain = table.joints[i].mesh.empty() && table.joints[i + 1].mesh.empty();
+    // Link i + 1 is between link i and link i + 2.
+    if (isPlain && afterJoint(table.joints[i]).translation().norm() < reach) pairs.insert({i, i + 2});
+  }
+  return pairs;
+}
 
 RobotModel robotOf(const DhTable& table) {
   RobotModel robot;
   robot.name = table.name;
   robot.root = 0;
   robot.links.push_back({.name = "base", .parentJoint = kNone, .visuals = {}, .collisions = {}});
-  const std::vector<DhRow> rows(table.joints.begin(), table.joints.end());
-  const double reach = std::max(armOf(rows).reach(), 1e-3);
-  const double thickness = table.thickness > 0.0 ? table.thickness : 0.055 * reach;
+  const double thickness = thicknessOf(table);
   Builder builder(robot);
   const auto mesh = [&](const std::string& file) { return MeshShape{file, Vec3::Constant(1e-3 * table.meshUnit)}; };
   if (table.baseMesh.empty())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robot/SrdfReader.h"
 #include "robot/arm/SerialArm.h"
 
 namespace handwheel {
@@ -26,6 +27,10 @@ struct DhTable {
 // frame of a link is where its joint turns it; a mesh stands in the frame of its row. Links without a mesh are drawn as
 // plain cylinders between their joints.
 RobotModel robotOf(const DhTable& table);
+
+// The pairs of links with a short one between them, whose plain cylinders overlap: their collisions tell nothing. None
+// where links have meshes.
+std::set<LinkPair> overlappingLinks(const DhTable& table);
 
 // Reads a table from JSON; docs/robots.md has the keys. Limits: kMostArmJoints joints. Errors: ElementMalformed
 // {element, reason}, ValueOutOfRange, those of parseJson().

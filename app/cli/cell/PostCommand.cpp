@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cell/PostCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/ReportJson.h"
+#include "cli/cell/CellFile.h"
+#include "cli/cell/PathReport.h"
+#include "tools/cell/PathExport.h"
+
+namespace handwheel {
+
+namespace {
+
+std::string controllers() {
+  std::string all;
+  for (const auto& post : posts()) all += (all.empty() ? "" : ", ") + std::string(post->id());
+  return all;
+}
+
+int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "post");
+  const Post* const post = postCalled(arguments.valueOf("controller"));
+  if (!post) return failUsage("The option --controller takes one of " + controllers() + ".", "post");
+  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  if (!file) return fail(file.error());
+  CollisionMeshes meshes;
+  Result<CellScene> scene = Error{};
+  Result<RobotPath> path = Error{};
+  Result<CheckedPath> checked = Error{};
+  runInterruptible("Verifying", [&](CommandJob& job) {
+    scene = sceneOf(*file->cell, meshes);
+    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
+    if (path) checked = checkPath(*scene, *file->cell->plans, *path, file->cell->plans->clearance, job.progress());
+  });
+  if (!scene) return fail(scene.error());
+  if (!path) return fail(path.error());
+  if (!checked) return fail(checked.error());
+  const std::string output = arguments.valueOf("output");
+  const Result<WrittenProgram> written = writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output);
+  if (!written) return fail(written.error());
+  const PostCheck& check = written->check;
+  if (arguments.has("json")) {
+    return print(textOf({{"controller", post->id()},
+                         {"motions", check.motions},
+                         {"error_mm", check.distance},
+                         {"error_deg", check.angle},
+                         {"exact_stops", written->exactStops},
+                         {"certified", true}}));
+  }
+  std::string text = output + ": " + post->title() + ", " + std::to_string(check.motions) +
+                     " motions, read back within " + roundedText(check.distance, 2) + " mm and " +
+                     roundedText(check.angle, 2) + " degrees\n";
+  if (written->exactStops > 0)
+    text += std::to_string(written->exactStops) + " blends became exact stops: their zones are not free everywhere\n";
+  return print(text);
+}
+
+}  // namespace
+
+Command postCommand() {
+  CommandSpec spec = {
+      "post",
+      "CELL PATH",
+      "Writes a path of a robot as a program of its controller, if it is proven free of collisions.\n"
+      "The program is read back and compared with the path before it is written. docs/robots.md has more.",
+      {}};
+  spec.options.push_back({"controller", 0, "NAME", "The language: " + controllers()});
+  spec.options.push_back({"output", 'o', "OUT", "The file to write"});
+  spec.options.push_back({"json", 0, "", "Report as JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return {std::move(spec), runPost};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ArmPosture.h"
+
+#include <array>
+
+namespace handwheel {
+
+namespace {
+
+struct ArmPlaces {
+  Vec3 base, up, shoulder, elbow, wrist, across;  // mm; across: the second axis
+};
+
+ArmPlaces placesOf(const SerialArm& arm, const ArmValues& values) {
+  std::array<Pose, 6> poses;
+  arm.jointPoses(values, poses);
+  return {poses[0].translation(), poses[0].linear().col(2), poses[1].translation(),
+          poses[2].translation(), poses[4].translation(),   poses[1].linear().col(2)};
+}
+
+}  // namespace
+
+ArmPosture postureOf(const SerialArm& arm, const ArmValues& values) {
+  const ArmPlaces rest = placesOf(arm, ArmValues::Zero(6)), now = placesOf(arm, values);
+  const double side = (rest.wrist - rest.base).dot(rest.across.cross(rest.up)) < 0.0 ? -1.0 : 1.0;
+  const Vec3 forward = side * now.across.cross(now.up), across = now.up.cross(forward);
+  ArmPosture posture;
+  posture.isRear = (now.wrist - now.base).dot(forward) < 0.0;
+  posture.isElbowDown = across.dot((now.elbow - now.shoulder).cross(now.wrist - now.shoulder)) < 0.0;
+  posture.isFlipped = values[4] < 0.0;
+  return posture;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/posts/Post.h"
+
+namespace handwheel {
+
+// Base class of the posts of controllers that move arms with six hinges.
+class ControllerPost : public Post {
+ public:
+  std::vector<Error> refusals(const RobotProgram& program) const override;
+};
+
+// ABB: a module with MoveAbsJ for joint motions and MoveL for lines. Quaternions, mm, degrees.
+class RapidPost : public ControllerPost {
+ public:
+  const char* id() const override { return "rapid"; }
+  const char* title() const override { return "ABB RAPID"; }
+  const char* ending() const override { return ".mod"; }
+  std::string write(const RobotProgram& program) const override;
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+};
+
+// KUKA: PTP by joints, LIN by X, Y, Z, A, B, C. What KRL does between PTP motions is given in percent, not in mm: those
+// stop exactly.
+class KrlPost : public ControllerPost {
+ public:
+  const char* id() const override { return "krl"; }
+  const char* title() const override { return "KUKA KRL"; }
+  const char* ending() const override { return ".src"; }
+  std::string write(const RobotProgram& program) const override;
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+};
+
+// Fanuc: J by joints, with the third as this maker counts it (less the second), L by X, Y, Z, W, P, R. The way of CNT
+// is not defined: all motions stop exactly (FINE).
+class FanucPost : public ControllerPost {
+ public:
+  const char* id() const override { return "fanuc"; }
+  const char* title() const override { return "Fanuc LS"; }
+  const char* ending() const override { return ".ls"; }
+  std::string write(const RobotProgram& program) const override;
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+};
+
+// Universal Robots: movej by joints, movel by poses; metres and radians.
+class UrScriptPost : public ControllerPost {
+ public:
+  const char* id() const override { return "urscript"; }
+  const char* title() const override { return "URScript"; }
+  const char* ending() const override { return ".script"; }
+  std::string write(const RobotProgram& program) const override;
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+};
+
+// Tables of joints and poses for other programs: any arm.
+std::unique_ptr<Post> makeCsvPost();
+std::unique_ptr<Post> makeJsonPost();
+
+}  // namespace handwheel

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ArmPosture.h"
+#include "robot/posts/ControllerPosts.h"
+#include "robot/posts/PostText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kLongestFanucName = 8;  // that every controller takes
+
+// This maker counts the third joint from the horizontal: less what the second has turned.
+ArmValues counted(ArmValues values, double sign) {
+  values[2] -= sign * values[1];
+  return values;
+}
+
+int turnsOf(double value) {
+  const double degrees = std::abs(value) / kRadiansPerDegree;
+  const int turns = static_cast<int>(std::floor((degrees + 180.0) / 360.0));
+  return value < 0.0 ? -turns : turns;
+}
+
+std::string fanucConfiguration(const SerialArm& arm, const ArmValues& values) {
+  const ArmPosture posture = postureOf(arm, values);
+  const bool isUp = posture.isElbowDown == posture.isRear;
+  return std::string(posture.isFlipped ? "F" : "N") + (isUp ? " U" : " D") + (posture.isRear ? " B" : " T") + ", " +
+         std::to_string(turnsOf(values[0])) + ", " + std::to_string(turnsOf(values[3])) + ", " +
+         std::to_string(turnsOf(values[5]));
+}
+
+std::string placeText(const RobotProgram& program, const ProgramMotion& motion) {
+  std::string text = "   GP1:\n   UF : 1, UT : 1,";
+  if (motion.kind == ProgramMotion::Kind::Joint) {
+    text += "\n";
+    const std::vector<double> degrees = degreesOf(counted(motion.joints, 1.0));
+    for (std::size_t i = 0; i < degrees.size(); ++i) {
+      text += (i % 3 == 0 ? "   J" : " J") + std::to_string(i + 1) + " = " + fixedText(degrees[i], 6) + " deg" +
+              (i + 1 < degrees.size() ? "," : "") + (i % 3 == 2 ? "\n" : "");
+    }
+    return text;
+  }
+  const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+  const Vec3 at = place.translation(), turn = zyxAngles(place.linear()) / kRadiansPerDegree;
+  text += " CONFIG : '" + fanucConfiguration(program.arm, motion.joints) + "',\n";
+  text += "   X = " + fixedText(at.x(), 5) + " mm, Y = " + fixedText(at.y(), 5) + " mm, Z = " + fixedText(at.z(), 5) +
+          " mm,\n";
+  return text + "   W = " + fixedText(turn.z(), 7) + " deg, P = " + fixedText(turn.y(), 7) +
+         " deg, R = " + fixedText(turn.x(), 7) + " deg\n";
+}
+
+// The places of a /POS section, by their numbers: what they set, by name.
+using FanucPlace = std::map<std::string, double, std::less<>>;
+
+// "J1 = 1.5 deg, X = 2 mm": each name with its number. Others are passed over.
+void readAssignments(std::string_view text, FanucPlace& place) {
+  for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1)) {
+    std::size_t end = at;
+    while (end > 0 && text[end - 1] == ' ') --end;
+    std::size_t begin = end;
+    while (begin > 0 && text[begin - 1] != ' ' && text[begin - 1] != ',' && text[begin - 1] != '\t') --begin;
+    LineReader value(text.substr(at + 1), 0);
+    if (const auto number = value.number(); number && end - begin <= 2)
+      place[std::string(text.substr(begin, end - begin))] = *number;
+  }
+}
+
+std::optional<std::vector<double>> valuesOf(const FanucPlace& place, std::initializer_list<const char*> names) {
+  std::vector<double> values;
+  for (const char* const name : names) {
+    const auto found = place.find(name);
+    if (found == place.end()) return std::nullopt;
+    values.push_back(found->second);
+  }
+  return values;
+}
+
+// "P[12]", perhaps with a remark: the number. 0: none.
+std::size_t placeNumber(LineReader& line) {
+  if (!line.take("P[")) return 0;
+  const auto number = line.number();
+  return number && *number >= 1.0 && *number <= static_cast<double>(Post::kMostMotions)
+             ? static_cast<std::size_t>(*number)
+             : 0;
+}
+
+}  // namespace
+
+std::string FanucPost::write(const RobotProgram& program) const {
+  std::string name = identifierOf(program.name, kLongestFanucName);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  std::string lines, places;
+  for (std::size_t i = 0; i < program.motions.size(); ++i) {
+    const ProgramMotion& motion = program.motions[i];
+    const std::string number = std::to_string(i + 1);
+    const bool isJoint = motion.kind == ProgramMotion::Kind::Joint;
+    const std::string speed =
+        isJoint ? std::to_string(std::clamp(static_cast<int>(std::lround(100.0 * motion.speed)), 1, 100)) + "%"
+                : fixedText(std::max(motion.speed, 0.1), 1) + "mm/sec";
+    lines += "   " + number + ":" + (isJoint ? "J" : "L") + " P[" + number + "] " + speed + " FINE    ;\n";
+    places += "P[" + number + "]{\n" + placeText(program, motion) + "};\n";
+  }
+  const std::string count = std::to_string(program.motions.size());
+  return "/PROG  " + name + "\n/ATTR\nOWNER\t\t= MNEDITOR;\nCOMMENT\t\t= \"HANDWHEEL\";\nPROTECT\t\t= READ_WRITE;\n" +
+         "LINE_COUNT\t= " + count + ";\nDEFAULT_GROUP\t= 1,*,*,*,*;\n/MN\n" + lines + "/POS\n" + places + "/END\n";
+}
+
+Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {
+  const Result<std::vector<std::string_view>> lines = programLines(text, "!");
+  if (!lines) return lines.error();
+  std::map<std::size_t, FanucPlace> places;
+  std::vector<std::pair<std::size_t, ReadMotion>> motions;  // by the numbers of their places
+  std::size_t open = 0;
+  bool isInPlaces = false;
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    LineReader line((*lines)[i], i + 1);
+    if (line.take("/")) {
+      isInPlaces = line.takeWord("POS");
+      continue;
+    }
+    if (isInPlaces) {
+      if (const std::size_t number = placeNumber(line)) open = number;
+      if (open > 0) readAssignments(line.rest(), places[open]);
+      continue;
+    }
+    line.number();  // of the line
+    if (!line.take(":")) continue;
+    const bool isJoint = line.takeWord("J"), isLinear = !isJoint && line.takeWord("L");
+    if (line.takeWord("C") || line.takeWord("A"))
+      return Error{ErrorCode::Unsupported, {"a circular motion"}, InputPosition::line(i + 1), {}};
+    if (!isJoint && !isLinear) continue;
+    const std::size_t number = placeNumber(line);
+    if (number == 0) return line.malformed("target", "P[number] was expected");
+    if (motions.size() >= kMostMotions) return line.malformed("J", "there are too many motions");
+    motions.push_back(
+        {number, {isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1}});
+  }
+  std::vector<ReadMotion> all;
+  for (auto& [number, motion] : motions) {
+    const FanucPlace& place = places[number];
+    if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"}); joints && frame.arm.size() == 6) {
+      motion.joints = counted(radiansOf(*joints), -1.0);
+    } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
+      motion.pose = Pose(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
+      motion.pose->linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
+    } else {
+      return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
+    }
+    all.push_back(std::move(motion));
+  }
+  return all;
+}
+
+}  // namespace handwheel

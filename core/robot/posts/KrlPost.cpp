@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ArmPosture.h"
+#include "robot/posts/ControllerPosts.h"
+#include "robot/posts/PostText.h"
+
+#include <array>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kLongestKrlName = 24;
+
+std::string krlFrame(const Pose& pose) {
+  const Vec3 at = pose.translation(), turn = zyxAngles(pose.linear()) / kRadiansPerDegree;
+  return "X " + fixedText(at.x(), 5) + ",Y " + fixedText(at.y(), 5) + ",Z " + fixedText(at.z(), 5) + ",A " +
+         fixedText(turn.x(), 7) + ",B " + fixedText(turn.y(), 7) + ",C " + fixedText(turn.z(), 7);
+}
+
+std::string statusText(const SerialArm& arm, const ArmValues& values) {
+  const ArmPosture posture = postureOf(arm, values);
+  std::string turn;
+  for (Eigen::Index i = 5; i >= 0; --i) turn += values[i] < 0.0 ? '1' : '0';
+  return std::string(",S 'B") + (posture.isFlipped ? '1' : '0') + (posture.isElbowDown ? '0' : '1') +
+         (posture.isRear ? '1' : '0') + "',T 'B" + turn + "'";
+}
+
+// The values of "{X 1,Y 2,…}" under these names; none where one is missing.
+std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::array<const char*, 6>& names) {
+  if (!line.take("{")) return std::nullopt;
+  std::array<double, 6> values{};
+  unsigned found = 0;
+  while (!line.take("}")) {
+    const std::string_view name = line.name();
+    bool isKnown = false;
+    for (std::size_t i = 0; i < names.size() && !isKnown; ++i) {
+      LineReader word(name, 0);
+      if (!word.takeWord(names[i]) || !word.rest().empty()) continue;
+      const auto value = line.number();
+      if (!value) return std::nullopt;
+      values[i] = *value;
+      found |= 1u << i;
+      isKnown = true;
+    }
+    if (!isKnown) {  // S 'B010', T 'B000011', E1 0: not needed
+      if (name.empty() && !line.take(",") && !line.take("'")) return std::nullopt;
+      if (line.take("'")) {
+        line.name();
+        line.take("'");
+      } else if (!name.empty()) {
+        line.number();
+      }
+    }
+    line.take(",");
+  }
+  return found == 0x3f ? std::optional(values) : std::nullopt;
+}
+
+}  // namespace
+
+std::string KrlPost::write(const RobotProgram& program) const {
+  std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierOf(program.name, kLongestKrlName) + "()\n; " +
+                     identifierOf(program.robot, 60) + "\nBAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) +
+                     "}\n$BASE={" + krlFrame(program.frame) + "}\n";
+  double share = -1.0, speed = -1.0;
+  for (const ProgramMotion& motion : program.motions) {
+    if (motion.kind == ProgramMotion::Kind::Joint) {
+      if (motion.speed != share) text += "BAS(#VEL_PTP," + fixedText(100.0 * motion.speed, 2) + ")\n";
+      share = motion.speed;
+      const std::vector<double> degrees = degreesOf(motion.joints);
+      text += "PTP {";
+      for (std::size_t i = 0; i < degrees.size(); ++i)
+        text += (i > 0 ? ",A" : "A") + std::to_string(i + 1) + " " + fixedText(degrees[i], 7);
+      text += "}\n";
+    } else {
+      if (motion.speed != speed) text += "$VEL.CP=" + fixedText(1e-3 * motion.speed, 5) + "\n";
+      speed = motion.speed;
+      if (motion.blend > 0.0) text += "$APO.CDIS=" + fixedText(motion.blend, 3) + "\n";
+      const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+      text += "LIN {" + krlFrame(place) + statusText(program.arm, motion.joints) + "}" +
+              (motion.blend > 0.0 ? " C_DIS\n" : "\n");
+    }
+  }
+  return text + "END\n";
+}
+
+Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const RobotProgram&) const {
+  const Result<std::vector<std::string_view>> lines = programLines(text, ";");
+  if (!lines) return lines.error();
+  std::vector<ReadMotion> motions;
+  double blend = 0.0;
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    LineReader line((*lines)[i], i + 1);
+    if (line.take("$APO.CDIS")) {
+      line.take("=");
+      blend = line.number().value_or(0.0);
+      continue;
+    }
+    const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
+    for (const char* const other : {"CIRC", "SPTP", "SLIN", "SCIRC", "PTP_REL", "LIN_REL", "SPLINE"}) {
+      if (line.takeWord(other)) return Error{ErrorCode::Unsupported, {other}, InputPosition::line(i + 1), {}};
+    }
+    if (!isPtp && !isLinear) continue;
+    if (motions.size() >= kMostMotions) return line.malformed("PTP", "there are too many motions");
+    ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1};
+    LineReader other = line;
+    if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
+      motion.joints = radiansOf(*joints);
+    } else if (const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"})) {
+      Pose pose(Eigen::Translation3d((*frame)[0], (*frame)[1], (*frame)[2]));
+      pose.linear() = fromZyx(Vec3((*frame)[3], (*frame)[4], (*frame)[5]) * kRadiansPerDegree);
+      motion.pose = pose;
+      if (other.takeWord("C_DIS")) motion.blend = blend;
+    } else {
+      return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
+    }
+    motions.push_back(std::move(motion));
+  }
+  return motions;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/PostErrors.h"
+
+namespace handwheel {
+
+const ErrorDescription PostError::WrongJoints{
+    .id = "PostWrongJoints",
+    .sentences = {translatable("ErrorText", "%1 programs move %2 joints, and this arm has %3")},
+    .advice = {translatable("ErrorText", "Write the path as CSV or JSON.")}};
+
+const ErrorDescription PostError::NoSlides{
+    .id = "PostNoSlides",
+    .sentences = {translatable("ErrorText", "joint %2 of the arm is a slide, which %1 programs have none of")},
+    .advice = {translatable("ErrorText", "Write the path as CSV or JSON.")}};
+
+const ErrorDescription PostError::TooManyMotions{
+    .id = "PostTooManyMotions",
+    .sentences = {translatable("ErrorText", "the path has %1 motions, and a program can have %2")},
+    .advice = {translatable("ErrorText", "Divide the path.")}};
+
+const ErrorDescription PostError::NotFinite{
+    .id = "PostNotFinite",
+    .sentences = {translatable("ErrorText", "motion %1 has a value that is not a number")},
+    .advice = {translatable("ErrorText", "Plan the path again.")}};
+
+}  // namespace handwheel

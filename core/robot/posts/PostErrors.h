@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The error codes of programs for controllers.
+namespace handwheel::PostError {
+
+extern const ErrorDescription WrongJoints;  // {language, wanted, count} the controller moves another number of joints
+extern const ErrorDescription NoSlides;     // {language, joint}
+extern const ErrorDescription TooManyMotions;  // {count, most}
+extern const ErrorDescription NotFinite;       // {motion}
+
+}  // namespace handwheel::PostError

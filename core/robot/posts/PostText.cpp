@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/PostText.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool isNameCharacter(char c) {
+  return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
+}
+
+char lowered(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+}  // namespace
+
+std::string fixedText(double value, int digits) {
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, digits);
+  std::string text(buffer, error == std::errc() ? end : buffer);
+  if (text.find_first_not_of("-0.") == text.npos && !text.empty() && text[0] == '-') text.erase(0, 1);
+  return text;
+}
+
+std::string fixedList(std::span<const double> values, int digits) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + fixedText(value, digits);
+  return text;
+}
+
+std::string identifierOf(const std::string& name, std::size_t longest) {
+  std::string made;
+  for (const char c : name) {
+    if (made.size() >= longest) break;
+    made += isNameCharacter(c) ? c : '_';
+  }
+  if (made.empty() || !isLetter(made[0])) made = ("P" + made).substr(0, longest);
+  return made;
+}
+
+Vec3 zyxAngles(const Eigen::Matrix3d& turn) {
+  const double across = std::hypot(turn(0, 0), turn(1, 0));
+  const double pitch = std::atan2(-turn(2, 0), across);
+  constexpr double kInLine = 1e-9;
+  if (across < kInLine) return {std::atan2(-turn(0, 1), turn(1, 1)), pitch, 0.0};
+  return {std::atan2(turn(1, 0), turn(0, 0)), pitch, std::atan2(turn(2, 1), turn(2, 2))};
+}
+
+Eigen::Matrix3d fromZyx(const Vec3& angles) {
+  return (Eigen::AngleAxisd(angles.x(), Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
+          Eigen::AngleAxisd(angles.z(), Vec3::UnitX()))
+      .toRotationMatrix();
+}
+
+std::vector<double> degreesOf(const ArmValues& values) {
+  std::vector<double> degrees(values.begin(), values.end());
+  for (double& value : degrees) value /= kRadiansPerDegree;
+  return degrees;
+}
+
+ArmValues radiansOf(std::span<const double> degrees) {
+  ArmValues values(static_cast<Eigen::Index>(degrees.size()));
+  for (std::size_t i = 0; i < degrees.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = degrees[i] * kRadiansPerDegree;
+  return values;
+}
+
+void LineReader::skipSpace() {
+  const std::size_t begin = m_rest.find_first_not_of(" \t\r");
+  m_rest.remove_prefix(std::min(begin, m_rest.size()));
+}
+
+bool LineReader::take(std::string_view word) {
+  skipSpace();
+  if (m_rest.size() < word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (lowered(m_rest[i]) != lowered(word[i])) return false;
+  }
+  m_rest.remove_prefix(word.size());
+  return true;
+}
+
+bool LineReader::takeWord(std::string_view word) {
+  const std::string_view before = m_rest;
+  if (take(word) && (m_rest.empty() || !isNameCharacter(m_rest[0]))) return true;
+  m_rest = before;
+  return false;
+}
+
+std::optional<double> LineReader::number() {
+  skipSpace();
+  std::string_view text = m_rest;
+  if (!text.empty() && text[0] == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  m_rest = text.substr(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+std::string_view LineReader::name() {
+  skipSpace();
+  std::size_t length = 0;
+  while (length < m_rest.size() && isNameCharacter(m_rest[length])) ++length;
+  const std::string_view found = m_rest.substr(0, length);
+  m_rest.remove_prefix(length);
+  return found;
+}
+
+std::optional<std::vector<double>> LineReader::numbersWithin(char open, char close, std::size_t most) {
+  skipSpace();
+  if (m_rest.empty() || m_rest[0] != open) return std::nullopt;
+  m_rest.remove_prefix(1);
+  std::vector<double> numbers;
+  for (int depth = 1; depth > 0;) {
+    skipSpace();
+    if (m_rest.empty()) return std::nullopt;
+    const char c = m_rest[0];
+    if (c == open || c == close || c == ',') {
+      depth += c == open ? 1 : c == close ? -1 : 0;
+      m_rest.remove_prefix(1);
+      continue;
+    }
+    const auto value = number();
+    if (!value || numbers.size() >= most) return std::nullopt;
+    numbers.push_back(*value);
+  }
+  return numbers;
+}
+
+Error LineReader::malformed(const char* element, const char* reason) const {
+  return {ErrorCode::ElementMalformed, {element, reason}, InputPosition::line(m_line), {}};
+}
+
+Result<std::vector<std::string_view>> programLines(std::string_view text, std::string_view comment) {
+  if (text.size() > Post::kLargestText) {
+    return Error{
+        ErrorCode::FileTooLarge, {"bytes", std::to_string(text.size()), std::to_string(Post::kLargestText)}, {}, {}};
+  }
+  std::vector<std::string_view> lines;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    bool isQuoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '"') isQuoted = !isQuoted;
+      if (!isQuoted && line.substr(i).starts_with(comment)) line = line.substr(0, i);
+    }
+    lines.push_back(line);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace handwheel

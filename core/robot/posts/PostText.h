@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+#include "base/Units.h"
+#include "robot/posts/Post.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// A number with so many digits behind the point, in the C locale; never "-0".
+std::string fixedText(double value, int digits);
+// Numbers like this, with commas between them.
+std::string fixedList(std::span<const double> values, int digits);
+
+// A name that the language takes: letters, digits and underscores, a letter first, at most so long.
+std::string identifierOf(const std::string& name, std::size_t longest);
+
+// Turns about z, y and x, in this order about axes that move along (KUKA's A, B, C; Fanuc's R, P, W); rad. Where two
+// axes are in line the last is 0.
+Vec3 zyxAngles(const Eigen::Matrix3d& turn);
+Eigen::Matrix3d fromZyx(const Vec3& angles);
+
+// The joints of a program's arm in degrees.
+std::vector<double> degreesOf(const ArmValues& values);
+ArmValues radiansOf(std::span<const double> degrees);
+
+// Takes apart a line of a program. Words are compared without case.
+class LineReader {
+ public:
+  LineReader(std::string_view text, std::size_t line) : m_rest(text), m_line(line) {}
+
+  void skipSpace();
+  bool take(std::string_view word);      // if it comes next
+  bool takeWord(std::string_view word);  // likewise, and no letter or digit follows
+  std::optional<double> number();        // finite
+  std::string_view name();               // letters, digits, underscores; empty: none
+  std::string_view rest() const { return m_rest; }
+  // Numbers in brackets, at most so many: "[1,2,3]"; brackets within are passed over.
+  std::optional<std::vector<double>> numbersWithin(char open, char close, std::size_t most);
+  Error malformed(const char* element, const char* reason) const;
+
+ private:
+  std::string_view m_rest;
+  std::size_t m_line;
+};
+
+// The lines of a text without what follows a comment sign outside of quotes. Error: FileTooLarge.
+Result<std::vector<std::string_view>> programLines(std::string_view text, std::string_view comment);
+
+}  // namespace handwheel

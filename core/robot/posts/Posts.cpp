@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ControllerPosts.h"
+#include "robot/posts/PostErrors.h"
+#include "robot/posts/PostText.h"
+
+#include <algorithm>
+#include <array>
+
+namespace handwheel {
+
+std::vector<Error> Post::refusals(const RobotProgram& program) const {
+  std::vector<Error> all;
+  if (program.motions.size() > kMostMotions) {
+    all.push_back(
+        {PostError::TooManyMotions, {std::to_string(program.motions.size()), std::to_string(kMostMotions)}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.motions.size(); ++i) {
+    const ProgramMotion& motion = program.motions[i];
+    const bool isSound = motion.joints.allFinite() && std::isfinite(motion.speed) && std::isfinite(motion.blend);
+    if (!isSound || motion.joints.size() != program.arm.size())
+      all.push_back({PostError::NotFinite, {std::to_string(i + 1)}, {}, {}});
+  }
+  return all;
+}
+
+std::vector<Error> ControllerPost::refusals(const RobotProgram& program) const {
+  std::vector<Error> all = Post::refusals(program);
+  constexpr Eigen::Index kJoints = 6;
+  if (program.arm.size() != kJoints) {
+    all.push_back(
+        {PostError::WrongJoints, {title(), std::to_string(kJoints), std::to_string(program.arm.size())}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.arm.joints().size(); ++i) {
+    if (program.arm.joints()[i].isPrismatic)
+      all.push_back({PostError::NoSlides, {title(), std::to_string(i + 1)}, {}, {}});
+  }
+  return all;
+}
+
+std::span<const std::unique_ptr<Post>> posts() {
+  static const std::array<std::unique_ptr<Post>, 6> kAll{std::make_unique<RapidPost>(),
+                                                         std::make_unique<KrlPost>(),
+                                                         std::make_unique<FanucPost>(),
+                                                         std::make_unique<UrScriptPost>(),
+                                                         makeCsvPost(),
+                                                         makeJsonPost()};
+  return kAll;
+}
+
+const Post* postCalled(std::string_view id) {
+  for (const auto& post : posts()) {
+    if (post->id() == id) return post.get();
+  }
+  return nullptr;
+}
+
+const Post* postForEnding(std::string_view fileName) {
+  std::string lower(fileName);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(c < 128 ? std::tolower(c) : c); });
+  for (const auto& post : posts()) {
+    if (lower.ends_with(post->ending())) return post.get();
+  }
+  return nullptr;
+}
+
+Result<PostCheck> checkWritten(const Post& post, const RobotProgram& program, std::string_view text) {
+  const Result<std::vector<ReadMotion>> read = post.read(text, program);
+  if (!read) return read.error();
+  PostCheck check;
+  check.motions = read->size();
+  if (read->size() != program.motions.size()) {
+    return Error{ErrorCode::CountMismatch,
+                 {"motions", std::to_string(program.motions.size()), std::to_string(read->size())},
+                 {},
+                 {}};
+  }
+  for (std::size_t i = 0; i < read->size(); ++i) {
+    const ReadMotion& motion = (*read)[i];
+    const Pose wanted = program.frame.inverse(Eigen::Isometry) * program.tipOf(program.motions[i]);
+    const Pose got =
+        motion.joints
+            ? Pose(program.frame.inverse(Eigen::Isometry) * program.arm.tipPose(*motion.joints) * program.tool)
+            : *motion.pose;
+    check.distance = std::max(check.distance, (got.translation() - wanted.translation()).norm());
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(got.linear().transpose() * wanted.linear()));
+    check.angle = std::max(check.angle, std::abs(turn.angle()) / kRadiansPerDegree);
+  }
+  return check;
+}
+
+}  // namespace handwheel

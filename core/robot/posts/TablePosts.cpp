@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/JsonText.h"
+#include "robot/posts/ControllerPosts.h"
+#include "robot/posts/PostText.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+std::vector<double> jointNumbers(const RobotProgram& program, const ProgramMotion& motion) {
+  std::vector<double> numbers;
+  for (Eigen::Index i = 0; i < motion.joints.size(); ++i) {
+    const bool isSlide = program.arm.joints()[static_cast<std::size_t>(i)].isPrismatic;
+    numbers.push_back(isSlide ? motion.joints[i] : motion.joints[i] / kRadiansPerDegree);
+  }
+  return numbers;
+}
+
+std::vector<double> poseNumbers(const Pose& pose) {
+  const Vec3 at = pose.translation();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(pose.linear()).normalized();
+  return {at.x(), at.y(), at.z(), turn.w(), turn.x(), turn.y(), turn.z()};
+}
+
+const char* wordFor(ProgramMotion::Kind kind) {
+  return kind == ProgramMotion::Kind::Joint ? "joint" : "linear";
+}
+
+// motion, its end by joints in degrees (slides in mm), by the pose of the tool's centre point, and how it is done.
+class CsvPost : public Post {
+ public:
+  const char* id() const override { return "csv"; }
+  const char* title() const override { return "CSV"; }
+  const char* ending() const override { return ".csv"; }
+
+  std::string write(const RobotProgram& program) const override {
+    std::string text = "motion,name,kind,speed,blend_mm";
+    for (Eigen::Index i = 0; i < program.arm.size(); ++i) {
+      const bool isSlide = program.arm.joints()[static_cast<std::size_t>(i)].isPrismatic;
+      text += ",q" + std::to_string(i + 1) + (isSlide ? "_mm" : "_deg");
+    }
+    text += ",x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+    for (std::size_t i = 0; i < program.motions.size(); ++i) {
+      const ProgramMotion& motion = program.motions[i];
+      const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+      text += std::to_string(i + 1) + "," + identifierOf(motion.name.empty() ? "place" : motion.name, 60) + "," +
+              wordFor(motion.kind) + "," + fixedText(motion.speed, 6) + "," + fixedText(motion.blend, 3) + "," +
+              fixedList(jointNumbers(program, motion), 9) + "," + fixedList(poseNumbers(place), 9) + "\n";
+    }
+    return text;
+  }
+
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
+    const Result<std::vector<std::string_view>> lines = programLines(text, "#");
+    if (!lines) return lines.error();
+    std::vector<ReadMotion> motions;
+    for (std::size_t i = 1; i < lines->size(); ++i) {  // after the heading
+      LineReader line((*lines)[i], i + 1);
+      line.skipSpace();
+      if (line.rest().empty()) continue;
+      if (motions.size() >= kMostMotions) return line.malformed("motion", "there are too many motions");
+      const bool hasNumber = line.number() && line.take(",");
+      line.name();
+      if (!hasNumber || !line.take(",")) return line.malformed("motion", "a number and a name were expected");
+      ReadMotion motion{.line = i + 1};
+      if (line.takeWord("linear"))
+        motion.kind = ProgramMotion::Kind::Linear;
+      else if (!line.takeWord("joint"))
+        return line.malformed("motion", "joint or linear was expected");
+      std::vector<double> numbers;
+      while (line.take(",")) {
+        const auto value = line.number();
+        if (!value) return line.malformed("motion", "a number was expected");
+        numbers.push_back(*value);
+      }
+      const auto count = static_cast<std::size_t>(frame.arm.size());
+      if (numbers.size() != count + 9) return line.malformed("motion", "a number for each joint was expected");
+      ArmValues joints(frame.arm.size());
+      for (std::size_t k = 0; k < count; ++k)
+        joints[static_cast<Eigen::Index>(k)] =
+            numbers[k + 2] * (frame.arm.joints()[k].isPrismatic ? 1.0 : kRadiansPerDegree);
+      motion.joints = joints;
+      motion.blend = numbers[1];
+      motions.push_back(std::move(motion));
+    }
+    return motions;
+  }
+};
+
+class JsonPost : public Post {
+ public:
+  const char* id() const override { return "json"; }
+  const char* title() const override { return "JSON"; }
+  const char* ending() const override { return ".program.json"; }
+
+  std::string write(const RobotProgram& program) const override {
+    nlohmann::ordered_json json = {{"version", 1},
+                                   {"name", program.name},
+                                   {"robot", program.robot},
+                                   {"tool", poseNumbers(program.tool)},
+                                   {"frame", poseNumbers(program.frame)},
+                                   {"motions", nlohmann::ordered_json::array()}};
+    for (const ProgramMotion& motion : program.motions) {
+      const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+      json["motions"].push_back({{"kind", wordFor(motion.kind)},
+                                 {"name", motion.name},
+                                 {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
+                                 {"q_deg", jointNumbers(program, motion)},
+                                 {"pose", poseNumbers(place)},
+                                 {"speed", motion.speed},
+                                 {"blend_mm", motion.blend}});
+    }
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  }
+
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
+    const Result<nlohmann::json> json = parseJson(text, "program");
+    if (!json) return json.error();
+    const auto wrong = [](const char* reason) {
+      return Error{ErrorCode::ElementMalformed, {"motions", reason}, {}, {}};
+    };
+    const auto list = json->is_object() ? json->find("motions") : json->end();
+    if (!json->is_object() || list == json->end() || !list->is_array() || list->size() > kMostMotions)
+      return wrong("a list was expected");
+    std::vector<ReadMotion> motions;
+    for (const nlohmann::json& each : *list) {
+      const std::vector<double> q = numbersAt(each, "q", static_cast<std::size_t>(frame.arm.size()));
+      if (static_cast<Eigen::Index>(q.size()) != frame.arm.size()) return wrong("a number for each joint was expected");
+      ReadMotion motion;
+      motion.kind = stringAt(each, "kind") == "linear" ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
+      motion.joints = Eigen::Map<const Eigen::VectorXd>(q.data(), frame.arm.size());
+      if (const auto blend = each.find("blend_mm"); blend != each.end() && blend->is_number())
+        motion.blend = blend->get<double>();
+      motions.push_back(std::move(motion));
+    }
+    return motions;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Post> makeCsvPost() {
+  return std::make_unique<CsvPost>();
+}
+
+std::unique_ptr<Post> makeJsonPost() {
+  return std::make_unique<JsonPost>();
+}
+
+}  // namespace handwheel

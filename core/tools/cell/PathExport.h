@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/posts/Post.h"
+#include "tools/cell/PathCheck.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+// A program that was written, and how far it is off when it is read back.
+struct WrittenProgram {
+  PostCheck check;
+  std::size_t exactStops = 0;  // places whose blend was not certified, or that the language has none for
+};
+
+// Writes a certified path as a program. What the controller cannot do is an error before anything is written; so is a
+// text that does not read back as the path (1e-3 mm, 1e-3°). Errors: PathCollides, LineUnreachable, those of
+// Post::refusals() and of writing.
+Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output);
+
+// A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
+// of the place before. Errors: those of Post::read(); PoseUnreachable {motion, line}.
+Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
+                                  std::string_view text);
+
+}  // namespace handwheel

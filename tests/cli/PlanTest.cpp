@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json jsonOf(const QByteArray& text) {
+  return nlohmann::json::parse(text.toStdString());
+}
+
+// A cell of a built-in robot between two configurations, with a box in the straight way.
+class PlannedCell {
+ public:
+  PlannedCell() {
+    run({"configuration", "irb120", "--add", "left", "--joints", "joint_1=1.2,joint_2=0.5", "-o", "cell.handwheel"});
+    run({"configuration", "cell.handwheel", "--add", "right", "--joints", "joint_1=-1.2,joint_2=0.5", "-o",
+         "cell.handwheel"});
+    run({"configuration", "cell.handwheel", "--add", "up", "--joints", "joint_2=-0.6,joint_3=-0.6", "-o",
+         "cell.handwheel"});
+    run({"body", "cell.handwheel", "--add", "box:100,200,800", "--at", "450,0,400", "-o", "cell.handwheel"});
+  }
+  Ran run(const QStringList& words) const { return m_bench.run(words); }
+  QByteArray read(const QString& name) const { return m_bench.content(name); }
+  void put(const QString& name, const QByteArray& content) const { m_bench.put(name, content); }
+
+ private:
+  Bench m_bench;
+};
+
+}  // namespace
+
+// A planner's work without a window: configurations, a path that is proven free, its verification.
+class PlanTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aroundABox() {
+    const PlannedCell cell;
+    const Ran ran = cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "right", "--clearance", "10", "-o",
+                              "path.json", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json report = jsonOf(ran.out);
+    QVERIFY(report["solved"].get<bool>() && report["certified"].get<bool>());
+    QVERIFY(report["min_clearance_mm"].get<double>() >= 10.0);
+    QVERIFY(report["length_rad"].get<double>() > 2.4);  // straight it would be 2.4
+    for (const char* key : {"seconds", "waypoints", "manipulability", "security_mm"}) QVERIFY(report.contains(key));
+    const nlohmann::json path = jsonOf(cell.read("path.json"));
+    QVERIFY(path["certified"].get<bool>());
+    QVERIFY(path["waypoints"].size() > 2);
+    QCOMPARE(path["waypoints"].front()[0].get<double>(), 1.2);
+    QCOMPARE(path["waypoints"].back()[0].get<double>(), -1.2);
+    const Ran verified = cell.run({"verify", "cell.handwheel", "path.json", "--clearance", "10", "--json"});
+    QVERIFY2(verified.code == 0, verified.out);
+    QVERIFY(jsonOf(verified.out)["certified"].get<bool>());
+  }
+
+  // The straight way is not free; all of it is looked at.
+  void straightThroughABox() {
+    const PlannedCell cell;
+    cell.put("straight.json",
+             R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [-1.2, 0.5, 0, 0, 0, 0], [1.2, 0.5, 0, 0, 0, 0]]})");
+    const Ran ran = cell.run({"verify", "cell.handwheel", "straight.json", "--json"});
+    QCOMPARE(ran.code, 2);
+    const nlohmann::json report = jsonOf(ran.out);
+    QVERIFY(!report["certified"].get<bool>());
+    QCOMPARE(report["collisions"].front()["with"].get<std::string>(), std::string("box"));
+    QCOMPARE(report["collisions"].front()["place"].get<int>(), 1);
+    QCOMPARE(report["collisions"].back()["place"].get<int>(), 2);
+    QCOMPARE(report["min_clearance_mm"].get<double>(), 0.0);
+  }
+
+  // By way of a critical configuration, into the cell, and repeatable.
+  void throughACriticalConfiguration() {
+    const PlannedCell cell;
+    const QStringList words{"plan", "cell.handwheel", "--from", "left", "--via", "up",
+                            "--to", "right",          "--name", "over", "--json"};
+    const Ran ran = cell.run(words + QStringList{"-o", "planned.handwheel"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json cellNow = jsonOf(cell.run({"inspect", "planned.handwheel", "--json"}).out);
+    QCOMPARE(cellNow["document"]["paths"][0]["name"].get<std::string>(), std::string("over"));
+    QCOMPARE(cell.run({"verify", "planned.handwheel", "over"}).code, 0);
+    nlohmann::json first = jsonOf(ran.out), again = jsonOf(cell.run(words).out);
+    first.erase("seconds");
+    again.erase("seconds");
+    QVERIFY(first == again);
+  }
+
+  void whatCannotBePlanned_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QByteArray>("message");
+    QTest::newRow("no such place") << QStringList{"--from", "left", "--to", "nowhere"} << 1 << QByteArray("'nowhere'");
+    QTest::newRow("inside the box") << QStringList{"--from", "left", "--to", "0 0.6 0 0 0 0"} << 2 << QByteArray("box");
+    QTest::newRow("beyond a limit") << QStringList{"--from", "left", "--to", "9 0 0 0 0 0"} << 1
+                                    << QByteArray("oint_1");
+    QTest::newRow("no end") << QStringList{"--from", "left"} << 1 << QByteArray("--to");
+    QTest::newRow("too few numbers") << QStringList{"--from", "left", "--to", "0 0"} << 1 << QByteArray("'0 0'");
+  }
+  void whatCannotBePlanned() {
+    QFETCH(const QStringList, words);
+    QFETCH(const int, code);
+    QFETCH(const QByteArray, message);
+    const PlannedCell cell;
+    const Ran ran = cell.run(QStringList{"plan", "cell.handwheel"} + words);
+    QCOMPARE(ran.code, code);
+    QVERIFY2(ran.err.contains(message), ran.err);
+  }
+
+  void configurations() {
+    const PlannedCell cell;
+    QCOMPARE(cell.run({"configuration", "cell.handwheel", "--remove", "up", "-o", "cell.handwheel"}).code, 0);
+    const Ran gone = cell.run({"configuration", "cell.handwheel", "--go", "up", "-o", "cell.handwheel"});
+    QCOMPARE(gone.code, 1);
+    QVERIFY(gone.err.contains("'up'"));
+    const Ran moved = cell.run({"configuration", "cell.handwheel", "--go", "left", "-o", "cell.handwheel", "--json"});
+    QCOMPARE(jsonOf(moved.out)["configurations"].size(), std::size_t{2});
+    const nlohmann::json now = jsonOf(cell.run({"inspect", "cell.handwheel", "--json"}).out);
+    QVERIFY(std::abs(now["document"]["joints"][0]["value"].get<double>() - 1.2) < 1e-12);
+    const Ran beyond =
+        cell.run({"configuration", "cell.handwheel", "--add", "x", "--joints", "joint_1=9", "-o", "cell.handwheel"});
+    QCOMPARE(beyond.code, 1);
+    QVERIFY(beyond.err.contains("oint_1"));
+    // The pairs and states of a semantic description.
+    cell.put("r.srdf",
+             "<robot name='r'><group_state name='folded' group='arm'><joint name='joint_2' value='-1'/></group_state>"
+             "<disable_collisions link1='link_1' link2='link_4' reason='Never'/></robot>");
+    const Ran read = cell.run({"configuration", "cell.handwheel", "--srdf", "r.srdf", "-o", "cell.handwheel"});
+    QVERIFY2(read.code == 0, read.err);
+    QVERIFY(read.out.contains("configuration folded"));
+  }
+};
+
+HANDWHEEL_TEST(PlanTest)
+#include "PlanTest.moc"

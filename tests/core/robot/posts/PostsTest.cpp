@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Robots.h"
+#include "TestClass.h"
+#include "robot/dh/DhTable.h"
+#include "robot/posts/ArmPosture.h"
+#include "robot/posts/Post.h"
+#include "robot/posts/PostText.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+SerialArm armCalled(const char* id) {
+  const DhTable& table = *libraryTable(id);
+  return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
+}
+
+RobotProgram programOf(const char* id) {
+  RobotProgram program;
+  program.name = "weld seam 1";
+  program.robot = id;
+  program.arm = armCalled(id);
+  program.tool = Pose(Eigen::Translation3d(10.0, -5.0, 120.0) * Eigen::AngleAxisd(0.3, Vec3::UnitY()));
+  program.frame = Pose(Eigen::Translation3d(400.0, 50.0, -10.0) * Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  return program;
+}
+
+ProgramMotion anyMotion(const SerialArm& arm) {
+  ProgramMotion motion;
+  motion.joints.resize(arm.size());
+  for (Eigen::Index i = 0; i < arm.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
+    motion.joints[i] = anyNumber(std::max(joint.lower, -M_PI), std::min(joint.upper, M_PI));
+  }
+  motion.kind = *rc::gen::arbitrary<bool>() ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear;
+  motion.speed = motion.kind == ProgramMotion::Kind::Joint ? anyNumber(0.01, 1.0) : anyNumber(1.0, 2000.0);
+  motion.blend = *rc::gen::arbitrary<bool>() ? anyNumber(0.5, 20.0) : 0.0;
+  return motion;
+}
+
+}  // namespace
+
+// Programs of controllers: what is written is read back as the same motions.
+class PostsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void writtenAndRead_data() {
+    QTest::addColumn<QByteArray>("robot");
+    for (const char* id : {"irb120", "irb2400", "kr6r900", "lrmate200id", "ur5", "puma560"})
+      QTest::newRow(id) << QByteArray(id);
+  }
+  void writtenAndRead() {
+    QFETCH(const QByteArray, robot);
+    for (const auto& post : posts()) {
+      QVERIFY(rc::check(post->title(), [&] {
+        RobotProgram program = programOf(robot.constData());
+        for (int i = *rc::gen::inRange(0, 8); i >= 0; --i) program.motions.push_back(anyMotion(program.arm));
+        RC_ASSERT(post->refusals(program).empty());
+        const auto check = checkWritten(*post, program, post->write(program));
+        RC_ASSERT(check.hasValue());
+        RC_ASSERT(check->distance <= 1e-3);
+        RC_ASSERT(check->angle <= 1e-3);
+        RC_ASSERT(check->motions == program.motions.size());
+      }));
+    }
+  }
+
+  // Turns by exactly 0°, 90° and 180° about every axis and between: where quaternions and Euler angles go wrong.
+  void specialTurns() {
+    for (const auto& post : posts()) {
+      for (const double angle : {0.0, 0.5 * M_PI, M_PI, -0.5 * M_PI}) {
+        for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, -1, 0), Vec3(1, -2, 3)}) {
+          RobotProgram program = programOf("irb120");
+          program.frame = Pose::Identity();
+          ProgramMotion motion;
+          motion.kind = ProgramMotion::Kind::Linear;
+          motion.speed = 100.0;
+          motion.joints = ArmValues::Zero(6);
+          // The tool turns the flange to the very orientation.
+          program.tool = Pose::Identity();
+          program.tool.linear() = program.arm.tipPose(motion.joints).linear().transpose() *
+                                  Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+          program.motions = {motion};
+          const auto check = checkWritten(*post, program, post->write(program));
+          QVERIFY2(check.hasValue(), post->id());
+          QVERIFY2(check->distance <= 1e-3 && check->angle <= 1e-3, post->id());
+        }
+      }
+    }
+  }
+
+  // By the definition of each: turns about fixed x, y, z are turns about moving z, y, x.
+  void eulerAngles() {
+    QVERIFY(rc::check("there and back", [] {
+      const Vec3 angles(anyNumber(-3.1, 3.1), anyNumber(-1.5, 1.5), anyNumber(-3.1, 3.1));
+      RC_ASSERT((zyxAngles(fromZyx(angles)) - angles).norm() < 1e-9);
+    }));
+  }
+
+  // The rules of the languages, word by word.
+  void rapidText() {
+    RobotProgram program = programOf("irb120");
+    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}});
+    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 10.0, {}});
+    const std::string text = postCalled("rapid")->write(program);
+    QVERIFY(text.starts_with("MODULE weld_seam_1\n"));
+    QVERIFY(text.ends_with("ENDMODULE\n"));
+    QVERIFY(text.find("MoveAbsJ [[0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],"
+                      "[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,vmax,fine,hwTool\\WObj:=hwFrame;") != text.npos);
+    QVERIFY(text.find("[FALSE,10.000,") != text.npos);
+    QVERIFY(text.find("VelSet 50.00,5000;") != text.npos);
+    QVERIFY(text.find("weld_seam_1_1;") != text.npos);  // called without parentheses
+    QVERIFY(text.find("PROC weld_seam_1_1()") != text.npos);
+  }
+
+  // J3 of the controller is J3 of the model less J2.
+  void fanucCoupling() {
+    RobotProgram program = programOf("lrmate200id");
+    ArmValues joints = ArmValues::Zero(6);
+    joints[1] = 10.0 * kRadiansPerDegree;
+    joints[2] = 30.0 * kRadiansPerDegree;
+    program.motions.push_back({ProgramMotion::Kind::Joint, joints, 0.5, 0.0, {}});
+    const std::string text = postCalled("fanuc")->write(program);
+    QVERIFY(text.find("J2 = 10.000000 deg, J3 = 20.000000 deg") != text.npos);
+    QVERIFY(text.find("LINE_COUNT\t= 1;") != text.npos);
+    QVERIFY(text.find("1:J P[1] 50% FINE") != text.npos);
+    QVERIFY(text.find("/PROG  WELD_SEA\n") != text.npos);
+  }
+
+  // Zones of neighbours that would overlap are made smaller; the last motion has none.
+  void urZonesDoNotOverlap() {
+    RobotProgram program = programOf("ur5");
+    for (int i = 0; i < 4; ++i) {
+      ArmValues joints = ArmValues::Constant(6, 0.5);
+      joints[0] = 0.01 * i;
+      program.motions.push_back({ProgramMotion::Kind::Joint, joints, 0.5, 100.0, {}});
+    }
+    const auto read = postCalled("urscript")->read(postCalled("urscript")->write(program), program);
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->front().blend, 0.0);
+    QCOMPARE(read->back().blend, 0.0);
+    const auto at = [&](std::size_t i) { return Vec3(program.tipOf(program.motions[i]).translation()); };
+    QVERIFY((*read)[1].blend + (*read)[2].blend < (at(2) - at(1)).norm());
+    QVERIFY((*read)[1].blend > 0.0);
+  }
+
+  // As people write them.
+  void programsByHand() {
+    const RobotProgram program = programOf("irb120");
+    const auto rapid = postCalled("rapid")->read(
+        "MODULE m\n CONST jointtarget home:=[[0,10,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        " LOCAL CONST robtarget p10 := [[300,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        " PROC main()\n  MoveAbsJ home,v100,fine,tool0; ! MoveL nothing\n  movel p10, v100, z10, tool0\\WObj:=wobj0;\n"
+        " ENDPROC\nENDMODULE\n",
+        program);
+    QVERIFY(rapid.hasValue());
+    QCOMPARE(rapid->size(), std::size_t{2});
+    QVERIFY(std::abs((*rapid)[0].joints->coeff(2) - 20.0 * kRadiansPerDegree) < 1e-12);
+    QCOMPARE((*rapid)[1].blend, 10.0);
+    QVERIFY((*rapid)[1].pose->translation() == Vec3(300, 0, 500));
+    const auto script = postCalled("urscript")
+                            ->read(
+                                "def p():\n  movej([0, -1.57, 1.57, 0, 0, 0], a=1.2, v=0.25)\n  movel(p[0.3, 0.1, 0.2, "
+                                "0, 3.14, 0], r=0.01)\nend\n",
+                                programOf("ur5"));
+    QVERIFY(script.hasValue());
+    QCOMPARE(script->size(), std::size_t{2});
+    QVERIFY(std::abs((*script)[1].blend - 10.0) < 1e-9);
+  }
+
+  void hostileTexts_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("code");
+    const auto row = [](const char* post, const char* text, const char* code) {
+      QTest::newRow(text) << QByteArray(post) << QByteArray(text) << QByteArray(code);
+    };
+    row("rapid", "MoveAbsJ home,v100,fine,tool0;", "ElementMalformed");
+    row("rapid", "MoveL Offs(p10,0,0,10),v100,fine,tool0;", "ElementMalformed");
+    row("rapid", "MoveL [[1,2,3],[0,0,0,0],[0,0,0,0],[9E9]],v100,fine,tool0;", "ElementMalformed");
+    row("rapid", "MoveL [[1,2,3],[1,0", "ElementMalformed");
+    row("rapid", "MoveC p1,p2,v100,fine,tool0;", "Unsupported");
+    row("rapid", "MoveAbsJ [[1e999,0,0,0,0,0],[9E9]],v1,fine,t;", "ElementMalformed");
+    row("krl", "PTP {A1 0,A2 0}", "ElementMalformed");
+    row("krl", "PTP HOME", "ElementMalformed");
+    row("krl", "CIRC {X 0},{X 1}", "Unsupported");
+    row("krl", "LIN {X 1,Y 2,Z 3,A 0,B 0", "ElementMalformed");
+    row("fanuc", "/MN\n 1:J P[1] 10% FINE ;\n/POS\n/END", "ElementMalformed");
+    row("fanuc", "/MN\n 1:J P[99999999999] 10% FINE ;", "ElementMalformed");
+    row("fanuc", "/MN\n 1:C P[1] ;", "Unsupported");
+    row("urscript", "movej([0,0,0])", "ElementMalformed");
+    row("urscript", "movej(get_inverse_kin(p))", "ElementMalformed");
+    row("urscript", "movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])", "Unsupported");
+    row("csv", "motion\n1,a,joint,1,0,1,2\n", "ElementMalformed");
+    row("csv", "motion\nnot,a,number\n", "ElementMalformed");
+    row("json", "{}", "ElementMalformed");
+    row("json", R"({"motions": [{"q": [1]}]})", "ElementMalformed");
+  }
+  void hostileTexts() {
+    QFETCH(const QByteArray, post);
+    QFETCH(const QByteArray, text);
+    QFETCH(const QByteArray, code);
+    const auto read = postCalled(post.toStdString())->read(text.toStdString(), programOf("irb120"));
+    QVERIFY(!read.hasValue());
+    QCOMPARE(QByteArray(read.error().code->id), code);
+  }
+
+  void refusals() {
+    RobotProgram program = programOf("irb120");
+    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Constant(6, std::nan("")), 0.5, 0.0, {}});
+    for (const auto& post : posts()) QVERIFY(!post->refusals(program).empty());
+    // Four joints, one of them a slide.
+    std::vector<DhRow> rows(4);
+    rows[2].isPrismatic = true;
+    program.arm = armOf(rows);
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(4, 0.5), 0.5, 0.0, {}}};
+    for (const auto& post : posts()) {
+      const bool isTable = std::string(post->id()) == "csv" || std::string(post->id()) == "json";
+      QCOMPARE(post->refusals(program).empty(), isTable);
+      if (!isTable) continue;
+      const auto check = checkWritten(*post, program, post->write(program));
+      QVERIFY(check && check->distance < 1e-6);
+    }
+  }
+
+  // Facts of the drawings: with all joints at 0 an IRB 120 looks ahead; turned over at the shoulder it is behind.
+  void postures() {
+    const SerialArm arm = armCalled("irb120");
+    ArmValues values = ArmValues::Zero(6);
+    values[4] = 0.5;
+    QVERIFY(!postureOf(arm, values).isRear && !postureOf(arm, values).isElbowDown && !postureOf(arm, values).isFlipped);
+    values[4] = -0.5;
+    QVERIFY(postureOf(arm, values).isFlipped);
+    values[1] = -1.8;  // the lower arm leans back beyond the horizontal
+    QVERIFY(postureOf(arm, values).isRear);
+  }
+};
+
+HANDWHEEL_TEST(PostsTest)
+#include "PostsTest.moc"

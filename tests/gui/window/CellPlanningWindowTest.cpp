@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CellWindow.h"
+#include "WindowTestMain.h"
+#include "panels/time/TimeLinePanel.h"
+
+#include <QLabel>
+#include <QTreeWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A window in which a path is planned.
+class PlanningWindow : public CellWindow {
+ public:
+  QTreeWidget* tree() { return find<QTreeWidget>("planTree"); }
+  QTreeWidgetItem* configurations() { return tree()->topLevelItem(0); }
+  QTreeWidgetItem* paths() { return tree()->topLevelItem(1); }
+
+  void storeAt(const char* joint, const QString& value) {
+    edit(joint, value);
+    choose("storeConfiguration");
+  }
+  // Between the first configuration and the last.
+  void planPath() {
+    choose("planPath");
+    auto* dialog = find<QDialog>("planDialog");
+    QTest::qWait(50);
+    auto* now = dialog->findChild<QPushButton*>(QStringLiteral("planNow"));
+    QTest::mouseClick(now, Qt::LeftButton);
+  }
+};
+
+}  // namespace
+
+// A planner's work in the window: configurations are stored, a path is planned, verified, edited and played.
+class CellPlanningWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void storePlanAndUndo() {
+    PlanningWindow driver;
+    QVERIFY(!driver.find<QAction>("planPath")->isEnabled());
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.configurations()->childCount(), 2);
+    driver.planPath();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free of collisions"), kPatienceMs);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->childCount(), 0);
+    driver.click("quickActions/redo");
+    QCOMPARE(driver.paths()->childCount(), 1);
+  }
+
+  void placesAreEdited() {
+    PlanningWindow driver;
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QTreeWidgetItem* path = driver.paths()->child(0);
+    const int places = path->childCount();
+    QVERIFY(places >= 2);
+    // Where the robot stands is inserted behind the first place, moved, set anew and removed.
+    driver.edit("joint.joint_1", "10");
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
+    driver.choose("insertPlace");
+    QCOMPARE(driver.paths()->child(0)->childCount(), places + 1);
+    QVERIFY(driver.tree()->currentItem()->text(0).contains("critical"));
+    driver.choose("movePlaceUp");
+    QVERIFY(driver.paths()->child(0)->child(0)->text(0).contains("critical"));
+    driver.choose("removePlan");
+    QCOMPARE(driver.paths()->child(0)->childCount(), places);
+    for (int i = 0; i < 3; ++i) driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->child(0)->childCount(), places);
+  }
+
+  void aPathIsPlayed() {
+    PlanningWindow driver;
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        driver.paths()->childCount() == 1 && driver.paths()->child(0)->text(1).contains("free of collisions"),
+        kPatienceMs);
+    driver.choose("pathDockToggle");
+    auto* line = driver.find<TimeLinePanel>("pathTimeLine");
+    QTRY_VERIFY_WITH_TIMEOUT(line->isEnabled(), kPatienceMs);
+    QVERIFY(driver.text("pathText").contains("place 2"));
+    const QString before = driver.text("pathText");
+    line->advance(0.5);
+    QTRY_VERIFY(driver.text("pathText") != before);
+    driver.choose("pathDockToggle");
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(CellPlanningWindowTest)
+#include "CellPlanningWindowTest.moc"
