@@ -42,6 +42,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QOb
       m_down(tr("Move the place &down"), this),
       m_straight(tr("Straight &line to the place"), this),
       m_verify(tr("&Verify the path"), this),
+      m_export(tr("&Export a robot program…"), this),
+      m_import(tr("Open a robot program as a pa&th…"), this),
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
       m_remove(tr("Re&move from the plan"), this),
       m_menu(new QMenu(parts.window)) {
@@ -58,6 +60,9 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QOb
           tr("Move the tool's centre point to the place along a straight line"));
   m_straight.setCheckable(true);
   prepare(m_verify, "verifyPath", "ok", tr("Prove each motion free of collisions, or list all that collides"));
+  prepare(m_export, "exportProgram", "save-as",
+          tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
+  prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
   prepare(m_semantics, "readSemantics", nullptr, tr("Read the pairs of links that may touch, and named states"));
   prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path or place"));
   m_menu->setObjectName(QStringLiteral("planMenu"));
@@ -85,6 +90,16 @@ void CellPaths::connectActions() {
     m_checks.clear();
     verify();
   });
+  connect(&m_export, &QAction::triggered, this, &CellPaths::askForProgram);
+  connect(&m_import, &QAction::triggered, this, [this] {
+    auto* dialog =
+        new QFileDialog(m_parts.window, tr("Open a robot program"), QFileInfo(m_document->document.path()).path(),
+                        tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::importProgram);
+    dialog->open();
+  });
   connect(&m_semantics, &QAction::triggered, this, [this] {
     auto* dialog =
         new QFileDialog(m_parts.window, tr("Read allowed pairs"), QFileInfo(m_document->document.path()).path(),
@@ -109,8 +124,8 @@ void CellPaths::connectActions() {
 }
 
 QList<QAction*> CellPaths::all() {
-  return {&m_store, &m_go,   &m_plan,     &m_again,  &m_insert,    &m_here,
-          &m_up,    &m_down, &m_straight, &m_verify, &m_semantics, &m_remove};
+  return {&m_store, &m_go,       &m_plan,   &m_again,  &m_insert, &m_here,      &m_up,
+          &m_down,  &m_straight, &m_verify, &m_export, &m_import, &m_semantics, &m_remove};
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
@@ -248,6 +263,10 @@ void CellPaths::update() {
   m_straight.setChecked(isPlace && present && entry.place < present->places.size() &&
                         present->places[entry.place].motion == ProgramMotion::Kind::Linear);
   offer(m_verify, present && present->places.size() >= 2, noPath);
+  const auto known = checked();
+  offer(m_export, known && known->isCertified(),
+        present ? tr("Only a path that is proven free of collisions is exported.") : noPath);
+  offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
   offer(m_remove, isSomething, tr("Select a configuration, a path or a place first."));
 }

@@ -15,6 +15,7 @@
 namespace handwheel {
 
 class PathLayer;
+class Post;
 class RobotCellDocument;
 
 // The list of what is planned in a robot cell and its actions: stores configurations, plans paths through them, edits
@@ -28,7 +29,7 @@ class CellPaths : public QObject {
 
   void setDocument(DocumentTab* document);
   QList<QAction*> all();
-  QList<QAction*> buttons() { return {&m_store, &m_plan, &m_verify}; }  // those of the panel
+  QList<QAction*> buttons() { return {&m_store, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
   PlanTree* tree() { return m_tree; }  // owned by the window
   void setVisible(bool isVisible);     // the line of the path in the view
@@ -71,6 +72,9 @@ class CellPaths : public QObject {
   void removeCurrent();
   void rename(const PlanTree::Entry& entry, const QString& name);
   void readSemantics(const QString& file);
+  void askForProgram();
+  void exportProgram(const Post& post, const QString& file);
+  void importProgram(const QString& file);
   void verify();
   void report(const Error& error);
   void followDocument();
@@ -85,7 +89,8 @@ class CellPaths : public QObject {
   PlanTree* m_tree;
   std::shared_ptr<PathLayer> m_layer;
   std::map<std::string, Check> m_checks;  // by the name of the path
-  QAction m_store, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_semantics, m_remove;
+  QAction m_store, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export, m_import,
+      m_semantics, m_remove;
   QMenu* m_menu;  // owned by the window
 };
 

@@ -6,8 +6,10 @@
 #include "document/cell/CellErrors.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
+#include "robot/program/PathFile.h"
 #include "text/ErrorText.h"
 #include "tools/cell/ConfigurationOperation.h"
+#include "tools/cell/PathExport.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PlanDialog.h"
@@ -234,6 +236,75 @@ void CellPaths::readSemantics(const QString& file) {
   }
   error.subject = QFile::encodeName(file).toStdString();
   report(error);
+}
+
+void CellPaths::askForProgram() {
+  if (!checked()) return;
+  QStringList filters;
+  for (const auto& post : posts())
+    filters += QStringLiteral("%1 (*%2)").arg(QLatin1String(post->title()), QLatin1String(post->ending()));
+  const QString folder = QFileInfo(m_document->document.path()).path();
+  auto* dialog = new QFileDialog(m_parts.window, tr("Export a robot program"),
+                                 folder + QLatin1Char('/') + QString::fromStdString(path()->name),
+                                 filters.join(QStringLiteral(";;")));
+  dialog->setObjectName(QStringLiteral("exportProgramDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, filters](const QString& file) {
+    const qsizetype chosen = std::max<qsizetype>(0, filters.indexOf(dialog->selectedNameFilter()));
+    const Post& post = *posts()[static_cast<std::size_t>(chosen)];
+    const QString ending = QLatin1String(post.ending());
+    exportProgram(post, file.endsWith(ending, Qt::CaseInsensitive) ? file : file + ending);
+  });
+  dialog->open();
+}
+
+void CellPaths::exportProgram(const Post& post, const QString& file) {
+  const auto scene = m_collisions.scene();
+  const auto known = checked();
+  if (!scene || !known || !path()) return;
+  const Result<WrittenProgram> written =
+      writeProgram(*scene, plans(), *path(), *known, post, QFile::encodeName(file).toStdString());
+  if (!written) return report(written.error());
+  const QLocale locale;
+  QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written->check.motions))
+                       .arg(locale.toString(written->check.distance, 'g', 2));
+  if (written->exactStops > 0) {
+    detail += QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as their zones are not free everywhere.", nullptr,
+                                    static_cast<int>(written->exactStops));
+  }
+  emit message({Message::Weight::Info,
+                tr("%1 was written").arg(QFileInfo(file).fileName()),
+                detail,
+                {},
+                {},
+                {},
+                {},
+                {},
+                &m_document->document});
+}
+
+void CellPaths::importProgram(const QString& file) {
+  const auto scene = m_collisions.scene();
+  if (!scene) return;
+  const std::string name = QFile::encodeName(file).toStdString();
+  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
+  const Result<std::string> bytes = readFileHead(name, Post::kLargestText);
+  const Post* const post = postForEnding(name);
+  Result<RobotPath> read = !bytes ? Result<RobotPath>(bytes.error())
+                           : post ? pathFromProgram(*scene, *content, *post, *bytes)
+                                  : readPath(*bytes, cell().robot().model, cell().joints());
+  if (!read) {
+    Error error = read.error();
+    error.subject = name;
+    return report(error);
+  }
+  CellPlans changed = plans();
+  read->name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
+  const PlanTree::Entry entry{Kind::Path, read->name};
+  changed.paths.push_back(std::move(read).value());
+  commit(tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
+  m_tree->select(entry);
 }
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/RobotCellUi.h"
 
+#include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
 #include "document/scene/BodyDisplay.h"
@@ -13,6 +14,7 @@
 #include "tools/cell/CellTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
+#include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/cell/BodySight.h"
 #include "window/cell/CollisionColour.h"
@@ -21,6 +23,7 @@
 #include "window/tools/ToolHost.h"
 
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
@@ -35,12 +38,16 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
       m_collisions(window, this),
       m_paths(window, m_collisions, this),
       m_pathDock(window, m_paths, this),
+      m_builtIn(tr("&New cell with a built-in robot…"), this),
       m_panel(makePanel()) {
   const auto follow = [&kind, &choice = window.fidelity] {
     kind.setShapeSides(static_cast<std::uint32_t>(choice.values().of(shapeSidesSetting())));
   };
   connect(&window.fidelity, &FidelityChoice::changed, this, follow);
   follow();
+  prepare(m_builtIn, "newBuiltInCell", "kind-cell",
+          tr("Begin a cell with a robot of the library, by its makers' tables"));
+  connect(&m_builtIn, &QAction::triggered, this, &RobotCellUi::askForRobot);
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
   connect(&m_paths, &CellPaths::message, this, &KindUi::message);
   connect(&m_pathDock, &PathDock::partsShown, this, &RobotCellUi::showPast);
@@ -115,8 +122,27 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
 }
 
+void RobotCellUi::askForRobot() {
+  QStringList titles;
+  for (const LibraryRobot& robot : robotLibrary()) titles += QString::fromUtf8(robot.title);
+  auto* dialog = new QInputDialog(parts().window);
+  dialog->setObjectName(QStringLiteral("builtInRobotDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("New cell"));
+  dialog->setLabelText(tr("Robot:"));
+  dialog->setComboBoxItems(titles);
+  connect(dialog, &QInputDialog::textValueSelected, this, [this, titles](const QString& title) {
+    const LibraryRobot& robot = robotLibrary()[static_cast<std::size_t>(std::max<qsizetype>(0, titles.indexOf(title)))];
+    OpenedFile opened;
+    opened.kind = parts().kinds.withId("cell");
+    opened.content = cellOf(*libraryTable(robot.id));
+    parts().openDocument(std::move(opened));
+  });
+  dialog->open();
+}
+
 QList<QAction*> RobotCellUi::menu() {
-  return m_bodies.all() + m_paths.all() + QList<QAction*>{m_pathDock.action()};
+  return QList<QAction*>{&m_builtIn} + m_bodies.all() + m_paths.all() + QList<QAction*>{m_pathDock.action()};
 }
 
 QList<QAction*> RobotCellUi::toolBar() {

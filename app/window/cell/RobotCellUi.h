@@ -44,6 +44,7 @@ class RobotCellUi : public RigidPartsUi {
   DisplayModel displayed(const Document& document) const override;
   std::optional<Body> shownBody(const Document& document) const;
   QWidget* makePanel();
+  void askForRobot();
   void select(const Pick& pick);
   void markSelected(bool isCovered);
   void lookAgain();
@@ -53,6 +54,7 @@ class RobotCellUi : public RigidPartsUi {
   CellCollisions m_collisions;
   CellPaths m_paths;
   PathDock m_pathDock;
+  QAction m_builtIn;
   QPointer<QWidget> m_panel;
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged
