@@ -1021,6 +1021,114 @@
         <source>Turn a model solution and take it as the target.</source>
         <translation>Drehen Sie eine Musterlösung und übernehmen Sie sie als Ziel.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is neither a configuration of the cell nor a value for each joint</source>
+        <translation>„%1“ ist weder eine Stellung der Zelle noch ein Wert für jedes Gelenk</translation>
+    </message>
+    <message>
+        <source>Name a configuration, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
+        <translation>Nennen Sie eine Stellung, oder geben Sie die Gelenkwerte im Bogenmaß an („0 0.5 -1 …“).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a path of the cell nor a file</source>
+        <translation>„%1“ ist weder eine Bahn der Zelle noch eine Datei</translation>
+    </message>
+    <message>
+        <source>Name a path of the cell (&apos;inspect&apos; lists them), or a file with one.</source>
+        <translation>Nennen Sie eine Bahn der Zelle („inspect“ zeigt sie), oder eine Datei mit einer.</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; has fewer than two places</source>
+        <translation>die Bahn „%1“ hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>Add the places that the robot is to move to.</source>
+        <translation>Fügen Sie die Punkte hinzu, die der Roboter anfahren soll.</translation>
+    </message>
+    <message>
+        <source>at %1 the robot collides: %2 with %3</source>
+        <translation>bei %1 stößt der Roboter an: %2 mit %3</translation>
+    </message>
+    <message>
+        <source>Move the robot away there, require less clearance, or allow this pair.</source>
+        <translation>Bewegen Sie den Roboter dort weg, verlangen Sie weniger Abstand, oder erlauben Sie dieses Paar.</translation>
+    </message>
+    <message>
+        <source>at %1 the joint %2 is beyond its limits</source>
+        <translation>bei %1 ist das Gelenk %2 außerhalb seiner Grenzen</translation>
+    </message>
+    <message>
+        <source>Give joint values within the limits.</source>
+        <translation>Geben Sie Gelenkwerte innerhalb der Grenzen an.</translation>
+    </message>
+    <message>
+        <source>no path from %1 to %2 was found in %3 s</source>
+        <translation>von %1 nach %2 wurde in %3 s keine Bahn gefunden</translation>
+    </message>
+    <message>
+        <source>Allow more time, or insert a critical configuration in between.</source>
+        <translation>Lassen Sie mehr Zeit, oder fügen Sie eine kritische Stellung dazwischen ein.</translation>
+    </message>
+    <message>
+        <source>at %1 a joint beside the arm, such as a finger, has another value</source>
+        <translation>bei %1 hat ein Gelenk neben dem Arm, etwa ein Finger, einen anderen Wert</translation>
+    </message>
+    <message>
+        <source>Only the joints between base and tool are planned; the others must stay.</source>
+        <translation>Nur die Gelenke zwischen Fuß und Werkzeug werden geplant; die anderen müssen bleiben.</translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the straight line to %1: it stops after %2 %</source>
+        <translation>der Arm kann der geraden Linie nach %1 nicht folgen: er hält nach %2 % an</translation>
+    </message>
+    <message>
+        <source>Move to it by the joints, or choose the same configuration at both ends.</source>
+        <translation>Fahren Sie ihn über die Gelenke an, oder wählen Sie an beiden Enden dieselbe Stellung des Arms.</translation>
+    </message>
+    <message>
+        <source>the robot cannot reach where motion %1 ends</source>
+        <translation>der Roboter kann das Ende der Bewegung %1 nicht erreichen</translation>
+    </message>
+    <message>
+        <source>Check that the program is for this robot, its tool and its frame.</source>
+        <translation>Prüfen Sie, ob das Programm zu diesem Roboter, seinem Werkzeug und seinem Koordinatensystem gehört.</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; collides in %2 places, first %3 with %4</source>
+        <translation>die Bahn „%1“ stößt an %2 Stellen an, zuerst %3 mit %4</translation>
+    </message>
+    <message>
+        <source>Plan it again, or see all of them with &apos;verify&apos;.</source>
+        <translation>Planen Sie sie neu, oder sehen Sie alle mit „verify“ an.</translation>
+    </message>
+    <message>
+        <source>%1 programs move %2 joints, and this arm has %3</source>
+        <translation>Programme in %1 bewegen %2 Gelenke, dieser Arm hat %3</translation>
+    </message>
+    <message>
+        <source>Write the path as CSV or JSON.</source>
+        <translation>Schreiben Sie die Bahn als CSV oder JSON.</translation>
+    </message>
+    <message>
+        <source>joint %2 of the arm is a slide, which %1 programs have none of</source>
+        <translation>Gelenk %2 des Arms ist ein Schubgelenk, das es in Programmen in %1 nicht gibt</translation>
+    </message>
+    <message>
+        <source>the path has %1 motions, and a program can have %2</source>
+        <translation>die Bahn hat %1 Bewegungen, ein Programm kann %2 haben</translation>
+    </message>
+    <message>
+        <source>Divide the path.</source>
+        <translation>Teilen Sie die Bahn.</translation>
+    </message>
+    <message>
+        <source>motion %1 has a value that is not a number</source>
+        <translation>Bewegung %1 hat einen Wert, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>Plan the path again.</source>
+        <translation>Planen Sie die Bahn neu.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2059,6 +2167,90 @@
     <message>
         <source>its name is not unique</source>
         <translation>sein Name ist nicht eindeutig</translation>
+    </message>
+    <message>
+        <source>a list of names was expected</source>
+        <translation>eine Liste von Namen wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a number for each joint was expected</source>
+        <translation>eine Zahl für jedes Gelenk wurde erwartet</translation>
+    </message>
+    <message>
+        <source>its joints are missing</source>
+        <translation>seine Gelenke fehlen</translation>
+    </message>
+    <message>
+        <source>joint or linear was expected</source>
+        <translation>joint oder linear wurde erwartet</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>a circular motion</source>
+        <translation>eine Kreisbewegung</translation>
+    </message>
+    <message>
+        <source>motions</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>the %1 program</source>
+        <translation>das Programm in %1</translation>
+    </message>
+    <message>
+        <source>a name and := were expected</source>
+        <translation>ein Name und := wurden erwartet</translation>
+    </message>
+    <message>
+        <source>numbers in brackets were expected</source>
+        <translation>Zahlen in Klammern wurden erwartet</translation>
+    </message>
+    <message>
+        <source>there are too many motions</source>
+        <translation>es sind zu viele Bewegungen</translation>
+    </message>
+    <message>
+        <source>it is neither numbers nor a name given before</source>
+        <translation>es sind weder Zahlen noch ein vorher genannter Name</translation>
+    </message>
+    <message>
+        <source>functions as Offs are not read</source>
+        <translation>Funktionen wie Offs werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>it has too few numbers</source>
+        <translation>es hat zu wenige Zahlen</translation>
+    </message>
+    <message>
+        <source>its quaternion has no direction</source>
+        <translation>seine Quaternion hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>six axes or X, Y, Z, A, B, C were expected</source>
+        <translation>sechs Achsen oder X, Y, Z, A, B, C wurden erwartet</translation>
+    </message>
+    <message>
+        <source>six numbers in brackets were expected</source>
+        <translation>sechs Zahlen in Klammern wurden erwartet</translation>
+    </message>
+    <message>
+        <source>P[number] was expected</source>
+        <translation>P[Nummer] wurde erwartet</translation>
+    </message>
+    <message>
+        <source>its place is not in /POS, or not all of it</source>
+        <translation>sein Punkt steht nicht oder nicht ganz in /POS</translation>
+    </message>
+    <message>
+        <source>a number and a name were expected</source>
+        <translation>eine Nummer und ein Name wurden erwartet</translation>
     </message>
 </context>
 <context>
@@ -4484,6 +4676,66 @@
         <source>Sharp corners instead of radii up to</source>
         <translation>Scharfe Ecken statt Radien bis</translation>
     </message>
+    <message>
+        <source>SBL</source>
+        <translation>SBL</translation>
+    </message>
+    <message>
+        <source>RRTConnect (OMPL)</source>
+        <translation>RRTConnect (OMPL)</translation>
+    </message>
+    <message>
+        <source>PRM (OMPL)</source>
+        <translation>PRM (OMPL)</translation>
+    </message>
+    <message>
+        <source>Lazy PRM (OMPL)</source>
+        <translation>Lazy PRM (OMPL)</translation>
+    </message>
+    <message>
+        <source>SBL (OMPL)</source>
+        <translation>SBL (OMPL)</translation>
+    </message>
+    <message>
+        <source>BiTRRT (OMPL)</source>
+        <translation>BiTRRT (OMPL)</translation>
+    </message>
+    <message>
+        <source>BKPIECE (OMPL)</source>
+        <translation>BKPIECE (OMPL)</translation>
+    </message>
+    <message>
+        <source>EST (OMPL)</source>
+        <translation>EST (OMPL)</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planer</translation>
+    </message>
+    <message>
+        <source>Time limit (s)</source>
+        <translation>Zeitgrenze (s)</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Abkürzungen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Where the robot stands</source>
+        <translation>Wo der Roboter steht</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -5883,6 +6135,14 @@
         <source>Planning benchmark</source>
         <translation>Vergleich der Bahnplanung</translation>
     </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>Plan path</source>
+        <translation>Bahn planen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -6327,6 +6587,305 @@
     <message>
         <source>Unlink the file of %1</source>
         <translation>Verknüpfung von %1 mit der Datei lösen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellCollisions</name>
+    <message>
+        <source>Preparing the cell for collisions</source>
+        <translation>Zelle wird für Kollisionen vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellPaths</name>
+    <message>
+        <source>&amp;Store this configuration</source>
+        <translation>Diese &amp;Stellung speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Go to it</source>
+        <translation>&amp;Hinfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a path…</source>
+        <translation>Bahn &amp;planen…</translation>
+    </message>
+    <message>
+        <source>Plan the path &amp;again</source>
+        <translation>Bahn &amp;neu planen</translation>
+    </message>
+    <message>
+        <source>&amp;Insert this configuration into the path</source>
+        <translation>Diese Stellung in die Bahn e&amp;infügen</translation>
+    </message>
+    <message>
+        <source>Set the place to &amp;here</source>
+        <translation>Punkt &amp;hierher setzen</translation>
+    </message>
+    <message>
+        <source>Move the place &amp;up</source>
+        <translation>Punkt nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move the place &amp;down</source>
+        <translation>Punkt nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Straight &amp;line to the place</source>
+        <translation>Gerade &amp;Linie zum Punkt</translation>
+    </message>
+    <message>
+        <source>&amp;Verify the path</source>
+        <translation>Bahn prü&amp;fen</translation>
+    </message>
+    <message>
+        <source>&amp;Export a robot program…</source>
+        <translation>Roboterprogramm &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Open a robot program as a pa&amp;th…</source>
+        <translation>Roboterprogramm als &amp;Bahn öffnen…</translation>
+    </message>
+    <message>
+        <source>Read allowed pairs (S&amp;RDF)…</source>
+        <translation>Erlaubte Paare lesen (SR&amp;DF)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move from the plan</source>
+        <translation>Aus der Planung entfe&amp;rnen</translation>
+    </message>
+    <message>
+        <source>Store where the robot stands under a name</source>
+        <translation>Speichert die Stellung des Roboters unter einem Namen</translation>
+    </message>
+    <message>
+        <source>Move the robot to the selected configuration or place</source>
+        <translation>Bewegt den Roboter in die gewählte Stellung oder zum gewählten Punkt</translation>
+    </message>
+    <message>
+        <source>Plan a path between configurations that is proven free of collisions</source>
+        <translation>Plant eine Bahn zwischen Stellungen, die bewiesen kollisionsfrei ist</translation>
+    </message>
+    <message>
+        <source>Plan the path again through its critical places</source>
+        <translation>Plant die Bahn durch ihre kritischen Punkte neu</translation>
+    </message>
+    <message>
+        <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
+        <translation>Fügt die Stellung des Roboters hinter dem gewählten Punkt als kritische Stellung ein</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the robot stands</source>
+        <translation>Ersetzt den gewählten Punkt durch die Stellung des Roboters</translation>
+    </message>
+    <message>
+        <source>Let the robot come to the selected place earlier</source>
+        <translation>Lässt den Roboter früher zum gewählten Punkt kommen</translation>
+    </message>
+    <message>
+        <source>Let the robot come to the selected place later</source>
+        <translation>Lässt den Roboter später zum gewählten Punkt kommen</translation>
+    </message>
+    <message>
+        <source>Move the tool&apos;s centre point to the place along a straight line</source>
+        <translation>Bewegt den Werkzeugmittelpunkt auf einer geraden Linie zum Punkt</translation>
+    </message>
+    <message>
+        <source>Prove each motion free of collisions, or list all that collides</source>
+        <translation>Beweist jede Bewegung kollisionsfrei, oder zeigt alle Kollisionen</translation>
+    </message>
+    <message>
+        <source>Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions</source>
+        <translation>Schreibt die Bahn für eine Steuerung (RAPID, KRL, Fanuc, URScript, CSV, JSON), wenn sie kollisionsfrei ist</translation>
+    </message>
+    <message>
+        <source>Read a program of a controller as a path of this cell</source>
+        <translation>Liest das Programm einer Steuerung als Bahn dieser Zelle</translation>
+    </message>
+    <message>
+        <source>Read the pairs of links that may touch, and named states</source>
+        <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen</translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path or place</source>
+        <translation>Entfernt die gewählte Stellung, die Bahn oder den Punkt</translation>
+    </message>
+    <message>
+        <source>Open a robot program</source>
+        <translation>Roboterprogramm öffnen</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)</source>
+        <translation>Roboterprogramme (*.mod *.src *.ls *.script *.csv *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Read allowed pairs</source>
+        <translation>Erlaubte Paare lesen</translation>
+    </message>
+    <message>
+        <source>Semantic descriptions (*.srdf *.xml);;All files (*)</source>
+        <translation>Semantische Beschreibungen (*.srdf *.xml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Verifying the path</source>
+        <translation>Bahn wird geprüft</translation>
+    </message>
+    <message>
+        <source>cannot be verified</source>
+        <translation>kann nicht geprüft werden</translation>
+    </message>
+    <message>
+        <source>verifying…</source>
+        <translation>wird geprüft…</translation>
+    </message>
+    <message>
+        <source>free of collisions, %1 s</source>
+        <translation>kollisionsfrei, %1 s</translation>
+    </message>
+    <message>
+        <source>line cannot be followed</source>
+        <translation>Linie kann nicht gefahren werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln collision(s)</source>
+        <translation>
+            <numerusform>%Ln Kollision</numerusform>
+            <numerusform>%Ln Kollisionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open a robot cell first.</source>
+        <translation>Öffnen Sie zuerst eine Roboterzelle.</translation>
+    </message>
+    <message>
+        <source>Select a place of a path first.</source>
+        <translation>Wählen Sie zuerst einen Punkt einer Bahn.</translation>
+    </message>
+    <message>
+        <source>Select a path first.</source>
+        <translation>Wählen Sie zuerst eine Bahn.</translation>
+    </message>
+    <message>
+        <source>Store a configuration first: where the path is to begin or end.</source>
+        <translation>Speichern Sie zuerst eine Stellung, in der die Bahn beginnen oder enden soll.</translation>
+    </message>
+    <message>
+        <source>Select a configuration or a place first.</source>
+        <translation>Wählen Sie zuerst eine Stellung oder einen Punkt.</translation>
+    </message>
+    <message>
+        <source>Only a path that is proven free of collisions is exported.</source>
+        <translation>Nur eine Bahn, die bewiesen kollisionsfrei ist, wird exportiert.</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path or a place first.</source>
+        <translation>Wählen Sie zuerst eine Stellung, eine Bahn oder einen Punkt.</translation>
+    </message>
+    <message>
+        <source>This could not be done</source>
+        <translation>Das war nicht möglich</translation>
+    </message>
+    <message>
+        <source>Configuration %1</source>
+        <translation>Stellung %1</translation>
+    </message>
+    <message>
+        <source>Store %1</source>
+        <translation>%1 speichern</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Nach %1 fahren</translation>
+    </message>
+    <message>
+        <source>Go to place %1 of %2</source>
+        <translation>Zu Punkt %1 von %2 fahren</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>%1 planen</translation>
+    </message>
+    <message>
+        <source>Plan %1 again</source>
+        <translation>%1 neu planen</translation>
+    </message>
+    <message>
+        <source>The cell is still being prepared</source>
+        <translation>Die Zelle wird noch vorbereitet</translation>
+    </message>
+    <message>
+        <source>Plan again in a moment.</source>
+        <translation>Planen Sie gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>Planning %1</source>
+        <translation>%1 wird geplant</translation>
+    </message>
+    <message>
+        <source>Insert a place into %1</source>
+        <translation>Punkt in %1 einfügen</translation>
+    </message>
+    <message>
+        <source>Set place %1 of %2</source>
+        <translation>Punkt %1 von %2 setzen</translation>
+    </message>
+    <message>
+        <source>Move place %1 of %2</source>
+        <translation>Punkt %1 von %2 verschieben</translation>
+    </message>
+    <message>
+        <source>Straight line to place %1</source>
+        <translation>Gerade Linie zu Punkt %1</translation>
+    </message>
+    <message>
+        <source>Joint motion to place %1</source>
+        <translation>Gelenkbewegung zu Punkt %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove place %1 of %2</source>
+        <translation>Punkt %1 von %2 entfernen</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Read %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>Export a robot program</source>
+        <translation>Roboterprogramm exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln motion(s), read back within %1 mm.</source>
+        <translation>
+            <numerusform>%Ln Bewegung, zurückgelesen auf %1 mm genau.</numerusform>
+            <numerusform>%Ln Bewegungen, zurückgelesen auf %1 mm genau.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became exact stops, as their zones are not free everywhere.</source>
+        <translation>
+            <numerusform>%Ln Überschleifen wurde zum Genauhalt, da seine Zone nicht überall frei ist.</numerusform>
+            <numerusform>%Ln Überschleifen wurden zu Genauhalten, da ihre Zonen nicht überall frei sind.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was written</source>
+        <translation>%1 wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
     </message>
 </context>
 <context>
@@ -8576,6 +9135,111 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PathDock</name>
+    <message>
+        <source>Pl&amp;ay the path</source>
+        <translation>Bahn &amp;abspielen</translation>
+    </message>
+    <message>
+        <source>Plays the path on a time line, with its clearance and what collides</source>
+        <translation>Spielt die Bahn auf einer Zeitleiste ab, mit Abstand und Kollisionen</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>The path is being verified.</source>
+        <translation>Die Bahn wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Select a path in the panel, or plan one, to play it here.</source>
+        <translation>Wählen oder planen Sie eine Bahn, um sie hier abzuspielen.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Margin to the limits</source>
+        <translation>Abstand zu den Grenzen</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Manipulability</source>
+        <translation>Manipulierbarkeit</translation>
+    </message>
+    <message>
+        <source>Collision: %1 with %2</source>
+        <translation>Kollision: %1 mit %2</translation>
+    </message>
+    <message>
+        <source>To place %1 of %2: X %3  Y %4  Z %5 mm</source>
+        <translation>Zu Punkt %1 von %2: X %3  Y %4  Z %5 mm</translation>
+    </message>
+    <message>
+        <source>; collision: %1 with %2</source>
+        <translation>; Kollision: %1 mit %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PlanDialog</name>
+    <message>
+        <source>Plan a path</source>
+        <translation>Bahn planen</translation>
+    </message>
+    <message>
+        <source>Critical configurations on the way, from the top down (drag to reorder):</source>
+        <translation>Kritische Stellungen auf dem Weg, von oben nach unten (Ziehen ordnet um):</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planen</translation>
+    </message>
+    <message>
+        <source>The path begins where it ends: choose another end.</source>
+        <translation>Die Bahn beginnt, wo sie endet: Wählen Sie ein anderes Ende.</translation>
+    </message>
+    <message>
+        <source>The path is proven free of collisions everywhere between its places.</source>
+        <translation>Die Bahn ist überall zwischen ihren Punkten bewiesen kollisionsfrei.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PlanTree</name>
+    <message>
+        <source>Configurations and paths</source>
+        <translation>Stellungen und Bahnen</translation>
+    </message>
+    <message>
+        <source>Configurations</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>gerade Linie</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: critical</source>
+        <translation>%1: kritisch</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PlotWidget</name>
     <message>
         <source>%1: %2, %3</source>
@@ -9737,6 +10401,26 @@
             <numerusform>%n beweglichen Gelenk</numerusform>
             <numerusform>%n beweglichen Gelenken</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;New cell with a built-in robot…</source>
+        <translation>&amp;Neue Zelle mit mitgeliefertem Roboter…</translation>
+    </message>
+    <message>
+        <source>Begin a cell with a robot of the library, by its makers&apos; tables</source>
+        <translation>Beginnt eine Zelle mit einem Roboter der Bibliothek nach den Tabellen des Herstellers</translation>
+    </message>
+    <message>
+        <source>Configurations and paths</source>
+        <translation>Stellungen und Bahnen</translation>
+    </message>
+    <message>
+        <source>New cell</source>
+        <translation>Neue Zelle</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>Roboter:</translation>
     </message>
 </context>
 <context>

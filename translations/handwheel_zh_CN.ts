@@ -1021,6 +1021,114 @@
         <source>Turn a model solution and take it as the target.</source>
         <translation>请车出一个示范解答，并将其设为目标。</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is neither a configuration of the cell nor a value for each joint</source>
+        <translation>“%1”既不是单元中的位形，也不是每个关节的数值</translation>
+    </message>
+    <message>
+        <source>Name a configuration, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
+        <translation>请指定一个位形，或以弧度给出关节值（“0 0.5 -1 …”）。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a path of the cell nor a file</source>
+        <translation>“%1”既不是单元中的路径，也不是文件</translation>
+    </message>
+    <message>
+        <source>Name a path of the cell (&apos;inspect&apos; lists them), or a file with one.</source>
+        <translation>请指定单元中的路径（用 inspect 列出），或包含路径的文件。</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; has fewer than two places</source>
+        <translation>路径“%1”少于两个位置</translation>
+    </message>
+    <message>
+        <source>Add the places that the robot is to move to.</source>
+        <translation>请添加机器人要到达的位置。</translation>
+    </message>
+    <message>
+        <source>at %1 the robot collides: %2 with %3</source>
+        <translation>在 %1 处机器人发生碰撞：%2 与 %3</translation>
+    </message>
+    <message>
+        <source>Move the robot away there, require less clearance, or allow this pair.</source>
+        <translation>请在该处移开机器人，减小所需间隙，或允许该对接触。</translation>
+    </message>
+    <message>
+        <source>at %1 the joint %2 is beyond its limits</source>
+        <translation>在 %1 处，关节 %2 超出限位</translation>
+    </message>
+    <message>
+        <source>Give joint values within the limits.</source>
+        <translation>请给出限位内的关节值。</translation>
+    </message>
+    <message>
+        <source>no path from %1 to %2 was found in %3 s</source>
+        <translation>在 %3 秒内未找到从 %1 到 %2 的路径</translation>
+    </message>
+    <message>
+        <source>Allow more time, or insert a critical configuration in between.</source>
+        <translation>请给予更多时间，或在中间插入一个关键位形。</translation>
+    </message>
+    <message>
+        <source>at %1 a joint beside the arm, such as a finger, has another value</source>
+        <translation>在 %1 处，机械臂之外的关节（如手指）的值不同</translation>
+    </message>
+    <message>
+        <source>Only the joints between base and tool are planned; the others must stay.</source>
+        <translation>只规划基座与工具之间的关节；其余关节必须保持不动。</translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the straight line to %1: it stops after %2 %</source>
+        <translation>机械臂无法沿直线到达 %1：在 %2 % 处停止</translation>
+    </message>
+    <message>
+        <source>Move to it by the joints, or choose the same configuration at both ends.</source>
+        <translation>请以关节运动到达，或在两端选择相同的位形。</translation>
+    </message>
+    <message>
+        <source>the robot cannot reach where motion %1 ends</source>
+        <translation>机器人无法到达运动 %1 的终点</translation>
+    </message>
+    <message>
+        <source>Check that the program is for this robot, its tool and its frame.</source>
+        <translation>请检查程序是否适用于此机器人、其工具和坐标系。</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; collides in %2 places, first %3 with %4</source>
+        <translation>路径“%1”在 %2 处碰撞，首先是 %3 与 %4</translation>
+    </message>
+    <message>
+        <source>Plan it again, or see all of them with &apos;verify&apos;.</source>
+        <translation>请重新规划，或用 verify 查看全部。</translation>
+    </message>
+    <message>
+        <source>%1 programs move %2 joints, and this arm has %3</source>
+        <translation>%1 程序控制 %2 个关节，而该机械臂有 %3 个</translation>
+    </message>
+    <message>
+        <source>Write the path as CSV or JSON.</source>
+        <translation>请将路径写为 CSV 或 JSON。</translation>
+    </message>
+    <message>
+        <source>joint %2 of the arm is a slide, which %1 programs have none of</source>
+        <translation>机械臂的关节 %2 是移动关节，%1 程序不支持</translation>
+    </message>
+    <message>
+        <source>the path has %1 motions, and a program can have %2</source>
+        <translation>路径有 %1 个运动，而程序最多 %2 个</translation>
+    </message>
+    <message>
+        <source>Divide the path.</source>
+        <translation>请拆分路径。</translation>
+    </message>
+    <message>
+        <source>motion %1 has a value that is not a number</source>
+        <translation>运动 %1 含有非数值</translation>
+    </message>
+    <message>
+        <source>Plan the path again.</source>
+        <translation>请重新规划路径。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2059,6 +2167,90 @@
     <message>
         <source>its name is not unique</source>
         <translation>其名称不唯一</translation>
+    </message>
+    <message>
+        <source>a list of names was expected</source>
+        <translation>应为名称列表</translation>
+    </message>
+    <message>
+        <source>a number for each joint was expected</source>
+        <translation>每个关节应有一个数值</translation>
+    </message>
+    <message>
+        <source>its joints are missing</source>
+        <translation>缺少关节</translation>
+    </message>
+    <message>
+        <source>joint or linear was expected</source>
+        <translation>应为 joint 或 linear</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>a circular motion</source>
+        <translation>圆弧运动</translation>
+    </message>
+    <message>
+        <source>motions</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>the %1 program</source>
+        <translation>%1 程序</translation>
+    </message>
+    <message>
+        <source>a name and := were expected</source>
+        <translation>应为名称和 :=</translation>
+    </message>
+    <message>
+        <source>numbers in brackets were expected</source>
+        <translation>应为括号中的数值</translation>
+    </message>
+    <message>
+        <source>there are too many motions</source>
+        <translation>运动太多</translation>
+    </message>
+    <message>
+        <source>it is neither numbers nor a name given before</source>
+        <translation>既不是数值，也不是先前定义的名称</translation>
+    </message>
+    <message>
+        <source>functions as Offs are not read</source>
+        <translation>不读取 Offs 之类的函数</translation>
+    </message>
+    <message>
+        <source>it has too few numbers</source>
+        <translation>数值太少</translation>
+    </message>
+    <message>
+        <source>its quaternion has no direction</source>
+        <translation>其四元数没有方向</translation>
+    </message>
+    <message>
+        <source>six axes or X, Y, Z, A, B, C were expected</source>
+        <translation>应为六个轴或 X、Y、Z、A、B、C</translation>
+    </message>
+    <message>
+        <source>six numbers in brackets were expected</source>
+        <translation>应为括号中的六个数值</translation>
+    </message>
+    <message>
+        <source>P[number] was expected</source>
+        <translation>应为 P[编号]</translation>
+    </message>
+    <message>
+        <source>its place is not in /POS, or not all of it</source>
+        <translation>其位置不在 /POS 中，或不完整</translation>
+    </message>
+    <message>
+        <source>a number and a name were expected</source>
+        <translation>应为编号和名称</translation>
     </message>
 </context>
 <context>
@@ -4477,6 +4669,66 @@
         <source>Sharp corners instead of radii up to</source>
         <translation>改为尖角的最大圆角半径</translation>
     </message>
+    <message>
+        <source>SBL</source>
+        <translation>SBL</translation>
+    </message>
+    <message>
+        <source>RRTConnect (OMPL)</source>
+        <translation>RRTConnect (OMPL)</translation>
+    </message>
+    <message>
+        <source>PRM (OMPL)</source>
+        <translation>PRM (OMPL)</translation>
+    </message>
+    <message>
+        <source>Lazy PRM (OMPL)</source>
+        <translation>Lazy PRM (OMPL)</translation>
+    </message>
+    <message>
+        <source>SBL (OMPL)</source>
+        <translation>SBL (OMPL)</translation>
+    </message>
+    <message>
+        <source>BiTRRT (OMPL)</source>
+        <translation>BiTRRT (OMPL)</translation>
+    </message>
+    <message>
+        <source>BKPIECE (OMPL)</source>
+        <translation>BKPIECE (OMPL)</translation>
+    </message>
+    <message>
+        <source>EST (OMPL)</source>
+        <translation>EST (OMPL)</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>规划器</translation>
+    </message>
+    <message>
+        <source>Time limit (s)</source>
+        <translation>时间限制 (s)</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>捷径次数</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Where the robot stands</source>
+        <translation>机器人当前位置</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -5839,6 +6091,14 @@
         <source>Planning benchmark</source>
         <translation>路径规划比较</translation>
     </message>
+    <message>
+        <source>Configuration</source>
+        <translation>位形</translation>
+    </message>
+    <message>
+        <source>Plan path</source>
+        <translation>规划路径</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -6279,6 +6539,302 @@
     <message>
         <source>Unlink the file of %1</source>
         <translation>取消 %1 的文件链接</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellCollisions</name>
+    <message>
+        <source>Preparing the cell for collisions</source>
+        <translation>正在为碰撞检测准备单元</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellPaths</name>
+    <message>
+        <source>&amp;Store this configuration</source>
+        <translation>保存此位形(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to it</source>
+        <translation>前往(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Plan a path…</source>
+        <translation>规划路径(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Plan the path &amp;again</source>
+        <translation>重新规划路径(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Insert this configuration into the path</source>
+        <translation>将此位形插入路径(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Set the place to &amp;here</source>
+        <translation>将位置设为此处(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Move the place &amp;up</source>
+        <translation>位置上移(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move the place &amp;down</source>
+        <translation>位置下移(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Straight &amp;line to the place</source>
+        <translation>直线到该位置(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Verify the path</source>
+        <translation>验证路径(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Export a robot program…</source>
+        <translation>导出机器人程序(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Open a robot program as a pa&amp;th…</source>
+        <translation>将机器人程序作为路径打开(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Read allowed pairs (S&amp;RDF)…</source>
+        <translation>读取允许接触的对 (S&amp;RDF)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move from the plan</source>
+        <translation>从规划中移除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Store where the robot stands under a name</source>
+        <translation>以名称保存机器人当前位形</translation>
+    </message>
+    <message>
+        <source>Move the robot to the selected configuration or place</source>
+        <translation>将机器人移到所选位形或位置</translation>
+    </message>
+    <message>
+        <source>Plan a path between configurations that is proven free of collisions</source>
+        <translation>在位形之间规划一条已证明无碰撞的路径</translation>
+    </message>
+    <message>
+        <source>Plan the path again through its critical places</source>
+        <translation>经过关键位置重新规划路径</translation>
+    </message>
+    <message>
+        <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
+        <translation>将机器人当前位形作为关键位形插入所选位置之后</translation>
+    </message>
+    <message>
+        <source>Replace the selected place by where the robot stands</source>
+        <translation>用机器人当前位形替换所选位置</translation>
+    </message>
+    <message>
+        <source>Let the robot come to the selected place earlier</source>
+        <translation>让机器人更早到达所选位置</translation>
+    </message>
+    <message>
+        <source>Let the robot come to the selected place later</source>
+        <translation>让机器人更晚到达所选位置</translation>
+    </message>
+    <message>
+        <source>Move the tool&apos;s centre point to the place along a straight line</source>
+        <translation>使工具中心点沿直线移到该位置</translation>
+    </message>
+    <message>
+        <source>Prove each motion free of collisions, or list all that collides</source>
+        <translation>证明每个运动无碰撞，或列出所有碰撞</translation>
+    </message>
+    <message>
+        <source>Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions</source>
+        <translation>将无碰撞的路径写为控制器程序（RAPID、KRL、Fanuc、URScript、CSV、JSON）</translation>
+    </message>
+    <message>
+        <source>Read a program of a controller as a path of this cell</source>
+        <translation>将控制器程序读为此单元的路径</translation>
+    </message>
+    <message>
+        <source>Read the pairs of links that may touch, and named states</source>
+        <translation>读取可接触的连杆对和命名状态</translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path or place</source>
+        <translation>移除所选位形、路径或位置</translation>
+    </message>
+    <message>
+        <source>Open a robot program</source>
+        <translation>打开机器人程序</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)</source>
+        <translation>机器人程序 (*.mod *.src *.ls *.script *.csv *.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Read allowed pairs</source>
+        <translation>读取允许接触的对</translation>
+    </message>
+    <message>
+        <source>Semantic descriptions (*.srdf *.xml);;All files (*)</source>
+        <translation>语义描述 (*.srdf *.xml);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Verifying the path</source>
+        <translation>正在验证路径</translation>
+    </message>
+    <message>
+        <source>cannot be verified</source>
+        <translation>无法验证</translation>
+    </message>
+    <message>
+        <source>verifying…</source>
+        <translation>正在验证…</translation>
+    </message>
+    <message>
+        <source>free of collisions, %1 s</source>
+        <translation>无碰撞，%1 s</translation>
+    </message>
+    <message>
+        <source>line cannot be followed</source>
+        <translation>无法沿直线运动</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln collision(s)</source>
+        <translation>
+            <numerusform>%Ln 处碰撞</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open a robot cell first.</source>
+        <translation>请先打开一个机器人单元。</translation>
+    </message>
+    <message>
+        <source>Select a place of a path first.</source>
+        <translation>请先选择路径上的位置。</translation>
+    </message>
+    <message>
+        <source>Select a path first.</source>
+        <translation>请先选择路径。</translation>
+    </message>
+    <message>
+        <source>Store a configuration first: where the path is to begin or end.</source>
+        <translation>请先保存一个位形，作为路径的起点或终点。</translation>
+    </message>
+    <message>
+        <source>Select a configuration or a place first.</source>
+        <translation>请先选择位形或位置。</translation>
+    </message>
+    <message>
+        <source>Only a path that is proven free of collisions is exported.</source>
+        <translation>只导出已证明无碰撞的路径。</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path or a place first.</source>
+        <translation>请先选择位形、路径或位置。</translation>
+    </message>
+    <message>
+        <source>This could not be done</source>
+        <translation>无法完成</translation>
+    </message>
+    <message>
+        <source>Configuration %1</source>
+        <translation>位形 %1</translation>
+    </message>
+    <message>
+        <source>Store %1</source>
+        <translation>保存 %1</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>前往 %1</translation>
+    </message>
+    <message>
+        <source>Go to place %1 of %2</source>
+        <translation>前往 %2 的位置 %1</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>规划 %1</translation>
+    </message>
+    <message>
+        <source>Plan %1 again</source>
+        <translation>重新规划 %1</translation>
+    </message>
+    <message>
+        <source>The cell is still being prepared</source>
+        <translation>单元仍在准备中</translation>
+    </message>
+    <message>
+        <source>Plan again in a moment.</source>
+        <translation>请稍后再规划。</translation>
+    </message>
+    <message>
+        <source>Planning %1</source>
+        <translation>正在规划 %1</translation>
+    </message>
+    <message>
+        <source>Insert a place into %1</source>
+        <translation>在 %1 中插入位置</translation>
+    </message>
+    <message>
+        <source>Set place %1 of %2</source>
+        <translation>设置 %2 的位置 %1</translation>
+    </message>
+    <message>
+        <source>Move place %1 of %2</source>
+        <translation>移动 %2 的位置 %1</translation>
+    </message>
+    <message>
+        <source>Straight line to place %1</source>
+        <translation>直线到位置 %1</translation>
+    </message>
+    <message>
+        <source>Joint motion to place %1</source>
+        <translation>以关节运动到位置 %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>Remove place %1 of %2</source>
+        <translation>移除 %2 的位置 %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Read %1</source>
+        <translation>读取 %1</translation>
+    </message>
+    <message>
+        <source>Export a robot program</source>
+        <translation>导出机器人程序</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln motion(s), read back within %1 mm.</source>
+        <translation>
+            <numerusform>%Ln 个运动，回读误差在 %1 mm 以内。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became exact stops, as their zones are not free everywhere.</source>
+        <translation>
+            <numerusform>%Ln 处圆滑过渡改为精确停止，因为其区域并非处处无碰撞。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was written</source>
+        <translation>已写入 %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
     </message>
 </context>
 <context>
@@ -8510,6 +9066,111 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PathDock</name>
+    <message>
+        <source>Pl&amp;ay the path</source>
+        <translation>播放路径(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Plays the path on a time line, with its clearance and what collides</source>
+        <translation>在时间轴上播放路径，显示间隙和碰撞</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>The path is being verified.</source>
+        <translation>正在验证路径。</translation>
+    </message>
+    <message>
+        <source>Select a path in the panel, or plan one, to play it here.</source>
+        <translation>请在面板中选择或规划一条路径，以便在此播放。</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Margin to the limits</source>
+        <translation>距限位余量</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Manipulability</source>
+        <translation>可操作度</translation>
+    </message>
+    <message>
+        <source>Collision: %1 with %2</source>
+        <translation>碰撞：%1 与 %2</translation>
+    </message>
+    <message>
+        <source>To place %1 of %2: X %3  Y %4  Z %5 mm</source>
+        <translation>前往第 %1 / %2 个位置：X %3  Y %4  Z %5 mm</translation>
+    </message>
+    <message>
+        <source>; collision: %1 with %2</source>
+        <translation>；碰撞：%1 与 %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PlanDialog</name>
+    <message>
+        <source>Plan a path</source>
+        <translation>规划路径</translation>
+    </message>
+    <message>
+        <source>Critical configurations on the way, from the top down (drag to reorder):</source>
+        <translation>途中的关键位形，自上而下（拖动可排序）：</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>规划(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The path begins where it ends: choose another end.</source>
+        <translation>路径的起点与终点相同：请选择其他终点。</translation>
+    </message>
+    <message>
+        <source>The path is proven free of collisions everywhere between its places.</source>
+        <translation>已证明路径在各位置之间处处无碰撞。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PlanTree</name>
+    <message>
+        <source>Configurations and paths</source>
+        <translation>位形与路径</translation>
+    </message>
+    <message>
+        <source>Configurations</source>
+        <translation>位形</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: critical</source>
+        <translation>%1：关键</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PlotWidget</name>
     <message>
         <source>%1: %2, %3</source>
@@ -9658,6 +10319,26 @@
         <translation>
             <numerusform>%n 个活动关节</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;New cell with a built-in robot…</source>
+        <translation>使用内置机器人新建单元(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Begin a cell with a robot of the library, by its makers&apos; tables</source>
+        <translation>用库中的机器人（按制造商参数）新建单元</translation>
+    </message>
+    <message>
+        <source>Configurations and paths</source>
+        <translation>位形与路径</translation>
+    </message>
+    <message>
+        <source>New cell</source>
+        <translation>新建单元</translation>
+    </message>
+    <message>
+        <source>Robot:</source>
+        <translation>机器人：</translation>
     </message>
 </context>
 <context>

@@ -12,12 +12,6 @@ namespace {
 
 constexpr int kKindRole = Qt::UserRole, kNameRole = Qt::UserRole + 1, kPlaceRole = Qt::UserRole + 2;
 
-QString placeText(const PathPlace& place, std::size_t number) {
-  const QString name = QString::fromStdString(place.name);
-  if (!name.isEmpty()) return PlanTree::tr("%1: %2").arg(number + 1).arg(name);
-  return place.isCritical ? PlanTree::tr("%1: critical").arg(number + 1) : QString::number(number + 1);
-}
-
 }  // namespace
 
 PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
@@ -67,6 +61,11 @@ void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QStr
     if (entry.kind == Entry::Kind::Path && !(*it)->isExpanded()) collapsed.insert(entry.name);
   }
   clear();
+  const auto placeText = [](const PathPlace& place, std::size_t number) {
+    const QString name = QString::fromStdString(place.name);
+    if (!name.isEmpty()) return tr("%1: %2").arg(number + 1).arg(name);
+    return place.isCritical ? tr("%1: critical").arg(number + 1) : QString::number(number + 1);
+  };
   constexpr std::size_t kMostPlaces = 2'000;  // that are listed of a path
   auto* configurations = new QTreeWidgetItem(this, {tr("Configurations")});
   configurations->setFlags(Qt::ItemIsEnabled);
