@@ -17,11 +17,17 @@ class CommandLineTest : public QObject {
     const Ran overview = bench.run({"--help"});
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
-    for (const char* command :
-         {"inspect",  "repair", "convert", "picture", "new",   "set",   "measure", "compare", "decimate",
-          "split",    "merge",  "section", "devices", "feel",  "edit",  "turn",    "body",    "recording",
-          "exercise", "mark",   "program", "target",  "train", "force", "thread",  "ik",      "benchmark-planning",
-          "plan",     "verify", "configuration", "post"}) {
+    for (const char* command : {"inspect",  "repair",  "convert",
+                                "picture",  "new",     "set",
+                                "measure",  "compare", "decimate",
+                                "split",    "merge",   "section",
+                                "devices",  "feel",    "edit",
+                                "turn",     "body",    "recording",
+                                "exercise", "mark",    "program",
+                                "target",   "train",   "force",
+                                "thread",   "ik",      "benchmark-planning",
+                                "plan",     "verify",  "configuration",
+                                "post"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
