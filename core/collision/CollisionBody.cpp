@@ -67,17 +67,22 @@ double distanceBetween(const CollisionBody& a, const Pose& poseA, const Collisio
   if (a.isEmpty() || b.isEmpty()) return std::numeric_limits<double>::infinity();
   const double apart = (poseA * a.centre() - poseB * b.centre()).norm() - a.radius() - b.radius();
   if (apart >= enough) return apart;
+  const Pose toA = poseA.inverse(Eigen::Isometry) * poseB;
   double least = enough;
   QueryCounts done;
-  for (const CollisionPiece& first : a.pieces()) {
-    const Vec3 centre = poseA * first.centre;
-    if ((centre - poseB * b.centre()).norm() - first.radius - b.radius() >= least) continue;
-    const Pose placed = poseA * first.pose;
-    for (const CollisionPiece& second : b.pieces()) {
+  const auto isApart = [&](const Vec3& from, const Vec3& to, double radii) {
+    return least + radii <= 0.0 || (to - from).squaredNorm() >= (least + radii) * (least + radii);
+  };
+  for (const CollisionPiece& second : b.pieces()) {
+    const Vec3 centre = toA * second.centre;
+    if (isApart(a.centre(), centre, a.radius() + second.radius)) continue;
+    for (const CollisionPiece& first : a.pieces()) {
       ++done.bounds;
-      if ((centre - poseB * second.centre).norm() - first.radius - second.radius >= least) continue;
+      if (isApart(first.centre, centre, first.radius + second.radius)) continue;
       ++done.exact;
-      least = std::min(least, pieceDistance(first, placed, second, poseB * second.pose, least));
+      const bool areBalls = first.kind == CollisionPiece::Kind::Ball && second.kind == CollisionPiece::Kind::Ball;
+      least = std::min(least, areBalls ? (centre - first.centre).norm() - first.radius - second.radius
+                                       : pieceDistance(first, poseA * first.pose, second, poseB * second.pose, least));
       if (least <= 0.0) break;
     }
     if (least <= 0.0) break;

@@ -8,22 +8,73 @@
 
 namespace handwheel {
 
+ObstacleSet::FourBounds::FourBounds() {
+  turn.fill(Four::Zero());
+  shift.fill(Four::Zero());
+  half.fill(Four::Constant(-std::numeric_limits<double>::infinity()));  // nothing is near to those
+                                                                        // that are not set
+}
+
+void ObstacleSet::FourBounds::set(Eigen::Index i, const Bound& bound) {
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 3; ++column)
+      turn[static_cast<std::size_t>(3 * row + column)][i] = bound.turn(row, column);
+    shift[static_cast<std::size_t>(row)][i] = bound.shift[row];
+    half[static_cast<std::size_t>(row)][i] = bound.half[row];
+  }
+}
+
+ObstacleSet::FourBounds::Four ObstacleSet::FourBounds::squaredDistances(const Vec3& p) const {
+  Four sum = Four::Zero();
+  for (std::size_t row = 0; row < 3; ++row) {
+    const Four at = turn[3 * row] * p.x() + turn[3 * row + 1] * p.y() + turn[3 * row + 2] * p.z() + shift[row];
+    sum += (at.abs() - half[row]).max(0.0).square();
+  }
+  return sum;
+}
+
 void ObstacleSet::add(const CollisionBody& body, const Pose& pose, std::uint32_t owner) {
   for (const CollisionPiece& piece : body.pieces()) {
     const CollisionPiece placed = piece.moved(pose);
     const Pose inverse = Pose(placed.pose * Eigen::Translation3d(placed.boxCentre)).inverse(Eigen::Isometry);
+    const std::size_t at = m_bounds.size();
     m_bounds.push_back({inverse.linear(), inverse.translation(), placed.boxHalf});
+    if (at % 4 == 0) m_fours.emplace_back();
+    m_fours.back().set(static_cast<Eigen::Index>(at % 4), m_bounds.back());
     m_obstacles.push_back({placed, owner});
+  }
+}
+
+void ObstacleSet::findNear(const Vec3& centre, double radius, double enough, std::vector<std::uint32_t>& near,
+                           QueryCounts* counts) const {
+  near.clear();
+  if (counts) counts->bounds += m_bounds.size();
+  const double least = enough + radius;
+  if (!(least > 0.0)) return;
+  for (std::size_t i = 0; i < m_fours.size(); ++i) {
+    const FourBounds::Four squares = m_fours[i].squaredDistances(centre);
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      if (squares[k] < least * least) near.push_back(static_cast<std::uint32_t>(4 * i) + static_cast<std::uint32_t>(k));
+    }
   }
 }
 
 ObstacleSet::Nearest ObstacleSet::distance(const CollisionBody& body, const Pose& pose, double enough,
                                            std::span<const std::uint32_t> leftOut, QueryCounts* counts) const {
+  if (body.isEmpty()) return {enough};
+  std::vector<std::uint32_t> near;
+  findNear(pose * body.centre(), body.radius(), enough, near, counts);
+  return distance(body, pose, enough, leftOut, near, counts);
+}
+
+ObstacleSet::Nearest ObstacleSet::distance(const CollisionBody& body, const Pose& pose, double enough,
+                                           std::span<const std::uint32_t> leftOut, std::span<const std::uint32_t> among,
+                                           QueryCounts* counts) const {
   Nearest nearest{enough};
-  if (body.isEmpty()) return nearest;
+  if (body.isEmpty() || among.empty()) return nearest;
   QueryCounts done;
   const Vec3 centre = pose * body.centre();
-  for (std::size_t i = 0; i < m_obstacles.size() && nearest.distance > 0.0; ++i) {
+  for (const std::uint32_t i : among) {
     const Bound& bound = m_bounds[i];
     ++done.bounds;
     if (bound.isApart(bound.inside(centre), nearest.distance + body.radius())) continue;
@@ -41,6 +92,7 @@ ObstacleSet::Nearest ObstacleSet::distance(const CollisionBody& body, const Pose
       if (distance < nearest.distance) nearest = {distance, obstacle.owner};
       if (nearest.distance <= 0.0) break;
     }
+    if (nearest.distance <= 0.0) break;
   }
   if (counts) {
     counts->bounds += done.bounds;

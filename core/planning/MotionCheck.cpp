@@ -14,6 +14,12 @@ RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, 
   return scene.tooNear(values, settings.clearance + margin, settings.ownClearance + margin, counts);
 }
 
+bool isFreeAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
+              QueryCounts* counts) {
+  const double margin = 0.5 * settings.resolution;
+  return scene.isFree(values, settings.clearance + margin, settings.ownClearance + margin, counts);
+}
+
 MotionCheck::MotionCheck(const RobotScene& scene, const ArmValues& from, const ArmValues& to,
                          const MotionCheckSettings& settings)
     : m_scene(&scene), m_from(from), m_to(to), m_way(to - from), m_settings(settings) {
@@ -22,10 +28,11 @@ MotionCheck::MotionCheck(const RobotScene& scene, const ArmValues& from, const A
     m_state = State::Blocked;
     return;
   }
-  m_open.push_back({0.0, 1.0});
-  const RobotScene::Places places = scene.placesAt(from);
-  for (std::uint32_t p = 0; p < scene.m_parts.size(); ++p)
-    m_reach = std::max(m_reach, scene.speedOf(m_way, p, kNone, 0.5, places));
+  m_open.push_back({0.0, 1.0, 0});
+  for (Eigen::Index i = 0; i < m_way.size(); ++i) {
+    const auto& joint = scene.m_joints[static_cast<std::size_t>(i)];
+    m_reach += std::abs(m_way[i]) * (joint.joint.isPrismatic ? 1.0 : joint.reach);
+  }
 }
 
 double MotionCheck::openLength() const {
@@ -41,59 +48,102 @@ bool MotionCheck::cover(double distance, double clearance, double speed, double&
   return true;
 }
 
+// More than what the motion needs is not asked for.
+double MotionCheck::enough(double clearance, double speed, double half) const {
+  return (clearance + speed * half) * (1.0 + RobotScene::kRounding) + m_settings.resolution;
+}
+
+MotionCheck::Finding MotionCheck::cover(const RobotScene::Group& group, const Look& look, double& half) {
+  if (group.joint == kNone) return Finding::Clear;  // what stands is as near as the cell makes it
+  const RobotScene& scene = *m_scene;
+  const double clearance = m_settings.clearance;
+  const double fastest = scene.speedOf(m_way, group.joint, group.centre, group.radius, kNone, look.whole, look.places);
+  const auto obstacles = scene.near(group, look.places, enough(clearance, fastest, look.whole), look.counts);
+  if (obstacles.empty()) return Finding::Clear;
+  for (std::uint32_t p = group.begin; p < group.end; ++p) {
+    const RobotScene::Part& part = scene.m_parts[p];
+    const double speed =
+        scene.speedOf(m_way, part.joint, part.body.centre(), part.body.radius(), kNone, half, look.places);
+    const auto found = scene.m_obstacles.distance(part.body, look.places.of(part.joint), enough(clearance, speed, half),
+                                                  part.leftOut, obstacles, look.counts);
+    if (cover(found.distance, clearance, speed, half)) continue;
+    m_blockedBy = {found.distance, part.link, kNone, found.owner};
+    return Finding::Blocked;
+  }
+  return half < look.whole ? Finding::Near : Finding::Clear;
+}
+
+MotionCheck::Finding MotionCheck::cover(const RobotScene::GroupPair& pair, const Look& look, double& half) {
+  const RobotScene& scene = *m_scene;
+  const double clearance = m_settings.ownClearance;
+  // Relative to each other they are no faster than both together.
+  const auto speedOf = [&](std::uint32_t joint, const Vec3& centre, double radius, double during) {
+    return scene.speedOf(m_way, joint, centre, radius, pair.common, during, look.places);
+  };
+  const RobotScene::Group &first = scene.m_groups[pair.first], &second = scene.m_groups[pair.second];
+  const double fastest = speedOf(first.joint, first.centre, first.radius, look.whole) +
+                         speedOf(second.joint, second.centre, second.radius, look.whole);
+  if (scene.areApart(pair, look.places, enough(clearance, fastest, look.whole))) return Finding::Clear;
+  for (std::uint32_t i = pair.begin; i < pair.end; ++i) {
+    const RobotScene::Part &a = scene.m_parts[scene.m_pairs[i].first], &b = scene.m_parts[scene.m_pairs[i].second];
+    const double speed = speedOf(a.joint, a.body.centre(), a.body.radius(), half) +
+                         speedOf(b.joint, b.body.centre(), b.body.radius(), half);
+    const double distance =
+        scene.pairDistance(scene.m_pairs[i], look.places, enough(clearance, speed, half), look.counts);
+    if (cover(distance, clearance, speed, half)) continue;
+    m_blockedBy = {distance, a.link, b.link, kNone};
+    return Finding::Blocked;
+  }
+  return half < look.whole ? Finding::Near : Finding::Clear;
+}
+
+MotionCheck::Finding MotionCheck::coverSubject(std::uint32_t subject, const Look& look, double& half) {
+  const std::size_t groups = m_scene->m_groups.size();
+  return subject < groups ? cover(m_scene->m_groups[subject], look, half)
+                          : cover(m_scene->m_groupPairs[subject - groups], look, half);
+}
+
 MotionCheck::State MotionCheck::step(QueryCounts* counts) {
   if (m_state != State::Open) return m_state;
   if (m_open.empty()) return m_state = State::Free;
-  const Interval now = m_open.front();
-  m_open.pop_front();
-  ++m_steps;
-  const double middle = 0.5 * (now.begin + now.end), whole = 0.5 * (now.end - now.begin);
-  const ArmValues values = m_from + middle * m_way;
-  const RobotScene::Places places = m_scene->placesAt(values);
-  // More than what the motion needs is not asked for.
-  const auto enough = [&](double clearance, double speed, double half) {
-    return (clearance + speed * half) * (1.0 + RobotScene::kRounding) + m_settings.resolution;
-  };
-  const auto block = [&](const RobotScene::Nearest& by) {
-    m_blockedAt = middle;
-    m_blockedBy = by;
-    m_open.clear();
-    return m_state = State::Blocked;
-  };
-  // What stands during the motion is looked at once.
-  const auto isKnown = [&](double speed) { return speed == 0.0 && m_steps > 1; };
-  double half = whole;
-  std::vector<double> speeds;  // of the parts, in the world
-  speeds.reserve(m_scene->m_parts.size());
-  for (std::uint32_t p = 0; p < m_scene->m_parts.size(); ++p) {
-    const RobotScene::Part& part = m_scene->m_parts[p];
-    speeds.push_back(m_scene->speedOf(m_way, p, kNone, whole, places));
-    if (part.joint == kNone || isKnown(speeds[p])) continue;
-    const auto found = m_scene->m_obstacles.distance(
-        part.body, places.parts[p], enough(m_settings.clearance, speeds[p], half), part.leftOut, counts);
-    if (!cover(found.distance, m_settings.clearance, speeds[p], half))
-      return block({found.distance, part.link, kNone, found.owner});
-  }
-  for (const RobotScene::Pair& pair : m_scene->m_pairs) {
-    // Relative to each other they are no faster than both together in the world.
-    if (m_scene->areApart(pair, places,
-                          enough(m_settings.ownClearance, speeds[pair.first] + speeds[pair.second], half)))
-      continue;
-    const double speed = m_scene->speedOf(m_way, pair.first, pair.common, half, places) +
-                         m_scene->speedOf(m_way, pair.second, pair.common, half, places);
-    if (isKnown(speed)) continue;
-    const double distance = m_scene->pairDistance(pair, places, enough(m_settings.ownClearance, speed, half), counts);
-    if (!cover(distance, m_settings.ownClearance, speed, half)) {
-      const auto link = [&](std::uint32_t part) { return m_scene->m_parts[part].link; };
-      return block({distance, link(pair.first), link(pair.second), kNone});
+  std::pop_heap(m_open.begin(), m_open.end());
+  const Interval now = m_open.back();
+  m_open.pop_back();
+  const double middle = 0.5 * (now.begin + now.end);
+  Look look;
+  look.whole = 0.5 * (now.end - now.begin);
+  look.counts = counts;
+  m_scene->placesAt(m_from + middle * m_way, look.places);
+  double half = look.whole;  // of what is free around the middle
+  std::uint64_t suspects = 0;
+  constexpr std::size_t kBits = 63;  // those after them share one
+  const auto bitOf = [](std::size_t suspect) { return std::uint64_t{1} << (suspect < kBits ? suspect : kBits); };
+  const bool isFirst = m_steps++ == 0;
+  const std::size_t count = isFirst ? m_scene->m_groups.size() + m_scene->m_groupPairs.size() : m_suspects.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!isFirst && !(now.suspects & bitOf(i))) continue;
+    const std::uint32_t subject = isFirst ? static_cast<std::uint32_t>(i) : m_suspects[i];
+    const Finding finding = coverSubject(subject, look, half);
+    if (finding == Finding::Clear) continue;
+    if (finding == Finding::Blocked) {
+      m_blockedAt = middle;
+      m_open.clear();
+      return m_state = State::Blocked;
     }
+    suspects |= bitOf(isFirst ? m_suspects.size() : i);
+    if (isFirst) m_suspects.push_back(subject);
   }
-  if (half < whole) {
-    m_open.push_back({now.begin, middle - half});
-    m_open.push_back({middle + half, now.end});
+  if (half < look.whole) {
+    open({now.begin, middle - half, suspects});
+    open({middle + half, now.end, suspects});
   }
   if (m_open.empty()) m_state = State::Free;
   return m_state;
+}
+
+void MotionCheck::open(const Interval& interval) {
+  m_open.push_back(interval);
+  std::push_heap(m_open.begin(), m_open.end());
 }
 
 MotionCheck::State MotionCheck::run(QueryCounts* counts) {

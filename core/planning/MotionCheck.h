@@ -4,7 +4,7 @@
 
 #include "planning/RobotScene.h"
 
-#include <deque>
+#include <vector>
 
 namespace handwheel {
 
@@ -19,6 +19,10 @@ struct MotionCheckSettings {
 // What blocks the robot at these values; no link: nothing does, and motions from there can be proven free.
 RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
                               QueryCounts* counts = nullptr);
+
+// Whether nothing does.
+bool isFreeAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
+              QueryCounts* counts = nullptr);
 
 // Proves that a straight motion in joint space is free of collisions, or finds where it is not: nothing between two
 // points of the motion is left to chance. At a point of the motion everything is so far from everything else; around it
@@ -54,16 +58,33 @@ class MotionCheck {
 
  private:
   struct Interval {
-    double begin, end;  // shares of the motion
+    double begin, end;       // shares of the motion
+    std::uint64_t suspects;  // bits: those of m_suspects that are not known to be free in it
+    bool operator<(const Interval& other) const { return end - begin < other.end - other.begin; }
   };
+  // A look at the scene around a point of the motion.
+  struct Look {
+    RobotScene::Places places;
+    double whole;  // half of the interval
+    QueryCounts* counts;
+  };
+  double enough(double clearance, double speed, double half) const;
   bool cover(double distance, double clearance, double speed, double& half) const;
+  // Of a group or a pair of groups: free in the whole interval; in no more than `half`, which is shortened to what is
+  // free, on each side of its middle; or not free there.
+  enum class Finding { Clear, Near, Blocked };
+  Finding cover(const RobotScene::Group& group, const Look& look, double& half);
+  Finding cover(const RobotScene::GroupPair& pair, const Look& look, double& half);
+  Finding coverSubject(std::uint32_t subject, const Look& look, double& half);
+  void open(const Interval& interval);
 
   const RobotScene* m_scene;
   ArmValues m_from, m_to, m_way;
   MotionCheckSettings m_settings;
-  std::deque<Interval> m_open;  // the longest about first
+  std::vector<Interval> m_open;           // a heap, the longest first
+  std::vector<std::uint32_t> m_suspects;  // groups, then pairs of groups, that the first look left open
   State m_state = State::Open;
-  double m_reach = 0.0;  // mm that a point moves at most in the whole motion
+  double m_reach = 0.0;  // mm that a point moves about at most in the whole motion
   double m_blockedAt = 0.0;
   RobotScene::Nearest m_blockedBy{};
   std::uint64_t m_steps = 0;

@@ -51,7 +51,7 @@ class OmplRun {
 
   bool isFree(const ArmValues& values) {
     ++m_result.steps;
-    return blockerAt(m_scene, values, m_settings.check, &m_result.queries).link == kNone;
+    return isFreeAt(m_scene, values, m_settings.check, &m_result.queries);
   }
 
   // The share of the motion that is free from its start on; 1: all of it is.

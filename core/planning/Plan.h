@@ -14,7 +14,7 @@ struct PlanSettings {
   MotionCheckSettings check;
   double seconds = 2.0;  // after which it is given up
   std::uint64_t seed = 1;
-  double neighbourhood = 0.15;  // of the range of each joint: how far from a milestone the next one is looked for
+  double neighbourhood = 0.2;  // of the range of each joint: how far from a milestone the next one is looked for
   std::size_t mostMilestones = 100'000;
 };
 

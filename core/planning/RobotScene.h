@@ -22,8 +22,8 @@ class RobotScene {
   // The pairs of links that meet however the joints stand, as those of which one hangs closely on the other: at each of
   // so many random places. Their collisions tell nothing; allowPairs() leaves them out. Deterministic.
   std::set<LinkPair> alwaysMeeting(int samples = 200) const;
-  // The pairs of links with at most two planned joints between them that meet at these values, as housings of
-  // wrists do that are drawn larger than they are.
+  // The pairs of links with at most two planned joints between them that meet at these values, as housings of wrists do
+  // that are drawn larger than they are.
   std::set<LinkPair> closePairsMeeting(const ArmValues& values) const;
   void allowPairs(const std::set<LinkPair>& pairs);
 
@@ -53,6 +53,8 @@ class RobotScene {
   // What is nearer than it may be: of obstacles nearer than `clearance`, of links to each other `ownClearance`; the one
   // that is nearer by most. No link: nothing is.
   Nearest tooNear(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
+  // Whether nothing is. Quicker than to ask what is.
+  bool isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
   // All that is: each link with each owner of obstacles, and each pair of links.
   std::vector<Nearest> allTooNear(const ArmValues& values, double clearance, double ownClearance) const;
   // How far a point of the robot can be from where it is at these values, when each joint is off by at most so much;
@@ -64,47 +66,63 @@ class RobotScene {
   struct MovedJoint {
     ArmJoint joint;
     std::uint32_t parent = kNone;  // in m_joints; kNone: the base
+    double reach = 0.0;            // mm: how far a point that it moves can be from its axis
   };
   struct Part {
     std::uint32_t link;
-    std::uint32_t joint;  // in m_joints; kNone: it stands
-    Pose pose;            // in the frame of the joint, or in the world
-    CollisionBody body;
+    std::uint32_t joint;                 // in m_joints; kNone: it stands
+    CollisionBody body;                  // in the frame of the joint, or in the world
     std::vector<std::uint32_t> leftOut;  // owners
   };
   struct Pair {
     std::uint32_t first, second;  // parts
     std::uint32_t common;         // the nearest joint that moves both; kNone: the base
   };
-
-  // Where everything is at some values, in the world.
-  struct Places {
-    std::vector<Pose> joints, parts;
-    std::vector<Vec3> centres;  // of the parts' spheres
+  // The parts that a joint carries, or those that stand, with a sphere around all of them.
+  struct Group {
+    std::uint32_t joint;
+    std::uint32_t begin, end;  // in m_parts
+    Vec3 centre;               // in the frame of the joint
+    double radius;
   };
-  Places placesAt(const ArmValues& values) const;
+  struct GroupPair {
+    std::uint32_t first, second, common;  // groups; as in Pair
+    std::uint32_t begin, end;             // in m_pairs
+  };
+
+  // Where the frames of the joints are at some values, in the world.
+  struct Places {
+    std::array<Pose, kMostArmJoints> joints;
+    Pose world = Pose::Identity();
+    const Pose& of(std::uint32_t joint) const { return joint == kNone ? world : joints[joint]; }
+  };
+  void findPairs(const std::set<LinkPair>& allowed);
+  void findGroups();
+  void findReaches();
+  void groupPairs();
+  void placesAt(const ArmValues& values, Places& places) const;
   Nearest nearestObstacle(const Places& places, double enough, QueryCounts* counts) const;
   Nearest nearestLinks(const Places& places, double enough, QueryCounts* counts) const;
+  // The least distance of a group from the obstacles, or of two groups from each other, where it is below `enough`.
+  Nearest nearestOf(const Group& group, const Places& places, double enough, QueryCounts* counts) const;
+  Nearest nearestOf(const GroupPair& pair, const Places& places, double enough, QueryCounts* counts) const;
+  // The obstacles near a group; until the next call of this thread.
+  std::span<const std::uint32_t> near(const Group& group, const Places& places, double enough,
+                                      QueryCounts* counts) const;
   static constexpr double kRounding = 1e-9;  // of lengths: sums of poses and distances are off by far less
-  // How fast points of a part move at most, relative to the frame of the joint `below`, while the joints move at most
-  // at these rates, for `half` of the time before and after they are at these places.
-  double speedOf(const ArmValues& rates, std::uint32_t part, std::uint32_t below, double half,
-                 const Places& places) const;
-  // Whether the spheres of a pair are so far from each other.
-  bool areApart(const Pair& pair, const Places& places, double enough) const {
-    const double radii = m_parts[pair.first].body.radius() + m_parts[pair.second].body.radius();
-    return (places.centres[pair.first] - places.centres[pair.second]).squaredNorm() >=
-           (enough + radii) * (enough + radii);
-  }
-  double pairDistance(const Pair& pair, const Places& places, double enough, QueryCounts* counts) const {
-    return distanceBetween(m_parts[pair.first].body, places.parts[pair.first], m_parts[pair.second].body,
-                           places.parts[pair.second], enough, counts);
-  }
+  // How fast points in a sphere (in the frame of a joint) move at most, relative to the frame of the joint `below`,
+  // while the joints move at most at these rates, for `half` of the time before and after they are at these places.
+  double speedOf(const ArmValues& rates, std::uint32_t joint, const Vec3& centre, double radius, std::uint32_t below,
+                 double half, const Places& places) const;
+  // Whether the spheres of two groups are so far from each other.
+  bool areApart(const GroupPair& pair, const Places& places, double enough) const;
+  double pairDistance(const Pair& pair, const Places& places, double enough, QueryCounts* counts) const;
 
   std::vector<MovedJoint> m_joints;  // parents first
-  Pose m_base;
-  std::vector<Part> m_parts;
-  std::vector<Pair> m_pairs;
+  std::vector<Part> m_parts;         // by joint, those that stand last
+  std::vector<Group> m_groups;       // the farthest from the base first: they meet most
+  std::vector<Pair> m_pairs;         // by groups
+  std::vector<GroupPair> m_groupPairs;
   ObstacleSet m_obstacles;
   Status m_status = Done{};
 };

@@ -8,7 +8,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <queue>
 
@@ -23,8 +22,9 @@ constexpr int kCells = 10;  // of the grid, each way
 struct Milestone {
   ArmValues values;
   std::uint32_t parent = kNoParent;
-  std::shared_ptr<MotionCheck> motion;  // to the parent
-  bool isOfGoal = false;                // which tree it is in
+  std::vector<std::uint32_t> children = {};
+  std::shared_ptr<MotionCheck> motion = nullptr;  // to the parent; none before it is needed
+  bool isOfGoal = false;                          // which tree it is in
 };
 
 class Sbl {
@@ -38,9 +38,9 @@ class Sbl {
       m_low[i] = range.low;
       m_high[i] = range.high;
     }
-    add({start, kNoParent, nullptr, false});
-    add({goal, kNoParent, nullptr, true});
-    connect(1);
+    add({.values = start, .isOfGoal = false});
+    add({.values = goal, .isOfGoal = true});
+    tryPath(1, 0);
   }
 
   bool isSolved() const { return !m_result.path.empty(); }
@@ -54,8 +54,7 @@ class Sbl {
     for (int i = 1; i <= kMostTries; ++i) {
       values = near(m_milestones[from].values, m_settings.neighbourhood / i);
       if (!isFree(values)) continue;
-      auto motion = std::make_shared<MotionCheck>(m_scene, values, m_milestones[from].values, m_settings.check);
-      add({values, from, std::move(motion), isOfGoal});
+      add({.values = values, .parent = from, .isOfGoal = isOfGoal});
       connect(static_cast<std::uint32_t>(m_milestones.size() - 1));
       return;
     }
@@ -65,28 +64,47 @@ class Sbl {
   static constexpr int kMostTries = 20;  // around one milestone
 
   void add(Milestone milestone) {
-    m_cells[milestone.isOfGoal][cellOf(milestone.values)].push_back(static_cast<std::uint32_t>(m_milestones.size()));
+    for (Eigen::Index i = 0; i < m_stride; ++i)
+      m_shares.push_back(i < m_scene.size() ? shareOf(i, milestone.values[i]) : 0.0);
+    const auto number = static_cast<std::uint32_t>(m_milestones.size());
+    if (milestone.parent != kNoParent) m_milestones[milestone.parent].children.push_back(number);
     m_milestones.push_back(std::move(milestone));
+    putInCell(number);
   }
 
   double shareOf(Eigen::Index i, double value) const {
     return m_high[i] > m_low[i] ? (value - m_low[i]) / (m_high[i] - m_low[i]) : 0.5;
   }
+  // Of a milestone: where its joints are in their ranges.
+  const double* sharesOf(std::uint32_t milestone) const { return &m_shares[milestone * m_stride]; }
 
-  // Of a grid over the first two joints: these move the arm most.
-  int cellOf(const ArmValues& values) const {
-    int cell = 0;
-    for (Eigen::Index i = 0; i < std::min<Eigen::Index>(2, values.size()); ++i)
-      cell = cell * kCells + std::clamp(static_cast<int>(shareOf(i, values[i]) * kCells), 0, kCells - 1);
-    return cell;
+  static int cellAt(double share) { return std::clamp(static_cast<int>(share * kCells), 0, kCells - 1); }
+
+  // The cells are a grid over the first two joints: these move the arm most.
+  std::size_t cellOf(std::uint32_t milestone) const {
+    const double* shares = sharesOf(milestone);
+    return static_cast<std::size_t>(cellAt(shares[0]) * kCells + cellAt(shares[1]));
+  }
+
+  void putInCell(std::uint32_t milestone) {
+    Cells& cells = m_cells[m_milestones[milestone].isOfGoal];
+    const std::size_t cell = cellOf(milestone);
+    if (cells.milestones[cell].empty()) cells.used.push_back(cell);
+    cells.milestones[cell].push_back(milestone);
+  }
+
+  void takeFromCell(std::uint32_t milestone) {
+    Cells& cells = m_cells[m_milestones[milestone].isOfGoal];
+    const std::size_t cell = cellOf(milestone);
+    std::erase(cells.milestones[cell], milestone);
+    if (cells.milestones[cell].empty()) std::erase(cells.used, cell);
   }
 
   // First a cell, then a milestone in it: so that crowded places grow no faster than others.
   std::uint32_t pick(bool isOfGoal) {
-    const auto& cells = m_cells[isOfGoal];
-    auto cell = cells.begin();
-    std::advance(cell, static_cast<std::ptrdiff_t>(m_random.below(cells.size())));
-    return cell->second[m_random.below(cell->second.size())];
+    const Cells& cells = m_cells[isOfGoal];
+    const auto& in = cells.milestones[cells.used[m_random.below(cells.used.size())]];
+    return in[m_random.below(in.size())];
   }
 
   ArmValues near(const ArmValues& centre, double share) {
@@ -100,28 +118,28 @@ class Sbl {
 
   bool isFree(const ArmValues& values) {
     ++m_result.steps;
-    return blockerAt(m_scene, values, m_settings.check, &m_result.queries).link == kNone;
+    return isFreeAt(m_scene, values, m_settings.check, &m_result.queries);
   }
 
-  // The largest share of a joint's range between them.
-  double apart(const ArmValues& a, const ArmValues& b) const {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < a.size(); ++i) {
-      if (m_high[i] > m_low[i]) largest = std::max(largest, std::abs(a[i] - b[i]) / (m_high[i] - m_low[i]));
-    }
-    return largest;
-  }
-
-  // Joins the milestone to the nearest of the other tree, if that is near.
+  // Joins the milestone to the nearest of the other tree, if that is near: no joint is further away than the
+  // neighbourhood reaches.
   void connect(std::uint32_t milestone) {
+    const double* at = sharesOf(milestone);
+    const double far = m_settings.neighbourhood;
+    const Cells& cells = m_cells[!m_milestones[milestone].isOfGoal];
     std::uint32_t nearest = kNone;
-    double least = m_settings.neighbourhood;
-    for (std::uint32_t i = 0; i < m_milestones.size(); ++i) {
-      if (m_milestones[i].isOfGoal == m_milestones[milestone].isOfGoal) continue;
-      const double distance = apart(m_milestones[i].values, m_milestones[milestone].values);
-      if (distance < least || (nearest == kNone && m_milestones.size() == 2)) {
-        least = distance;
-        nearest = i;
+    double least = far;
+    for (int row = cellAt(at[0] - far); row <= cellAt(at[0] + far); ++row) {
+      for (int column = cellAt(at[1] - far); column <= cellAt(at[1] + far); ++column) {
+        for (const std::uint32_t i : cells.milestones[static_cast<std::size_t>(row * kCells + column)]) {
+          const double* other = sharesOf(i);
+          double apart = 0.0;
+          for (Eigen::Index k = 0; k < m_stride && apart < least; ++k)
+            apart = std::max(apart, std::abs(other[k] - at[k]));
+          if (apart >= least) continue;
+          least = apart;
+          nearest = i;
+        }
       }
     }
     if (nearest != kNone) tryPath(milestone, nearest);
@@ -133,10 +151,13 @@ class Sbl {
     return way;
   }
 
+  std::shared_ptr<MotionCheck> motionBetween(std::uint32_t a, std::uint32_t b) const {
+    return std::make_shared<MotionCheck>(m_scene, m_milestones[a].values, m_milestones[b].values, m_settings.check);
+  }
+
   // Checks the path over a bridge between the trees, the longest open piece first.
   void tryPath(std::uint32_t a, std::uint32_t b) {
-    const auto bridge =
-        std::make_shared<MotionCheck>(m_scene, m_milestones[a].values, m_milestones[b].values, m_settings.check);
+    const auto bridge = motionBetween(a, b);
     const std::uint32_t ofStart = m_milestones[a].isOfGoal ? b : a, ofGoal = m_milestones[a].isOfGoal ? a : b;
     struct Piece {
       double length;
@@ -153,7 +174,9 @@ class Sbl {
     push(kNone);
     for (const std::uint32_t end : {ofStart, ofGoal}) {
       for (const std::uint32_t i : wayToRoot(end)) {
-        if (m_milestones[i].motion) push(i);
+        if (m_milestones[i].parent == kNoParent) continue;
+        if (!m_milestones[i].motion) m_milestones[i].motion = motionBetween(i, m_milestones[i].parent);
+        push(i);
       }
     }
     while (!open.empty()) {
@@ -184,29 +207,21 @@ class Sbl {
     std::shared_ptr<MotionCheck> motion = bridge;
     for (std::uint32_t i = end;;) {
       const std::uint32_t before = m_milestones[i].parent;
+      std::erase(m_milestones[before].children, i);
+      m_milestones[parent].children.push_back(i);
       std::swap(m_milestones[i].motion, motion);
       m_milestones[i].parent = parent;
       if (i == blocked) break;
       parent = i;
       i = before;
     }
-    regroup();
-  }
-
-  // Which tree each milestone is in, by its root. O(milestones).
-  void regroup() {
-    std::vector<signed char> known(m_milestones.size(), -1);
-    known[0] = 0;
-    known[1] = 1;
-    std::vector<std::uint32_t> way;
-    for (auto& cells : m_cells) cells.clear();
-    for (std::uint32_t i = 0; i < m_milestones.size(); ++i) {
-      way.clear();
-      std::uint32_t at = i;
-      for (; known[at] < 0; at = m_milestones[at].parent) way.push_back(at);
-      for (const std::uint32_t each : way) known[each] = known[at];
-      m_milestones[i].isOfGoal = known[i] == 1;
-      m_cells[m_milestones[i].isOfGoal][cellOf(m_milestones[i].values)].push_back(i);
+    std::vector<std::uint32_t> moved{end};  // and all beyond it
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      Milestone& milestone = m_milestones[moved[k]];
+      takeFromCell(moved[k]);
+      milestone.isOfGoal = !milestone.isOfGoal;
+      putInCell(moved[k]);
+      moved.insert(moved.end(), milestone.children.begin(), milestone.children.end());
     }
   }
 
@@ -215,8 +230,14 @@ class Sbl {
   PlanResult& m_result;
   RandomSequence m_random;
   ArmValues m_low = ArmValues::Zero(m_scene.size()), m_high = ArmValues::Zero(m_scene.size());
-  std::vector<Milestone> m_milestones;                               // start and goal are the first two
-  std::array<std::map<int, std::vector<std::uint32_t>>, 2> m_cells;  // of the start's tree and the goal's
+  std::vector<Milestone> m_milestones;  // start and goal are the first two
+  const Eigen::Index m_stride = std::max<Eigen::Index>(2, m_scene.size());
+  std::vector<double> m_shares;  // of all milestones, one after the other, and 0 where there is one joint
+  struct Cells {
+    std::array<std::vector<std::uint32_t>, kCells * kCells> milestones;
+    std::vector<std::size_t> used;  // those with any
+  };
+  std::array<Cells, 2> m_cells;  // of the start's tree and the goal's
 };
 
 }  // namespace

@@ -67,6 +67,53 @@ class MotionCheckTest : public QObject {
     QVERIFY(free > 10);
   }
 
+  // An arm of more links than there are bits to mark those that are near to something: 14, and 91 pairs of them.
+  void manyLinks() {
+    int free = 0, blocked = 0;
+    QVERIFY(rc::check([&] {
+      const RobotModel robot = planarArm(std::vector<double>(14, 60.0), 8.0);
+      RobotScene scene = sceneOf(robot);
+      for (std::uint32_t i = 0; i < 4; ++i)
+        addBall(scene, {evenly(-800, 800), evenly(-800, 800), evenly(-20, 20)}, evenly(1, 30), i);
+      ArmValues from(14), to(14);
+      for (Eigen::Index i = 0; i < 14; ++i) {
+        from[i] = evenly(-0.4, 0.4);
+        to[i] = from[i] + evenly(-0.3, 0.3);
+      }
+      MotionCheck check(scene, from, to, {});
+      if (check.run() == MotionCheck::State::Free) {
+        ++free;
+        RC_ASSERT(leastAlong(scene, from, to, 2e-3) > 0.0);
+      } else {
+        ++blocked;
+        const ArmValues at = from + check.blockedAt() * (to - from);
+        const RobotScene::Nearest nearest = scene.nearest(at, 1e9);
+        RC_ASSERT(nearest.distance <= 0.05);
+        RC_ASSERT(!isFreeAt(scene, at, {}) && blockerAt(scene, at, {}).link != kNone);
+      }
+    }));
+    QVERIFY(free > 10 && blocked > 10);
+  }
+
+  // Whether a place is free is the same question as what blocks it, and what is listed there.
+  void freePlaces() {
+    QVERIFY(rc::check([] {
+      const RobotModel robot = planarArm({300.0, 250.0, 200.0}, 15.0);
+      RobotScene scene = sceneOf(robot);
+      for (std::uint32_t i = 0; i < 9; ++i)
+        addBall(scene, {evenly(-700, 700), evenly(-700, 700), evenly(-20, 20)}, evenly(1, 60), i);
+      MotionCheckSettings settings;
+      settings.clearance = *rc::gen::element(0.0, 20.0);
+      const ArmValues at = anyValues(3);
+      const RobotScene::Nearest blocker = blockerAt(scene, at, settings);
+      RC_ASSERT(isFreeAt(scene, at, settings) == (blocker.link == kNone));
+      const double margin = 0.5 * settings.resolution;
+      const auto all = scene.allTooNear(at, settings.clearance + margin, margin);
+      RC_ASSERT(all.empty() == (blocker.link == kNone));
+      for (const RobotScene::Nearest& each : all) RC_ASSERT(each.owner != kNone || each.otherLink != kNone);
+    }));
+  }
+
   // The other way round it is the same motion.
   void bothWays() {
     QVERIFY(rc::check([] {

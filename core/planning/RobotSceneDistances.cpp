@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/RobotScene.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace handwheel {
+
+void RobotScene::jointPoses(const ArmValues& values, std::span<Pose> poses) const {
+  assert(values.size() == size() && poses.size() == m_joints.size());
+  for (std::size_t i = 0; i < m_joints.size(); ++i) {
+    const MovedJoint& moved = m_joints[i];
+    Pose& pose = poses[i];
+    pose = moved.parent == kNone ? moved.joint.before : Pose(poses[moved.parent] * moved.joint.before);
+    const double value = values[static_cast<Eigen::Index>(i)];
+    if (moved.joint.isPrismatic) {
+      pose.translation() += value * pose.linear().col(2);
+    } else {
+      const double c = std::cos(value), s = std::sin(value);
+      const Vec3 x = pose.linear().col(0), y = pose.linear().col(1);
+      pose.linear().col(0) = c * x + s * y;
+      pose.linear().col(1) = c * y - s * x;
+    }
+  }
+}
+
+void RobotScene::placesAt(const ArmValues& values, Places& places) const {
+  jointPoses(values, std::span(places.joints.data(), m_joints.size()));
+}
+
+// From the sphere towards the base: what the joints nearer to it may have moved it by adds to its distance from the
+// axes of those before.
+double RobotScene::speedOf(const ArmValues& rates, std::uint32_t joint, const Vec3& centre, double radius,
+                           std::uint32_t below, double half, const Places& places) const {
+  if (joint == below) return 0.0;
+  const Vec3 at = places.of(joint) * centre;
+  double speed = 0.0;
+  for (std::uint32_t j = joint; j != below; j = m_joints[j].parent) {
+    const double rate = std::abs(rates[j]);
+    if (m_joints[j].joint.isPrismatic) {
+      speed += rate;
+    } else if (rate > 0.0) {
+      const Pose& pose = places.joints[j];
+      const Vec3 away = at - pose.translation();
+      speed += rate * (away.cross(Vec3(pose.linear().col(2))).norm() + radius + half * speed);
+    }
+  }
+  return speed * (1.0 + kRounding);
+}
+
+double RobotScene::travelBound(const ArmValues& values, const ArmValues& spread) const {
+  Places places;
+  placesAt(values, places);
+  double most = 0.0;
+  for (const Part& part : m_parts)
+    most = std::max(most, speedOf(spread, part.joint, part.body.centre(), part.body.radius(), kNone, 1.0, places));
+  return most;
+}
+
+double RobotScene::pairDistance(const Pair& pair, const Places& places, double enough, QueryCounts* counts) const {
+  const Part &first = m_parts[pair.first], &second = m_parts[pair.second];
+  return distanceBetween(first.body, places.of(first.joint), second.body, places.of(second.joint), enough, counts);
+}
+
+bool RobotScene::areApart(const GroupPair& pair, const Places& places, double enough) const {
+  const Group &a = m_groups[pair.first], &b = m_groups[pair.second];
+  const double least = enough + a.radius + b.radius;
+  return (places.of(a.joint) * a.centre - places.of(b.joint) * b.centre).squaredNorm() >= least * least;
+}
+
+std::span<const std::uint32_t> RobotScene::near(const Group& group, const Places& places, double enough,
+                                                QueryCounts* counts) const {
+  static thread_local std::vector<std::uint32_t> found;  // keeps its memory
+  m_obstacles.findNear(places.of(group.joint) * group.centre, group.radius, enough, found, counts);
+  return found;
+}
+
+RobotScene::Nearest RobotScene::nearestOf(const Group& group, const Places& places, double enough,
+                                          QueryCounts* counts) const {
+  Nearest least{enough};
+  if (group.joint == kNone) return least;  // what stands is as near as the cell makes it
+  const auto obstacles = near(group, places, enough, counts);
+  if (obstacles.empty()) return least;
+  for (std::uint32_t p = group.begin; p < group.end; ++p) {
+    const Part& part = m_parts[p];
+    const auto found =
+        m_obstacles.distance(part.body, places.of(part.joint), least.distance, part.leftOut, obstacles, counts);
+    if (found.owner != kNone) least = {found.distance, part.link, kNone, found.owner};
+  }
+  return least;
+}
+
+RobotScene::Nearest RobotScene::nearestOf(const GroupPair& pair, const Places& places, double enough,
+                                          QueryCounts* counts) const {
+  Nearest least{enough};
+  if (areApart(pair, places, enough)) return least;
+  for (std::uint32_t i = pair.begin; i < pair.end; ++i) {
+    const double distance = pairDistance(m_pairs[i], places, least.distance, counts);
+    if (distance < least.distance)
+      least = {distance, m_parts[m_pairs[i].first].link, m_parts[m_pairs[i].second].link, kNone};
+  }
+  return least;
+}
+
+RobotScene::Nearest RobotScene::nearestObstacle(const Places& places, double enough, QueryCounts* counts) const {
+  Nearest least{enough};
+  for (const Group& group : m_groups) {
+    const Nearest found = nearestOf(group, places, least.distance, counts);
+    if (found.link != kNone) least = found;
+  }
+  return least;
+}
+
+RobotScene::Nearest RobotScene::nearestLinks(const Places& places, double enough, QueryCounts* counts) const {
+  Nearest least{enough};
+  for (const GroupPair& pair : m_groupPairs) {
+    const Nearest found = nearestOf(pair, places, least.distance, counts);
+    if (found.link != kNone) least = found;
+  }
+  return least;
+}
+
+RobotScene::Nearest RobotScene::nearest(const ArmValues& values, double enough, QueryCounts* counts) const {
+  Places places;
+  placesAt(values, places);
+  const Nearest obstacle = nearestObstacle(places, enough, counts);
+  const Nearest links = nearestLinks(places, obstacle.distance, counts);
+  return links.link == kNone ? obstacle : links;
+}
+
+RobotScene::Nearest RobotScene::nearestObstacle(const ArmValues& values, double enough, QueryCounts* counts) const {
+  Places places;
+  placesAt(values, places);
+  return nearestObstacle(places, enough, counts);
+}
+
+RobotScene::Nearest RobotScene::tooNear(const ArmValues& values, double clearance, double ownClearance,
+                                        QueryCounts* counts) const {
+  Places places;
+  placesAt(values, places);
+  const Nearest obstacle = nearestObstacle(places, clearance, counts);
+  const Nearest links = nearestLinks(places, ownClearance, counts);
+  if (links.link == kNone) return obstacle;
+  if (obstacle.link == kNone) return links;
+  return obstacle.distance - clearance < links.distance - ownClearance ? obstacle : links;
+}
+
+bool RobotScene::isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts) const {
+  Places places;
+  placesAt(values, places);
+  const auto isBlocked = [&](const auto& of, double distance) {
+    return nearestOf(of, places, distance, counts).link != kNone;
+  };
+  return std::ranges::none_of(m_groups, [&](const Group& group) { return isBlocked(group, clearance); }) &&
+         std::ranges::none_of(m_groupPairs, [&](const GroupPair& pair) { return isBlocked(pair, ownClearance); });
+}
+
+std::vector<RobotScene::Nearest> RobotScene::allTooNear(const ArmValues& values, double clearance,
+                                                        double ownClearance) const {
+  Places places;
+  placesAt(values, places);
+  std::vector<Nearest> all;
+  for (const Part& part : m_parts) {
+    if (part.joint == kNone) continue;
+    std::vector<std::uint32_t> leftOut = part.leftOut;  // and those that are listed
+    for (;;) {
+      const auto found = m_obstacles.distance(part.body, places.of(part.joint), clearance, leftOut);
+      if (found.owner == kNone) break;
+      all.push_back({found.distance, part.link, kNone, found.owner});
+      leftOut.push_back(found.owner);
+    }
+  }
+  for (const Pair& pair : m_pairs) {
+    const double distance = pairDistance(pair, places, ownClearance, nullptr);
+    if (distance < ownClearance) all.push_back({distance, m_parts[pair.first].link, m_parts[pair.second].link, kNone});
+  }
+  return all;
+}
+
+}  // namespace handwheel
