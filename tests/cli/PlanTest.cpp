@@ -113,6 +113,48 @@ class PlanTest : public QObject {
     QVERIFY2(ran.err.contains(message), ran.err);
   }
 
+  // The hand goes 300 mm ahead, into the box: the robot stops before it and is pulled back there.
+  void followsAHand() {
+    const PlannedCell cell;
+    QByteArray hand = "t_s,x_mm,y_mm,z_mm\n";
+    for (int i = 0; i <= 100; ++i) hand += QByteArray::number(0.02 * i) + "," + QByteArray::number(3.0 * i) + ",0,0\n";
+    cell.put("hand.csv", hand);
+    const Ran ran = cell.run({"teleop", "cell.handwheel", "--path", "hand.csv", "-o", "out.csv", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json report = jsonOf(ran.out);
+    QCOMPARE(report["steps"].get<int>(), 101);
+    QVERIFY(report["min_clearance_mm"].get<double>() > 0.0);
+    QVERIFY(report["blocked_s"].get<double>() > 0.5);
+    QVERIFY(report["behind_max_mm"].get<double>() > 100.0);
+    QVERIFY(report["max_force_N"].get<double>() <= 5.0 + 1e-9);
+    QCOMPARE(cell.read("out.csv").count('\n'), 102);
+    cell.put("bad.csv", "t_s,x_mm\n0,0\n");
+    QCOMPARE(cell.run({"teleop", "cell.handwheel", "--path", "bad.csv"}).code, 1);
+  }
+
+  // Each controller's program is proven against the path, and is a path again.
+  void programsOfControllers() {
+    const PlannedCell cell;
+    const Ran planned =
+        cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "right", "-o", "planned.handwheel"});
+    QVERIFY2(planned.code == 0, planned.err);
+    for (const auto& [controller, file] :
+         {std::pair("rapid", "p.mod"), std::pair("krl", "p.src"), std::pair("fanuc", "p.ls"),
+          std::pair("urscript", "p.script"), std::pair("csv", "p.csv")}) {
+      const Ran ran = cell.run({"post", "planned.handwheel", "path", "--controller", controller, "-o", file, "--json"});
+      QVERIFY2(ran.code == 0, ran.err);
+      const nlohmann::json report = jsonOf(ran.out);
+      QVERIFY(report["error_mm"].get<double>() <= 1e-3 && report["error_deg"].get<double>() <= 1e-3);
+      const Ran verified = cell.run({"verify", "cell.handwheel", file});
+      QVERIFY2(verified.code == 0, verified.out + verified.err);
+    }
+    cell.put("straight.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [-1.2, 0.5, 0, 0, 0, 0]]})");
+    const Ran refused = cell.run({"post", "cell.handwheel", "straight.json", "--controller", "krl", "-o", "no.src"});
+    QCOMPARE(refused.code, 1);
+    QVERIFY(refused.err.contains("box"));
+    QVERIFY(cell.read("no.src").isEmpty());
+  }
+
   void configurations() {
     const PlannedCell cell;
     QCOMPARE(cell.run({"configuration", "cell.handwheel", "--remove", "up", "-o", "cell.handwheel"}).code, 0);

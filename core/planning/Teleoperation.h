@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planning/MotionCheck.h"
+#include "robot/arm/SerialArm.h"
+
+namespace handwheel {
+
+// How a robot follows a hand.
+struct TeleoperationSettings {
+  MotionCheckSettings check;
+  double turning = M_PI;      // rad/s of hinges whose velocity is not known
+  double sliding = 500.0;     // mm/s of slides
+  double stiffness = 0.2;     // N/mm: how hard the hand is pulled to where the tool is
+  double largestForce = 5.0;  // N
+};
+
+// A robot under teleoperation: its tool's centre point goes where the hand wants it, as fast as the joints let it,
+// never beyond a limit and never through anything: each step is proven free (MotionCheck). Where the straight step is
+// blocked, joints move on alone as far as they can, so that the tool slides along. Near singular places the step is
+// damped and does not stop. The hand is pulled to where the tool is.
+class Teleoperation {
+ public:
+  // Where the robot is after a step.
+  struct Step {
+    Pose tool = Pose::Identity();
+    Vec3 force = Vec3::Zero();  // N, on the hand
+    double behind = 0.0;        // mm that the tool is off what the hand wants
+    bool isBlocked = false;     // by what stands around it or its own links
+    bool isAtLimit = false;     // a joint is
+  };
+
+  // The scene must outlive it; start must be free and within the limits, else the robot stays there until it is led
+  // out. tool: of the centre point in the arm's tip.
+  Teleoperation(const RobotScene& scene, const SerialArm& arm, const Pose& tool, const ArmValues& start,
+                const TeleoperationSettings& settings);
+
+  const ArmValues& values() const { return m_values; }
+  Pose tool() const { return m_arm.tipPose(m_values) * m_tool; }
+
+  // Follows to a pose of the tool's centre point in the base. seconds: since the step before.
+  Step follow(const Pose& wanted, double seconds);
+
+ private:
+  ArmValues towards(const Pose& wanted, double seconds) const;
+  bool advance(const ArmValues& to);
+
+  const RobotScene& m_scene;
+  const SerialArm m_arm;
+  Pose m_tool;
+  TeleoperationSettings m_settings;
+  ArmValues m_values;
+};
+
+}  // namespace handwheel

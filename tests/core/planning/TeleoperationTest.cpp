@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/Teleoperation.h"
+
+#include "TestClass.h"
+#include "planning/PlanningSet.h"
+#include "robot/Kinematics.h"
+#include "robot/dh/DhTable.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <cmath>
+#include <numeric>
+
+using namespace handwheel;
+
+namespace {
+
+// An IRB 120 before a wall at x = 420 mm.
+class HandledRobot {
+ public:
+  HandledRobot() : m_table(*libraryTable("irb120")), m_model(robotOf(m_table)), m_scene(sceneOf()) {
+    m_scene.addObstacle(CollisionBody({CollisionPiece::box(Pose::Identity(), {100.0, 2000.0, 2000.0})}),
+                        Pose(Eigen::Translation3d(520.0, 0.0, 600.0)), 1);
+  }
+  const RobotScene& scene() const { return m_scene; }
+  SerialArm arm() const { return armOf(std::vector<DhRow>(m_table.joints.begin(), m_table.joints.end())); }
+  static ArmValues start() {
+    ArmValues values(6);
+    values << 0.2, 0.1, 0.3, 0.1, 0.7, 0.0;
+    return values;
+  }
+  Teleoperation teleoperation() const { return {m_scene, arm(), Pose::Identity(), start(), {}}; }
+
+ private:
+  RobotScene sceneOf() const {
+    std::vector<std::uint32_t> dofs(6);
+    std::iota(dofs.begin(), dofs.end(), 0u);
+    std::set<LinkPair> allowed = neighbours(m_model);
+    allowed.merge(overlappingLinks(m_table));
+    RobotScene scene(m_model, Pose::Identity(), collisionBodies(m_model), dofs, restValues(m_model), allowed);
+    scene.allowPairs(scene.alwaysMeeting());
+    return scene;
+  }
+
+  const DhTable& m_table;
+  RobotModel m_model;
+  RobotScene m_scene;
+};
+
+}  // namespace
+
+// A robot that follows a hand.
+class TeleoperationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Slowly, in the open: the tool is where the hand wants it, and no force is felt.
+  void followsInTheOpen() {
+    const HandledRobot robot;
+    Teleoperation following = robot.teleoperation();
+    Pose wanted = following.tool();
+    for (int i = 0; i < 100; ++i) {
+      wanted.translation() += Vec3(0.0, 0.5, 0.2);
+      const Teleoperation::Step step = following.follow(wanted, 0.02);
+      QVERIFY(step.behind < 0.05 && step.force.norm() < 0.05);
+      QVERIFY(!step.isBlocked);
+    }
+  }
+
+  // Into the wall and along it: never through, and the hand is pulled back.
+  void stopsAtAWall() {
+    const HandledRobot robot;
+    Teleoperation following = robot.teleoperation();
+    Pose wanted = following.tool();
+    Teleoperation::Step step;
+    for (int i = 0; i < 300; ++i) {
+      wanted.translation() += Vec3(1.0, 0.3, 0.0);
+      step = following.follow(wanted, 0.02);
+      QVERIFY(robot.scene().nearest(following.values(), 1.0).distance > 0.0);
+    }
+    QVERIFY(step.isBlocked);
+    QVERIFY(step.behind > 50.0);
+    QVERIFY(step.force.x() < -1.0);
+    QVERIFY(step.tool.translation().y() > robot.teleoperation().tool().translation().y());  // it slid along
+    // Back out it comes.
+    for (int i = 0; i < 400; ++i) {
+      wanted.translation() += Vec3(-1.0, 0.0, 0.0);
+      step = following.follow(wanted, 0.02);
+    }
+    QVERIFY(!step.isBlocked);
+    QVERIFY(step.behind < 1.0);
+  }
+
+  // However wild the hand is: within the limits, no faster than the joints, free, finite.
+  void anyHand() {
+    const HandledRobot robot;
+    QVERIFY(rc::check("limits, speed and freedom", [&] {
+      Teleoperation following = robot.teleoperation();
+      Pose wanted = following.tool();
+      for (int i = 0; i < 30; ++i) {
+        const ArmValues before = following.values();
+        const double seconds = *rc::gen::inRange(1, 50) / 1000.0;
+        wanted.translation() +=
+            Vec3(*rc::gen::inRange(-300, 301), *rc::gen::inRange(-300, 301), *rc::gen::inRange(-300, 301));
+        if (*rc::gen::inRange(0, 10) == 0) wanted.translation().x() = std::nan("");
+        const Teleoperation::Step step = following.follow(wanted, seconds);
+        if (!wanted.translation().allFinite()) wanted = following.tool();
+        RC_ASSERT(step.force.allFinite() && step.force.norm() <= 5.0 + 1e-9);
+        RC_ASSERT(robot.scene().isWithinLimits(following.values()));
+        RC_ASSERT(robot.scene().nearest(following.values(), 1.0).distance > 0.0);
+        for (Eigen::Index k = 0; k < 6; ++k) {
+          const double most = seconds * *robot.scene().joint(k).velocity;
+          // Each joint may have moved with all others, and once more alone.
+          RC_ASSERT(std::abs(following.values()[k] - before[k]) <= 2.0 * most + 1e-9);
+        }
+      }
+    }));
+  }
+};
+
+HANDWHEEL_TEST(TeleoperationTest)
+#include "TeleoperationTest.moc"
