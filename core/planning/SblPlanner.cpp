@@ -16,7 +16,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kNoParent = kNone;
-constexpr int kCells = 10;  // of the grid, each way
+constexpr int kCells = 32;  // of the grid, each way
 
 // A free point, and the motion that joins it to the one before it in its tree.
 struct Milestone {
