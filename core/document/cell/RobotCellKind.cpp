@@ -108,7 +108,7 @@ std::string RobotCellKind::title() const {
 }
 
 std::vector<FileFormat> RobotCellKind::formats() const {
-  std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}, {"Denavit-Hartenberg", {".json"}, true, false}};
+  std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}, {"Denavit-Hartenberg", {".dh.json"}, true, false}};
   for (const FileFormat& format : meshFileFormats()) {
     if (format.writes) all.push_back({format.name, format.endings, false, true});
   }

@@ -37,7 +37,7 @@ struct Corner {
 // far along the lines than those are long.
 std::optional<Corner> filletedCorner(const ProfileSegment& before, const ProfileSegment& arc,
                                      const ProfileSegment& after) {
-  constexpr double kTangent = 0.05;  // rad, as fitted arcs and faces that were sampled are off
+  constexpr double kTangent = 0.02;  // rad, as fitted arcs are off
   if (!arc.isArc() || before.isArc() || after.isArc() || std::abs(arc.angle()) > 0.9 * M_PI) return std::nullopt;
   const auto touches = [](const ProfilePoint& a, const ProfilePoint& b) {
     return a.dot(b) > 0.0 && std::abs(crossOf(a, b)) < kTangent;

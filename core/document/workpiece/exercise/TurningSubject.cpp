@@ -56,16 +56,6 @@ void provideTools(LatheSetup& setup, const TurningTask& task) {
   if (setup.stations.empty()) setup.stations.emplace_back();
 }
 
-// A target whose arcs are chains of short lines, as many a drawing has them, with its arcs; the same where what is
-// found is not within the tolerance of it.
-TargetProfile withArcs(const TargetProfile& target) {
-  constexpr double kTolerance = 5e-3, kMostOff = 0.02;  // mm
-  const Result<TargetProfile> fitted = sectionOf(sampled(target, turnSpacingSetting().standard), kTolerance);
-  if (!fitted || fitted->segments().size() >= target.segments().size()) return target;
-  const TargetProfile placed = fitted->moved(target.lowerEnd());
-  return largestDistance(placed, target) <= kMostOff ? placed : target;
-}
-
 // The machine of the exercise: so it stands when the student begins.
 LatheSetup setupOf(const TurningTask& task) {
   LatheSetup setup = defaultLatheSetup(task.stock);
@@ -183,7 +173,7 @@ Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const Exe
                                                                        double largestFillet) const {
   TurningTask changed = turningOf(task);
   if (!changed.target) return Error{ExerciseError::WithoutTarget, {}, {}, {}};
-  Result<TargetProfile> target = rounded(withArcs(*changed.target), {step, largestFillet});
+  Result<TargetProfile> target = rounded(*changed.target, {step, largestFillet});
   if (!target) return target.error();
   const double change = largestDistance(*changed.target, *target);
   changed.target = std::move(target.value());
