@@ -69,7 +69,7 @@ class TranslationsTest : public QObject {
       const Translations german("de");
       QCOMPARE(errorSentence(unknown), "arm.urdf, Zeile 7: die Form „capsule“ wird nicht unterstützt.");
       QCOMPARE(errorSentence(truncated), "part.stl: die Datei endet zu früh (Facetten: 12 erwartet, 9 gefunden).");
-      QCOMPARE(errorSentence(nameless), "Das Element „joint“ ist fehlerhaft: der Name fehlt.");
+      QCOMPARE(errorSentence(nameless), "Das Element „Gelenk“ ist fehlerhaft: der Name fehlt.");
     }
     const Translations chinese("zh_CN");
     QCOMPARE(errorSentence(truncated), "part.stl：文件提前结束（面片：应为 12，实为 9）。");
