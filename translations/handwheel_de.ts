@@ -10411,16 +10411,16 @@
         <translation>Beginnt eine Zelle mit einem Roboter der Bibliothek nach den Tabellen des Herstellers</translation>
     </message>
     <message>
-        <source>Configurations and paths</source>
-        <translation>Stellungen und Bahnen</translation>
-    </message>
-    <message>
         <source>New cell</source>
         <translation>Neue Zelle</translation>
     </message>
     <message>
         <source>Robot:</source>
         <translation>Roboter:</translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation>Planung</translation>
     </message>
 </context>
 <context>

@@ -10329,16 +10329,16 @@
         <translation>用库中的机器人（按制造商参数）新建单元</translation>
     </message>
     <message>
-        <source>Configurations and paths</source>
-        <translation>位形与路径</translation>
-    </message>
-    <message>
         <source>New cell</source>
         <translation>新建单元</translation>
     </message>
     <message>
         <source>Robot:</source>
         <translation>机器人：</translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation>规划</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -36,6 +37,7 @@ constexpr const char* kLifelineNumber = "9";
 constexpr const char* kLifelineName = "HANDWHEEL_LIFELINE";
 constexpr auto kTidying = 2s;  // xvfb-run takes up to one to start its display, and only then tidies up
 constexpr auto kEnding = 500ms;
+constexpr auto kDisplayStart = 5s;  // far more than a display takes that starts
 
 void closeEnd(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
@@ -68,10 +70,29 @@ pid_t spawn(const std::vector<char*>& argv, int lifeline) {
   return error == 0 ? child : 0;
 }
 
+std::string firstLineOf(const std::string& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  return line;
+}
+
+// xvfb-run waits for ever when the signal of its display comes before it begins to wait, as happens on busy machines:
+// it then has one child, the display, and goes on when that signal comes again.
+void wakeDisplayRunner(pid_t runner) {
+  const std::string number = std::to_string(runner);
+  std::string children = firstLineOf("/proc/" + number + "/task/" + number + "/children");
+  while (children.ends_with(' ')) children.pop_back();
+  if (children.empty() || children.find(' ') != std::string::npos) return;
+  if (firstLineOf("/proc/" + children + "/comm") == "Xvfb") kill(runner, SIGUSR1);
+}
+
 // After a signal to us the lifeline closes, and then there is less and less patience.
 int waitFor(pid_t child, int& lifeline) {
   constexpr auto kLook = 10ms;
   int status = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  int wakings = 0;
   std::optional<std::chrono::steady_clock::time_point> askedToEnd;
   while (waitpid(child, &status, WNOHANG) == 0) {
     if (wasInterrupted() && !askedToEnd) {
@@ -81,6 +102,10 @@ int waitFor(pid_t child, int& lifeline) {
     if (askedToEnd) {
       const auto waited = std::chrono::steady_clock::now() - *askedToEnd;
       if (waited > kTidying) kill(-child, waited > kTidying + kEnding ? SIGKILL : SIGTERM);
+    }
+    if (std::chrono::steady_clock::now() - begin > (wakings + 1) * kDisplayStart) {
+      wakeDisplayRunner(child);
+      ++wakings;
     }
     std::this_thread::sleep_for(kLook);
   }

@@ -139,6 +139,27 @@ class InterruptTest : public QObject {
     QCOMPARE(QDir(mark).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
   }
 
+  // On a busy machine xvfb-run may miss that its display has started: one that always does.
+  void aDisplayRunnerThatMissedItsDisplay() {
+    const QString sleeping = QStandardPaths::findExecutable("sleep");
+    if (sleeping.isEmpty()) QSKIP("sleep is not installed");
+    const Bench bench;
+    bench.put("a.off", largeTorus(8));
+    QVERIFY(QDir(bench.path()).mkdir("bin"));
+    QVERIFY(QFile::copy(sleeping, bench.path() + "/bin/Xvfb"));
+    bench.put("bin/xvfb-run", "#!/bin/sh\ntrap : USR1\nXvfb 60 &\ndisplay=$!\nwait\nkill $display\necho went on\n");
+    QVERIFY(QFile::setPermissions(bench.path() + "/bin/xvfb-run", QFile::ReadOwner | QFile::ExeOwner));
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove("DISPLAY");
+    environment.insert("PATH", bench.path() + "/bin:" + environment.value("PATH"));
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(bench.path());
+    process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
+    QVERIFY(process.waitForFinished(kLongestRun));
+    QCOMPARE(process.readAllStandardOutput(), QByteArray("went on\n"));
+  }
+
   // Progress is for people at a terminal.
   void quietInAPipe() {
     const Bench bench;

@@ -85,7 +85,7 @@ QWidget* RobotCellUi::makePanel() {
   column->addLayout(line);
   column->addWidget(m_bodies.list(), 1);
   auto* plans = new QWidget(parts().window);
-  auto* plansHeading = new QLabel(tr("Configurations and paths"), plans);
+  auto* plansHeading = new QLabel(tr("Planning"), plans);
   plansHeading->setProperty("strong", true);
   auto* plansLine = new QHBoxLayout;
   plansLine->setContentsMargins(12, 8, 8, 0);
