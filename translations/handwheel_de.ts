@@ -4736,6 +4736,14 @@
         <source>Where the robot stands</source>
         <translation>Wo der Roboter steht</translation>
     </message>
+    <message>
+        <source>Carried by</source>
+        <translation>Getragen von</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6587,6 +6595,34 @@
     <message>
         <source>Unlink the file of %1</source>
         <translation>Verknüpfung von %1 mit der Datei lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Mount the body on the tool flange</source>
+        <translation>Den Körper am Werkzeugflansch &amp;befestigen</translation>
+    </message>
+    <message>
+        <source>Take the body off the &amp;robot</source>
+        <translation>Den Körper vom Robote&amp;r nehmen</translation>
+    </message>
+    <message>
+        <source>Let the robot carry the selected body as a tool: its origin comes to the flange</source>
+        <translation>Der Roboter trägt den ausgewählten Körper als Werkzeug: Dessen Ursprung kommt an den Flansch</translation>
+    </message>
+    <message>
+        <source>Leave the selected body where the robot holds it</source>
+        <translation>Lässt den ausgewählten Körper dort, wo ihn der Roboter hält</translation>
+    </message>
+    <message>
+        <source>The robot does not carry it.</source>
+        <translation>Der Roboter trägt ihn nicht.</translation>
+    </message>
+    <message>
+        <source>Mount %1 on %2</source>
+        <translation>%1 an %2 befestigen</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>%1 loslassen</translation>
     </message>
 </context>
 <context>

@@ -4729,6 +4729,14 @@
         <source>Where the robot stands</source>
         <translation>机器人当前位置</translation>
     </message>
+    <message>
+        <source>Carried by</source>
+        <translation>携带者</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6539,6 +6547,34 @@
     <message>
         <source>Unlink the file of %1</source>
         <translation>取消 %1 的文件链接</translation>
+    </message>
+    <message>
+        <source>&amp;Mount the body on the tool flange</source>
+        <translation>将物体安装到工具法兰(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Take the body off the &amp;robot</source>
+        <translation>将物体从机器人上取下(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Let the robot carry the selected body as a tool: its origin comes to the flange</source>
+        <translation>让机器人携带所选物体作为工具：其原点移到法兰处</translation>
+    </message>
+    <message>
+        <source>Leave the selected body where the robot holds it</source>
+        <translation>将所选物体留在机器人当前持有的位置</translation>
+    </message>
+    <message>
+        <source>The robot does not carry it.</source>
+        <translation>机器人没有携带它。</translation>
+    </message>
+    <message>
+        <source>Mount %1 on %2</source>
+        <translation>将 %1 安装到 %2</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>放下 %1</translation>
     </message>
 </context>
 <context>

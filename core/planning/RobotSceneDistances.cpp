@@ -136,6 +136,18 @@ RobotScene::Nearest RobotScene::nearestObstacle(const ArmValues& values, double 
   return nearestObstacle(places, enough, counts);
 }
 
+RobotScene::Nearest RobotScene::nearestTo(const CollisionBody& body, const Pose& pose, const ArmValues& values,
+                                          double enough) const {
+  Places places;
+  placesAt(values, places);
+  Nearest least{enough};
+  for (const Part& part : m_parts) {
+    const double distance = distanceBetween(part.body, places.of(part.joint), body, pose, least.distance);
+    if (distance < least.distance) least = {distance, part.link};
+  }
+  return least;
+}
+
 RobotScene::Nearest RobotScene::tooNear(const ArmValues& values, double clearance, double ownClearance,
                                         QueryCounts* counts) const {
   Places places;

@@ -40,8 +40,10 @@ struct BodyLink {
 // One thing of a document that holds several: a shape at a place. A value; versions share the shape.
 struct Body {
   BodyId id = 0;
-  std::string name;               // UTF-8, unique in its document, not empty
-  Pose pose = Pose::Identity();   // in the world, rigid (scene/RigidPose.h)
+  std::string name;  // UTF-8, unique in its document, not empty
+  // What carries it, such as a link of a robot, by its name; empty: nothing, it stands in the world.
+  std::string carrier = {};
+  Pose pose = Pose::Identity();   // in the frame of its carrier, rigid (scene/RigidPose.h)
   GeometryPointer geometry = {};  // never null in a document
   BodyLook look = {};
   bool visible = true;

@@ -31,6 +31,8 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
       m_shapes(new QMenu(tr("Add a &shape"), parts.window)),
       m_add(tr("&Add a body from a file…"), this),
       m_link(tr("Add a body &linked to a file…"), this),
+      m_mount(tr("&Mount the body on the tool flange"), this),
+      m_release(tr("Take the body off the &robot"), this),
       m_remove(tr("&Remove the body"), this),
       m_hide(tr("&Hide the body"), this),
       m_showAll(tr("Show all &bodies"), this),
@@ -41,6 +43,9 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
   prepare(m_add, "addBody", "add-mesh", tr("Add the shape of another file beside the robot"));
   prepare(m_link, "linkBody", nullptr,
           tr("Add the shape of another file and link to the file, to read it again when it has changed"));
+  prepare(m_mount, "mountBody", nullptr,
+          tr("Let the robot carry the selected body as a tool: its origin comes to the flange"));
+  prepare(m_release, "releaseBody", nullptr, tr("Leave the selected body where the robot holds it"));
   prepare(m_remove, "removeBody", nullptr, tr("Remove the selected bodies from the cell"));
   prepare(m_hide, "hideBody", "eye-off", tr("Hide the selected bodies from view and touch"));
   prepare(m_showAll, "showBodies", "eye", tr("Show all bodies that are hidden"));
@@ -71,6 +76,8 @@ void CellBodies::connectActions() {
       apply(values);
     });
   });
+  connect(&m_mount, &QAction::triggered, this, &CellBodies::mountSelected);
+  connect(&m_release, &QAction::triggered, this, &CellBodies::releaseSelected);
   connect(&m_remove, &QAction::triggered, this, &CellBodies::removeSelected);
   connect(&m_update, &QAction::triggered, this, [this] { applyToSelected("update"); });
   connect(&m_relink, &QAction::triggered, this, &CellBodies::relinkSelected);
@@ -114,7 +121,8 @@ QList<QAction*> CellBodies::adding() {
 }
 
 QList<QAction*> CellBodies::all() {
-  return adding() + QList<QAction*>{&m_remove, &m_hide, &m_showAll, &m_update, &m_relink, &m_unlink};
+  return adding() +
+         QList<QAction*>{&m_mount, &m_release, &m_remove, &m_hide, &m_showAll, &m_update, &m_relink, &m_unlink};
 }
 
 void CellBodies::setDocument(DocumentTab* document) {
@@ -148,7 +156,10 @@ void CellBodies::update() {
   enable(m_hide, isAnyVisible, m_selection.empty() ? noBody : tr("It is hidden."));
   enable(m_showAll, std::any_of(bodies.begin(), bodies.end(), isHidden), tr("No body is hidden."));
   const BodyPointer body = selected();
-  enable(m_relink, body != nullptr, m_selection.empty() ? noBody : tr("Select one body only."));
+  const QString noSingleBody = m_selection.empty() ? noBody : tr("Select one body only.");
+  enable(m_mount, body != nullptr, noSingleBody);
+  enable(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);
+  enable(m_relink, body != nullptr, noSingleBody);
   const QString noLink = body ? tr("The body is not linked to a file.") : m_relink.property(kDisabledReason).toString();
   for (QAction* action : {&m_update, &m_unlink}) enable(*action, body && body->link, noLink);
 }

@@ -3,6 +3,7 @@
 
 // How the actions for bodies change the document.
 #include "document/OperationText.h"
+#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
@@ -82,7 +83,8 @@ void CellBodies::addShape(const PrimitiveDescription& primitive) {
       PrimitiveGeometry::make(primitive.primitive, std::vector<double>(primitive.dimensions.size(), kNewShape));
   const Box own = geometry.value()->bounds();
   Box there = robotAtRest();
-  for (const BodyPointer& body : cell().bodies()) there.extend(boundsOf(*body));
+  for (const BodyPointer& body : inFrameOfBase(cell().bodies(), cell().robot().model, cell().joints()))
+    there.extend(boundsOf(*body));
   const double x = there.isEmpty() ? 0.0 : std::ceil(there.max().x() - own.min().x());
   values.setValid("at", std::vector<double>{x, 0.0, -own.min().z()});
   apply(values);
@@ -114,6 +116,24 @@ void CellBodies::removeSelected() {
   const std::vector<BodyId> ids(m_selection.bodies().begin(), m_selection.bodies().end());
   if (auto edit = removeBodiesEdit(cell().bodies(), ids))
     cell().commit(removeBodiesText(cell().bodies(), m_selection.bodies()), std::move(edit));
+}
+
+void CellBodies::mountSelected() {
+  const RobotModel& robot = cell().robot().model;
+  const std::uint32_t flange = toolLink(robot);
+  auto edit = mountEdit(cell().bodies(), selected()->id, flange, robot);
+  if (!edit) return report(cell(), edit.error());
+  if (!*edit) return m_parts.log.add(tr("Nothing has changed"));
+  cell().commit(tr("Mount %1 on %2")
+                    .arg(QString::fromStdString(selected()->name), QString::fromStdString(robot.links[flange].name)),
+                std::move(edit).value());
+}
+
+void CellBodies::releaseSelected() {
+  const RobotModel& robot = cell().robot().model;
+  auto edit = carryEdit(cell().bodies(), selected()->id, kNone, robot, cell().joints());
+  if (!edit) return report(cell(), edit.error());
+  if (*edit) cell().commit(tr("Release %1").arg(QString::fromStdString(selected()->name)), std::move(edit).value());
 }
 
 void CellBodies::rename(BodyId body, const QString& name) {

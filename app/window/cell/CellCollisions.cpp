@@ -4,7 +4,10 @@
 
 #include "document/cell/RobotCellDocument.h"
 #include "window/JobRunner.h"
+#include "window/cell/CollisionColour.h"
 #include "window/documents/DocumentTab.h"
+
+#include <limits>
 
 namespace handwheel {
 
@@ -52,8 +55,14 @@ void CellCollisions::prepare() {
   m_parts.jobs.start(std::move(job));
 }
 
-RobotScene::Nearest CellCollisions::meetingAt(const JointValues& joints) const {
-  return m_scene ? m_scene->scene.tooNear(m_scene->planned(joints), 0.0, 0.0) : RobotScene::Nearest{};
+void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const Body* moved) const {
+  if (!m_scene) return;
+  const ArmValues values = m_scene->planned(joints);
+  if (!moved) return markColliding(shown, *m_scene, m_scene->scene.tooNear(values, 0.0, 0.0));
+  RobotScene::Nearest nearest = m_scene->scene.nearestTo(collisionBodyOf(*moved->geometry, *m_meshes), moved->pose,
+                                                         values, std::numeric_limits<double>::min());
+  nearest.owner = moved->id;
+  markColliding(shown, *m_scene, nearest);
 }
 
 }  // namespace handwheel

@@ -24,8 +24,9 @@ class CellCollisions : public QObject {
   std::shared_ptr<const CellScene> scene() const { return m_scene; }
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
 
-  // What the robot meets at these joint values; no link: nothing, or the cell is not prepared.
-  RobotScene::Nearest meetingAt(const JointValues& joints) const;
+  // Colours what collides in a cell that is shown: the robot at these joint values, where a body is being moved (null:
+  // none is) with that alone. Nothing, while the cell is not prepared.
+  void mark(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr) const;
 
  signals:
   void prepared();

@@ -13,8 +13,9 @@ void markColliding(DisplayModel& model, const CellScene& scene, const RobotScene
   for (DisplayPart& part : model.parts) {
     const std::uint32_t link = linkOfPart(*scene.robot, part.name);
     const auto body = bodyOfPart(part.name);
-    const bool isMeeting =
-        (link != kNone && (link == nearest.link || link == nearest.otherLink)) || (body && nearest.owner == *body);
+    const bool isMeeting = (link != kNone && (link == nearest.link || link == nearest.otherLink)) ||
+                           (body && (nearest.owner == *body || scene.bodyOfLink(nearest.link) == body ||
+                                     scene.bodyOfLink(nearest.otherLink) == body));
     if (isMeeting) part.colour = kWarning;
   }
 }

@@ -133,8 +133,7 @@ void PathDock::show(double seconds) {
   const auto scene = m_paths.scene();
   if (!m_timed || !m_isOpen || !scene) return;
   const ArmValues values = m_timed->valuesAt(seconds);
-  auto model = std::make_shared<DisplayModel>(displayOf(*scene->robot, scene->whole(values)));
-  for (DisplayPart& part : displayPartsOf(scene->bodies)) model->parts.push_back(std::move(part));
+  auto model = std::make_shared<DisplayModel>(displayOf(*scene->robot, scene->whole(values), scene->bodies));
   const RobotScene::Nearest nearest = scene->scene.tooNear(values, 0.0, 0.0);
   markColliding(*model, *scene, nearest);
   const std::size_t place = m_shown->placeOf(m_timed->motionAt(seconds));

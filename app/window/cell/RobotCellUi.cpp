@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/RobotCellUi.h"
 
+#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
@@ -17,7 +18,6 @@
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/cell/BodySight.h"
-#include "window/cell/CollisionColour.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/tools/ToolHost.h"
@@ -157,9 +157,7 @@ void RobotCellUi::refreshVisibility() {
 // What collides where the robot stands has a colour of its own.
 DisplayModel RobotCellUi::displayed(const Document& document) const {
   DisplayModel model = RigidPartsUi::displayed(document);
-  const auto scene = m_collisions.scene();
-  const auto& cell = static_cast<const RobotCellDocument&>(document);
-  if (scene) markColliding(model, *scene, m_collisions.meetingAt(cell.joints()));
+  m_collisions.mark(model, static_cast<const RobotCellDocument&>(document).joints());
   return model;
 }
 
@@ -171,11 +169,14 @@ void RobotCellUi::forget(DocumentTab* document) {
 void RobotCellUi::showPreview(const ToolPreview& preview) {
   RigidPartsUi::showPreview(preview);
   std::optional<Body> dragged;
-  for (const DisplayPart& part : document() ? preview.parts : std::vector<DisplayPart>()) {
+  for (const DisplayPart& part :
+       document() && preview.replaced ? preview.replaced->parts : std::vector<DisplayPart>()) {
     const auto id = bodyOfPart(part.name);
     const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
-    if (!id || !cell.bodies().withId(*id)) continue;
-    dragged = *cell.bodies().withId(*id);
+    const BodyPointer body = id ? cell.bodies().withId(*id) : nullptr;
+    if (!body || carrierOf(*body, cell.robot().model) != kNone) continue;  // it moves with the robot
+    if (part.pose.matrix() == body->pose.matrix()) continue;
+    dragged = *body;
     dragged->pose = part.pose;
   }
   if (!dragged && !m_dragged) return;
@@ -199,7 +200,8 @@ std::vector<Property> RobotCellUi::listedProperties(const Document& document) co
 }
 
 std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
-  if (const auto body = shownBody(document)) return propertiesOf(*body);
+  if (const auto body = shownBody(document))
+    return static_cast<const RobotCellDocument&>(document).propertiesOfBody(*body);
   return RigidPartsUi::panelProperties(document);
 }
 
@@ -224,13 +226,20 @@ void RobotCellUi::markSelected(bool isCovered) {
 
 // What covered it may be gone.
 void RobotCellUi::lookAgain() {
-  const auto body = m_isCovered ? shownBody(document()->document) : std::nullopt;
+  const auto shown = m_isCovered ? shownBody(document()->document) : std::nullopt;
+  const BodyPointer body = shown ? placedBody(shown->id) : nullptr;
   if (body) markSelected(sightOf(*body, parts().viewport) == BodySight::Covered);
+}
+
+// The body as it stands in the view.
+BodyPointer RobotCellUi::placedBody(BodyId id) const {
+  const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
+  return inFrameOfBase(cell.bodies(), cell.robot().model, cell.joints()).withId(id);
 }
 
 // One that is chosen in the list, or new, is seen: the view goes there, and what covers it becomes translucent.
 void RobotCellUi::reveal(BodyId id, bool isNew) {
-  const BodyPointer body = static_cast<const RobotCellDocument&>(document()->document).bodies().withId(id);
+  const BodyPointer body = placedBody(id);
   if (!body || !body->visible || body->geometry->bounds().isEmpty()) return;
   Viewport& view = parts().viewport;
   if (sightOf(*body, view) == BodySight::Outside) isNew ? view.fit() : view.flyTo(boundsOf(*body), Vec3::Zero());
@@ -270,11 +279,15 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
 
 std::unique_ptr<Tool> RobotCellUi::handTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  return std::make_unique<CellTool>(cell, m_bodies.selection(), [this](const Ray& ray) -> std::optional<RobotCellPick> {
-    const Pick pick = parts().viewport.pickAlong(ray.origin, ray.direction);
-    const std::string part = partOf(pick);
-    return part.empty() ? std::nullopt : std::optional(RobotCellPick{part, pick.point});
-  });
+  const auto pick = [this](const Ray& ray) -> std::optional<RobotCellPick> {
+    const Pick hit = parts().viewport.pickAlong(ray.origin, ray.direction);
+    const std::string part = partOf(hit);
+    return part.empty() ? std::nullopt : std::optional(RobotCellPick{part, hit.point});
+  };
+  const auto mark = [this](DisplayModel& shown, const JointValues& joints, const Body* moved) {
+    m_collisions.mark(shown, joints, moved);
+  };
+  return std::make_unique<CellTool>(cell, m_bodies.selection(), pick, mark);
 }
 
 NextStep RobotCellUi::nextStep() {

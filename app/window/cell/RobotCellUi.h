@@ -42,6 +42,7 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> handTool();
   std::vector<Property> panelProperties(const Document& document) const override;
   DisplayModel displayed(const Document& document) const override;
+  BodyPointer placedBody(BodyId id) const;
   std::optional<Body> shownBody(const Document& document) const;
   QWidget* makePanel();
   void askForRobot();

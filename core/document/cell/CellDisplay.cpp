@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/CellDisplay.h"
 
+#include "document/cell/BodyCarriers.h"
+#include "document/scene/BodyDisplay.h"
 #include "robot/Kinematics.h"
 
 #include <algorithm>
@@ -27,6 +29,13 @@ DisplayModel displayOf(const CellRobot& robot, const JointValues& joints) {
       display.parts.push_back(std::move(part));
     }
   }
+  return display;
+}
+
+DisplayModel displayOf(const CellRobot& robot, const JointValues& joints, const BodySet& bodies) {
+  DisplayModel display = displayOf(robot, joints);
+  for (DisplayPart& part : displayPartsOf(inFrameOfBase(bodies, robot.model, joints)))
+    display.parts.push_back(std::move(part));
   return display;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/CellScene.h"
 
+#include "document/cell/BodyCarriers.h"
 #include "document/scene/BodyDisplay.h"
 #include "planning/PlanningSet.h"
 #include "scene/PrimitiveGeometry.h"
@@ -11,26 +12,6 @@
 namespace handwheel {
 
 namespace {
-
-// Cylinders and spheres as they are: their triangles are inside of them.
-CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes) {
-  if (const auto* primitive = dynamic_cast<const PrimitiveGeometry*>(&geometry)) {
-    const std::vector<double>& d = primitive->dimensions();
-    switch (primitive->primitive()) {
-      case Primitive::Cuboid:
-        return CollisionBody({CollisionPiece::box(Pose::Identity(), {d[0], d[1], d[2]})});
-      case Primitive::Cylinder:
-        return CollisionBody({CollisionPiece::cylinder(Pose::Identity(), d[0], d[1])});
-      case Primitive::Sphere:
-        return CollisionBody({CollisionPiece::sphere(Vec3::Zero(), d[0])});
-      case Primitive::Cone:
-        break;
-    }
-  }
-  const std::shared_ptr<const CollisionMesh> mesh = meshes.of(geometry.surface());
-  if (mesh->bounds().isEmpty()) return {};
-  return CollisionBody({CollisionPiece::ofMesh(Pose::Identity(), mesh)});
-}
 
 // A description without any collision shapes collides with what it shows.
 RobotModel withCollisions(const RobotModel& robot) {
@@ -60,8 +41,25 @@ struct AllowedPairs {
   std::vector<std::pair<std::uint32_t, BodyId>> bodies;
 };
 
-AllowedPairs allowedOf(const RobotCellSnapshot& cell) {
-  const RobotModel& robot = cell.robot->model;
+// The bodies that links carry become links, each behind a fixed joint. Returns their numbers, in order.
+std::vector<BodyId> addCarried(const BodySet& bodies, RobotModel& robot) {
+  std::vector<BodyId> carried;
+  for (const BodyPointer& body : bodies) {
+    const std::uint32_t carrier = carrierOf(*body, robot);
+    if (carrier == kNone) continue;
+    const auto link = static_cast<std::uint32_t>(robot.links.size());
+    const auto joint = static_cast<std::uint32_t>(robot.joints.size());
+    robot.links.push_back({.name = partOfBody(body->id), .parentJoint = joint, .visuals = {}, .collisions = {}});
+    robot.joints.push_back(
+        {.name = partOfBody(body->id), .parent = carrier, .child = link, .origin = body->pose, .limits = {}});
+    robot.order.push_back(joint);
+    carried.push_back(body->id);
+  }
+  return carried;
+}
+
+// robot: that of the cell with the bodies that it carries.
+AllowedPairs allowedOf(const RobotCellSnapshot& cell, const RobotModel& robot) {
   AllowedPairs pairs{neighbours(robot), {}};
   for (const auto& [first, second] : cell.plans->allowed) {
     const std::uint32_t a = linkNamed(robot, first), b = linkNamed(robot, second);
@@ -75,6 +73,26 @@ AllowedPairs allowedOf(const RobotCellSnapshot& cell) {
 }
 
 }  // namespace
+
+// Cylinders and spheres as they are: their triangles are inside of them.
+CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes) {
+  if (const auto* primitive = dynamic_cast<const PrimitiveGeometry*>(&geometry)) {
+    const std::vector<double>& d = primitive->dimensions();
+    switch (primitive->primitive()) {
+      case Primitive::Cuboid:
+        return CollisionBody({CollisionPiece::box(Pose::Identity(), {d[0], d[1], d[2]})});
+      case Primitive::Cylinder:
+        return CollisionBody({CollisionPiece::cylinder(Pose::Identity(), d[0], d[1])});
+      case Primitive::Sphere:
+        return CollisionBody({CollisionPiece::sphere(Vec3::Zero(), d[0])});
+      case Primitive::Cone:
+        break;
+    }
+  }
+  const std::shared_ptr<const CollisionMesh> mesh = meshes.of(geometry.surface());
+  if (mesh->bounds().isEmpty()) return {};
+  return CollisionBody({CollisionPiece::ofMesh(Pose::Identity(), mesh)});
+}
 
 std::shared_ptr<const CollisionMesh> CollisionMeshes::of(const std::shared_ptr<const TriangleSoup>& soup) {
   {
@@ -102,10 +120,17 @@ JointValues CellScene::whole(const ArmValues& values) const {
 
 std::pair<std::string, std::string> CellScene::namesOf(const RobotScene::Nearest& nearest) const {
   const auto nameOfLink = [&](std::uint32_t link) {
-    return link == kNone ? std::string() : robot->model.links[link].name;
+    if (link == kNone) return std::string();
+    const auto body = bodyOfLink(link);
+    return body ? bodies.withId(*body)->name : robot->model.links[link].name;
   };
   const BodyPointer body = nearest.owner == kNone ? nullptr : bodies.withId(nearest.owner);
   return {nameOfLink(nearest.link), body ? body->name : nameOfLink(nearest.otherLink)};
+}
+
+std::optional<BodyId> CellScene::bodyOfLink(std::uint32_t link) const {
+  const std::size_t own = robot->model.links.size();
+  return link == kNone || link < own ? std::nullopt : std::optional(carried[link - own]);
 }
 
 bool CellScene::standsAs(const JointValues& joints) const {
@@ -113,7 +138,7 @@ bool CellScene::standsAs(const JointValues& joints) const {
 }
 
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes) {
-  const RobotModel robot = withCollisions(cell.robot->model);
+  RobotModel robot = withCollisions(cell.robot->model);
   Result<SerialArm::InRobot> arm = SerialArm::of(robot, robot.root, toolLink(robot));
   if (!arm) return arm.error();
   std::vector<std::shared_ptr<const CollisionMesh>> surfaces(robot.shapes.size());
@@ -121,8 +146,13 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
     if (std::holds_alternative<MeshShape>(robot.shapes[i]) && cell.robot->surfaces[i])
       surfaces[i] = meshes.of(cell.robot->surfaces[i]);
   }
-  const AllowedPairs allowed = allowedOf(cell);
-  RobotScene scene(robot, Pose::Identity(), collisionBodies(robot, surfaces), arm->dofs, cell.joints, allowed.links);
+  std::vector<BodyId> carried = addCarried(cell.bodies, robot);
+  const AllowedPairs allowed = allowedOf(cell, robot);
+  std::vector<CollisionBody> shapes = collisionBodies(robot, surfaces);
+  for (std::size_t i = 0; i < carried.size(); ++i) {
+    shapes[cell.robot->model.links.size() + i] = collisionBodyOf(*cell.bodies.withId(carried[i])->geometry, meshes);
+  }
+  RobotScene scene(robot, Pose::Identity(), std::move(shapes), arm->dofs, cell.joints, allowed.links);
   if (const Status sound = scene.isSound(); !sound) return sound.error();
   std::set<LinkPair> alwaysMeeting = scene.alwaysMeeting();
   const JointValues rest = restValues(robot);
@@ -130,8 +160,10 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
   for (Eigen::Index i = 0; i < atRest.size(); ++i) atRest[i] = rest[arm->dofs[static_cast<std::size_t>(i)]];
   alwaysMeeting.merge(scene.closePairsMeeting(atRest));
   scene.allowPairs(alwaysMeeting);
-  for (const BodyPointer& body : cell.bodies)
-    scene.addObstacle(collisionBodyOf(*body->geometry, meshes), body->pose, body->id);
+  for (const BodyPointer& body : cell.bodies) {
+    if (std::find(carried.begin(), carried.end(), body->id) == carried.end())
+      scene.addObstacle(collisionBodyOf(*body->geometry, meshes), body->pose, body->id);
+  }
   for (const auto& [link, body] : allowed.bodies) scene.allow(link, body);
   return CellScene{std::move(scene),
                    std::move(arm->arm),
@@ -140,7 +172,8 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
                    std::move(alwaysMeeting),
                    shapelessLinks(robot, *cell.robot),
                    cell.robot,
-                   cell.bodies};
+                   cell.bodies,
+                   std::move(carried)};
 }
 
 }  // namespace handwheel

@@ -25,8 +25,12 @@ class CollisionMeshes {
   std::unordered_map<const TriangleSoup*, Entry> m_entries;
 };
 
+// The shape of a body for collisions; empty where it has no triangles.
+CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes);
+
 // A robot cell prepared for planning: the joints between the robot's base and its tool are planned, the others stand.
-// All bodies are obstacles, those that are not shown, too. Immutable; any thread.
+// All bodies are obstacles, those that are not shown, too; those that a link carries are links of their own, fixed to
+// it. Immutable; any thread.
 struct CellScene {
   RobotScene scene;
   SerialArm arm;                    // from the root to the link that carries the tool
@@ -37,11 +41,14 @@ struct CellScene {
   std::vector<std::uint32_t> shapeless;  // links whose meshes are missing: collisions of these are not seen
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;
+  std::vector<BodyId> carried;  // the bodies that are links after those of the robot, in order
 
   ArmValues planned(const JointValues& joints) const;
   JointValues whole(const ArmValues& values) const;
   // What is nearest, by its names: a link, and a link or body. Both empty where nothing is.
   std::pair<std::string, std::string> namesOf(const RobotScene::Nearest& nearest) const;
+  // The body that this link of the scene is; none: it is one of the robot.
+  std::optional<BodyId> bodyOfLink(std::uint32_t link) const;
   // The joints that are not planned must be the same at both. False: they are not.
   bool standsAs(const JointValues& joints) const;
 };

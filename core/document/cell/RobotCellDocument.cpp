@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/RobotCellDocument.h"
 
+#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellProperties.h"
 #include "document/cell/JointEdit.h"
 #include "document/cell/PlansEdit.h"
@@ -58,7 +59,9 @@ SnapshotPointer RobotCellDocument::snapshot() const {
 
 std::vector<Property> RobotCellDocument::properties() const {
   std::vector<Property> all = cellProperties(m_robot->model, m_joints);
-  for (Property& ofBody : bodyProperties(bodies())) all.push_back(std::move(ofBody));
+  for (const BodyPointer& body : bodies()) {
+    for (Property& ofBody : propertiesOfBody(*body)) all.push_back(std::move(ofBody));
+  }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
 }
@@ -66,9 +69,17 @@ std::vector<Property> RobotCellDocument::properties() const {
 std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
   std::vector<Property> all = cellProperties(m_robot->model, m_joints);
   for (const Body& body : shown) {
-    for (Property& ofBody : propertiesOf(body)) all.push_back(std::move(ofBody));
+    for (Property& ofBody : propertiesOfBody(body)) all.push_back(std::move(ofBody));
   }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
+  return all;
+}
+
+std::vector<Property> RobotCellDocument::propertiesOfBody(const Body& body) const {
+  std::vector<Property> all = propertiesOf(body);
+  const auto name =
+      std::find_if(all.begin(), all.end(), [](const Property& each) { return each.id.ends_with(".name"); });
+  all.insert(name == all.end() ? name : name + 1, carrierProperty(body, m_robot->model));
   return all;
 }
 
@@ -82,7 +93,14 @@ std::optional<Property> RobotCellDocument::property(const std::string& id) const
 }
 
 Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
-  if (bodyOfProperty(id)) return bodyPropertyEdit(bodies(), id, value);
+  if (const auto body = bodyOfProperty(id)) {
+    if (!id.ends_with(".carrier")) return bodyPropertyEdit(bodies(), id, value);
+    const auto* choice = std::get_if<double>(&value);
+    if (!choice || !(*choice >= 0.0 && *choice <= static_cast<double>(m_robot->model.links.size())))
+      return Error{ErrorCode::ElementMalformed, {id, "a link of the robot was expected"}, {}, {}};
+    const std::uint32_t link = *choice < 1.0 ? kNone : static_cast<std::uint32_t>(*choice) - 1;
+    return carryEdit(bodies(), *body, link, m_robot->model, m_joints);
+  }
   const std::uint32_t dof = dofOfProperty(m_robot->model, id);
   if (dof == kNone) return Document::propertyEdit(id, value);
   const Result<double> wanted = jointValueFrom(m_robot->model, dof, value);

@@ -27,6 +27,8 @@ class RobotCellDocument : public Document, public BodyOwner {
   std::vector<Property> properties() const override;
   // Of the bodies those of these only: there may be very many.
   std::vector<Property> propertiesWith(std::span<const Body> shown) const;
+  // Those of one body: of propertiesOf(), and what carries it.
+  std::vector<Property> propertiesOfBody(const Body& body) const;
   // A body may be named by its name, too: "body.Table.x"; the property then has the id with the number.
   std::optional<Property> property(const std::string& id) const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;

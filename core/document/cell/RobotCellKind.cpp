@@ -9,7 +9,6 @@
 #include "document/cell/RobotCellDocument.h"
 #include "document/formats/MeshExport.h"
 #include "document/scene/BodyDescription.h"
-#include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyLinks.h"
 #include "mesh/structure/MeshErrors.h"
 #include "robot/Kinematics.h"
@@ -208,9 +207,7 @@ GeometryPointer RobotCellKind::bodyGeometry(const Snapshot& content, std::vector
 
 DisplayModel RobotCellKind::display(const Snapshot& content) const {
   const RobotCellSnapshot& cell = cellOf(content);
-  DisplayModel display = displayOf(*cell.robot, cell.joints);
-  for (DisplayPart& part : displayPartsOf(cell.bodies)) display.parts.push_back(std::move(part));
-  return display;
+  return displayOf(*cell.robot, cell.joints, cell.bodies);
 }
 
 }  // namespace handwheel

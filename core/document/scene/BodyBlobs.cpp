@@ -132,6 +132,7 @@ class BodyReading {
     else
       note(key, "its pose cannot be used");
     body.look = lookAt(entry);
+    body.carrier = stringAt(entry, "carrier");
     body.visible = boolAt(entry, "visible", true);
     body.link = linkAt(entry);
     const auto geometry = entry.find("geometry");
@@ -187,6 +188,7 @@ void writeBodies(const BodySet& bodies, const std::string& folder, Container& co
                  {"visible", body->visible},
                  {"link", linkEntry(body->link, container.folder)},
                  {"geometry", writeGeometry(*body->geometry, folderOfBody(folder, key), container, own)}};
+    if (!body->carrier.empty()) list[key]["carrier"] = body->carrier;
   }
   document[kNextBody] = bodies.freeId();
 }

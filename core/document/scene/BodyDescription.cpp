@@ -42,6 +42,7 @@ nlohmann::json describeBodies(const BodySet& bodies) {
                    {"visible", body->visible},
                    {"triangles", body->geometry->surface()->triangles.size()},
                    {"link", link}});
+    if (!body->carrier.empty()) all.back()["carrier"] = body->carrier;
   }
   return all;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/CellTool.h"
 
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellDisplay.h"
 #include "document/scene/BodyDisplay.h"
 
 #include <QtGlobal>
@@ -10,21 +12,26 @@ namespace handwheel {
 
 namespace {
 
-BodyDragTool::Pick bodyPick(const JointDragTool::Pick& pick) {
-  return [pick](const Ray& ray) -> std::optional<BodyPick> {
+// Those that the robot carries move with it: who drags them drags the arm.
+BodyDragTool::Pick bodyPick(const RobotCellDocument& document, const JointDragTool::Pick& pick) {
+  return [&document, pick](const Ray& ray) -> std::optional<BodyPick> {
     const auto hit = pick(ray);
-    const auto body = hit ? bodyOfPart(hit->part) : std::nullopt;
-    return body ? std::optional(BodyPick{*body, hit->point}) : std::nullopt;
+    const auto id = hit ? bodyOfPart(hit->part) : std::nullopt;
+    const BodyPointer body = id ? document.bodies().withId(*id) : nullptr;
+    if (!body || carrierOf(*body, document.robot().model) != kNone) return std::nullopt;
+    return BodyPick{*id, hit->point};
   };
 }
 
 }  // namespace
 
-CellTool::CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick)
+CellTool::CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark)
     : m_document(document),
+      m_pick(pick),
+      m_mark(std::move(mark)),
       m_selection(selection),
       m_joints(document, pick),
-      m_bodies(document, selection, bodyPick(pick)) {}
+      m_bodies(document, selection, bodyPick(document, pick)) {}
 
 std::span<const ToolKey> CellTool::keys() {
   static const std::vector<ToolKey> all = [] {
@@ -42,7 +49,11 @@ ToolReply CellTool::pointer(const PointerEvent& event) {
   const bool begins = event.kind == PointerEvent::Kind::Press && !m_joints.isDragging();
   if (begins && m_bodies.pointer(event) == ToolReply::Used) return ToolReply::Used;
   const ToolReply reply = m_joints.pointer(event);
-  if (begins && reply == ToolReply::Used) m_selection.clear();  // the robot is what one works on now
+  if (begins && reply == ToolReply::Used) {  // the robot is what one works on now, or what it carries
+    const auto hit = m_pick(event.ray);
+    const auto carried = hit ? bodyOfPart(hit->part) : std::nullopt;
+    carried ? m_selection.select(*carried) : m_selection.clear();
+  }
   return reply;
 }
 
@@ -69,11 +80,17 @@ std::vector<ToolAction> CellTool::actions() const {
                isSelected ? QT_TRANSLATE_NOOP("Tool", "deselect the body") : QT_TRANSLATE_NOOP("Tool", "done"))};
 }
 
+// The cell as it would be, in place of the one that is: what collides is seen while something moves.
 ToolPreview CellTool::preview() const {
   ToolPreview preview = m_joints.preview();
-  ToolPreview bodies = m_bodies.preview();
-  for (DisplayPart& part : bodies.parts) preview.parts.push_back(std::move(part));
-  for (auto& line : bodies.lines) preview.lines.push_back(std::move(line));
+  preview.parts.clear();
+  const Body* const moved = m_bodies.moved();
+  if (!moved && !m_joints.hasMoved()) return preview;
+  const BodySet& bodies = m_document.bodies();
+  auto shown = std::make_shared<DisplayModel>(displayOf(
+      m_document.robot(), m_joints.joints(), moved ? bodies.with(std::make_shared<const Body>(*moved)) : bodies));
+  if (m_mark) m_mark(*shown, m_joints.joints(), moved);
+  preview.replaced = std::move(shown);
   return preview;
 }
 

@@ -10,8 +10,11 @@ namespace handwheel {
 // Tool that moves by hand what stands in a robot cell: the links of the robot, and the bodies beside it.
 class CellTool : public Tool {
  public:
+  // Marks what collides in the cell as it is shown: the robot at these joint values, and a body that is being moved;
+  // null: none is.
+  using Mark = std::function<void(DisplayModel& shown, const JointValues& joints, const Body* moved)>;
   // The selection must outlive the tool.
-  CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick);
+  CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark = {});
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return m_joints.id(); }
@@ -25,6 +28,8 @@ class CellTool : public Tool {
 
  private:
   const RobotCellDocument& m_document;
+  JointDragTool::Pick m_pick;
+  Mark m_mark;
   BodySelection& m_selection;
   JointDragTool m_joints;
   BodyDragTool m_bodies;

@@ -3,7 +3,9 @@
 #include "tools/cell/JointDragTool.h"
 
 #include "base/Tolerance.h"
+#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
+#include "document/scene/BodyDisplay.h"
 #include "robot/Kinematics.h"
 #include "robot/PointTarget.h"
 
@@ -40,6 +42,10 @@ std::optional<JointDragTool::Hold> JointDragTool::holdAt(const Ray& ray) const {
   const RobotModel& robot = m_document.robot().model;
   Hold hold;
   hold.link = linkOfPart(m_document.robot(), picked->part);
+  if (const auto body = bodyOfPart(picked->part)) {
+    const BodyPointer carried = m_document.bodies().withId(*body);
+    if (carried) hold.link = carrierOf(*carried, robot);
+  }
   if (hold.link == kNone) return {};
   const std::vector<Pose> poses = linkPoses(robot, m_document.joints());
   hold.at.point = picked->point;
@@ -175,8 +181,8 @@ ToolPreview JointDragTool::preview() const {
     preview.lines.push_back({hold->at.centre - length * hold->at.axis, hold->at.centre + length * hold->at.axis});
   }
   if (!m_drag || m_drag->values == m_drag->start) return preview;
-  const DisplayModel before = displayOf(m_document.robot(), m_drag->start);
-  DisplayModel after = displayOf(m_document.robot(), m_drag->values);
+  const DisplayModel before = displayOf(m_document.robot(), m_drag->start, m_document.bodies());
+  DisplayModel after = displayOf(m_document.robot(), m_drag->values, m_document.bodies());
   for (std::size_t i = 0; i < after.parts.size(); ++i) {
     if (!after.parts[i].pose.isApprox(before.parts[i].pose)) preview.parts.push_back(std::move(after.parts[i]));
   }

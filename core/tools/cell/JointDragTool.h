@@ -26,6 +26,7 @@ class JointDragTool : public Tool {
   // The joint values: the preview while dragging, otherwise those of the document.
   const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
   bool isDragging() const { return m_drag.has_value(); }
+  bool hasMoved() const { return m_drag && m_drag->values != m_drag->start; }
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "joints"; }

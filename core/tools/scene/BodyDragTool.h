@@ -31,6 +31,8 @@ class BodyDragTool : public Tool {
       : m_document(document), m_owner(document), m_selection(selection), m_pick(std::move(pick)) {}
 
   bool isDragging() const { return m_drag.has_value(); }
+  // The body where it is dragged to; null: none, or it has not moved.
+  const Body* moved() const { return m_drag && m_drag->hasMoved ? &m_drag->body : nullptr; }
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "bodies"; }

@@ -63,6 +63,35 @@ class CellBodiesWindowTest : public QObject {
     QCOMPARE(undo->text(), added);
   }
 
+  // A tool goes with the robot, is dragged with it, and stays in the air when it is taken off.
+  void aToolIsMountedAndTakenOff() {
+    CellWindow driver;
+    driver.choose("add-sphere");
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "1500");
+    auto* mount = driver.find<QAction>("mountBody");
+    auto* release = driver.find<QAction>("releaseBody");
+    QVERIFY(mount->isEnabled() && !release->isEnabled());
+    driver.choose("mountBody");
+    QVERIFY(driver.field("body.1.x").startsWith("0"));
+    QVERIFY(release->isEnabled());
+    driver.showAll();
+    const QPoint grip = driver.placeOf("body.1");
+    QVERIFY(!grip.isNull());
+    auto* undo = driver.find<QAction>("undo");
+    QTest::mousePress(driver.view(), Qt::LeftButton, {}, grip);
+    driver.move(grip + QPoint(20, 15));
+    driver.move(grip + QPoint(60, 40));
+    QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, grip + QPoint(60, 40));
+    QVERIFY(undo->text().contains("Move") && !undo->text().contains("sphere"));
+    QVERIFY(driver.field("body.1.x").startsWith("0"));
+    driver.choose("releaseBody");
+    QVERIFY(!release->isEnabled());
+    QVERIFY(!driver.field("body.1.x").startsWith("0"));
+    driver.click("quickActions/undo");
+    QVERIFY(release->isEnabled());
+  }
+
   void theFieldsFollowADragAndTheLabelGoesWithEscape() {
     CellWindow driver;
     driver.choose("add-box");

@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "document/DocumentErrors.h"
+#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyDisplay.h"
@@ -46,6 +47,47 @@ class CellBodiesTest : public QObject {
     QCOMPARE(linkOfPart(m_cell->robot(), part.name), kNone);
     QVERIFY((part.pose * part.soup->points[0] - Vec3(500, 0, 0)).cwiseAbs().isApprox(Vec3(50, 50, 50)));
     for (std::size_t i = 0; i < links; ++i) QVERIFY(!bodyOfPart(shown.parts[i].name));
+  }
+
+  // Taken up where it stands a body keeps its place, then moves with its link; taken off it stays where it is then.
+  void carriedBodiesMoveWithTheirLink() {
+    add(*m_cell, boxAt("gripper", 20, poseOf({620, 30, 5}, {0.1, 0.2, 0.3})));
+    const Pose before = m_cell->bodies().withId(1)->pose;
+    const auto shown = [&] { return kKind.display(*m_cell->snapshot()).parts.back().pose; };
+    const auto property = m_cell->property("body.gripper.carrier");
+    QVERIFY(property.has_value());
+    const auto& names = property->choices;
+    const auto tool = std::find(names.begin(), names.end(), "tool0");
+    QVERIFY(tool != names.end());
+    QVERIFY(m_cell->setProperty("body.1.carrier", static_cast<double>(tool - names.begin())));
+    QCOMPARE(m_cell->bodies().withId(1)->carrier, std::string("tool0"));
+    QVERIFY(shown().isApprox(before, 1e-12));
+    m_cell->commit("Move", m_cell->jointEdit(values({200.0, 0.5})));
+    // The arm turns about (200, 0, 0) by 0.5 rad after the slide of 200 mm.
+    const Pose moved = Eigen::Translation3d(200, 0, 0) * Eigen::AngleAxisd(0.5, Vec3::UnitZ()) * before;
+    QVERIFY(shown().isApprox(moved, 1e-9));
+    QVERIFY(m_cell->setProperty("body.1.carrier", 0.0));
+    QVERIFY(m_cell->bodies().withId(1)->carrier.empty());
+    QVERIFY(m_cell->bodies().withId(1)->pose.isApprox(moved, 1e-9));
+    m_cell->history()->undo();
+    std::vector<Error> damage;
+    const auto again = loaded(saved(*m_cell->snapshot()), damage);
+    QVERIFY(again && damage.empty());
+
+    QCOMPARE(again->bodies.withId(1)->carrier, std::string("tool0"));
+    QVERIFY(again->bodies.withId(1)->pose.matrix() == m_cell->bodies().withId(1)->pose.matrix());
+    QVERIFY(!m_cell->setProperty("body.1.carrier", 1e9).hasValue());
+  }
+
+  // A tool whose origin is where it is screwed on.
+  void mountedBodiesStandOnTheirLink() {
+    add(*m_cell, boxAt("gripper", 20, poseOf({620, 30, 5}, {0.1, 0.2, 0.3})));
+    const RobotModel& robot = m_cell->robot().model;
+    m_cell->commit("Mount", std::move(mountEdit(m_cell->bodies(), 1, toolLink(robot), robot)).value());
+    const Pose shown = kKind.display(*m_cell->snapshot()).parts.back().pose;
+    QVERIFY(shown.isApprox(Pose(Eigen::Translation3d(500, 0, 0)), 1e-9));
+    QVERIFY(!mountEdit(m_cell->bodies(), 1, toolLink(robot), robot).value());
+    QVERIFY(!mountEdit(m_cell->bodies(), 9, toolLink(robot), robot).hasValue());
   }
 
   // As the shape of a body a robot is one mesh.

@@ -68,6 +68,37 @@ class CellSceneTest : public QObject {
     QVERIFY(allowed->scene.nearest(allowed->planned(values({0.0, 0.0, 0.0})), 1.0).distance > 0.0);
   }
 
+  // A ball of 20 mm on the tool, 500 mm out on the arm: it goes where the joints bring it, and is measured against what
+  // stands there, but not against the link that carries it.
+  void carriedBodies() {
+    auto cell = withBody(cellIn(importOrThrow(m_package.urdf())), Primitive::Sphere, {20.0}, {0.0, 0.0, 0.0});
+    Body ball = *cell->bodies.withId(7);
+    ball.carrier = "tool0";
+    Body wall{.id = 8, .name = "wall", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {2000.0, 10.0, 500.0})};
+    wall.pose.translation() = Vec3(0, 705, 0);
+    cell->bodies = cell->bodies.with(std::make_shared<const Body>(ball)).with(std::make_shared<const Body>(wall));
+    CollisionMeshes meshes;
+    const Result<CellScene> scene = sceneOf(*cell, meshes);
+    QVERIFY(scene.hasValue());
+    for (const double turn : {0.7, 1.2, 1.5}) {
+      const RobotScene::Nearest nearest = scene->scene.nearest(scene->planned(values({100.0, turn, 0.0})), 1e3);
+      QVERIFY(std::abs(nearest.distance - (700.0 - 500.0 * std::sin(turn) - 20.0)) < 1e-3);
+      QCOMPARE(scene->namesOf(nearest).first, std::string("thing"));
+      QCOMPARE(scene->namesOf(nearest).second, std::string("wall"));
+      QVERIFY(scene->bodyOfLink(nearest.link) == std::optional<BodyId>(7));
+    }
+    auto allowed = std::make_shared<RobotCellSnapshot>(*cell);
+    CellPlans plans;
+    plans.allowed.insert({"body.7", "body.8"});
+    allowed->plans = std::make_shared<const CellPlans>(plans);
+    const Result<CellScene> without = sceneOf(*allowed, meshes);
+    QVERIFY(without.hasValue());
+    // A corner of the arm is what is nearest then: it reaches 250 mm out for collisions, and 50 mm to the side.
+    const RobotScene::Nearest arm = without->scene.nearest(without->planned(values({100.0, 0.7, 0.0})), 1e3);
+    QVERIFY(std::abs(arm.distance - (700.0 - 250.0 * std::sin(0.7) - 50.0 * std::cos(0.7))) < 1e-3);
+    QCOMPARE(without->namesOf(arm).first, std::string("upper"));
+  }
+
   void valuesOfTheWholeRobot() {
     CollisionMeshes meshes;
     const Result<CellScene> scene = sceneOf(cellIn(importOrThrow(m_package.urdf())), meshes);

@@ -4,6 +4,7 @@
 
 #include "DragBench.h"
 #include "TestClass.h"
+#include "document/cell/BodyCarriers.h"
 #include "document/scene/BodyChanges.h"
 #include "scene/PrimitiveGeometry.h"
 #include "scene/RigidPose.h"
@@ -57,6 +58,15 @@ class CellBench {
   Bench m_bench;
 };
 
+// Where the tool shows the cube.
+Pose bodyShown(const CellTool& tool) {
+  const auto shown = tool.preview().replaced;
+  for (const DisplayPart& part : shown ? shown->parts : std::vector<DisplayPart>()) {
+    if (part.name == "body.1") return part.pose;
+  }
+  return poseOf({1e9, 1e9, 1e9}, {0, 0, 0});
+}
+
 }  // namespace
 
 class CellToolTest : public QObject {
@@ -70,7 +80,51 @@ class CellToolTest : public QObject {
     QCOMPARE(tool.pointer(at(Kind::Release, 0, 500)), ToolReply::Used);
     QCOMPARE(bench.selection.body(), std::optional<BodyId>(1));
     QCOMPARE(bench.steps(), 1);
-    QVERIFY(tool.preview().parts.empty());  // it has not moved
+    QVERIFY(!tool.preview().replaced);  // it has not moved
+  }
+
+  // What the robot carries is a part of it: dragged, it moves the joint, and stays selected.
+  void aCarriedBodyMovesTheJoint() {
+    CellBench bench;
+    const RobotModel& robot = bench.document().robot().model;
+    bench.document().commit("Mount",
+                            std::move(mountEdit(bench.document().bodies(), 1, toolLink(robot), robot)).value());
+    const JointValues before = bench.document().joints();
+    const int steps = bench.steps();
+    CellTool tool = bench.tool("body.1");
+    QCOMPARE(tool.pointer(at(Kind::Press, 850, 0)), ToolReply::Used);
+    QCOMPARE(bench.selection.body(), std::optional<BodyId>(1));
+    tool.pointer(at(Kind::Drag, 950, 20));
+    QVERIFY((bodyShown(tool).translation() - Vec3(900, 0, 0)).norm() < 1e-9);
+    tool.pointer(at(Kind::Release, 950, 20));
+    QCOMPARE(bench.steps(), steps + 1);
+    const std::uint32_t slide = dofMoving(robot, toolLink(robot));
+    QCOMPARE(bench.document().joints()[slide], before[slide] + 100.0);
+    QCOMPARE(bench.document().bodies().withId(1)->pose.matrix(), Pose::Identity().matrix());
+  }
+
+  // What collides is marked for what is shown, at the joints and places that are shown.
+  void marksWhatItShows() {
+    CellBench bench;
+    int marked = 0;
+    CellTool tool(
+        bench.document(), bench.selection,
+        [](const Ray& ray) -> std::optional<RobotCellPick> {
+          return RobotCellPick{"body.1", Vec3(ray.origin.x(), ray.origin.y(), 0)};
+        },
+        [&](DisplayModel& shown, const JointValues& joints, const Body* moved) {
+          ++marked;
+          QVERIFY(joints == bench.document().joints());
+          QVERIFY(moved && moved->id == 1);
+          for (DisplayPart& part : shown.parts) part.colour = {1.0f, 0.0f, 0.0f};
+        });
+    tool.pointer(at(Kind::Press, 5, 505));
+    QVERIFY(!tool.preview().replaced);
+    QCOMPARE(marked, 0);
+    tool.pointer(at(Kind::Drag, 60, 480));
+    const auto shown = tool.preview().replaced;
+    QCOMPARE(marked, 1);
+    QVERIFY(shown && shown->parts.back().colour[1] == 0.0f);
   }
 
   void aDragIsOneStep() {
@@ -79,8 +133,7 @@ class CellToolTest : public QObject {
     tool.pointer(at(Kind::Press, 5, 505));
     for (double x : {10.0, 25.0, 60.0}) QCOMPARE(tool.pointer(at(Kind::Drag, x, 480)), ToolReply::Used);
     QCOMPARE(bench.place(), Vec3(0, 500, 0));  // a preview so far
-    QCOMPARE(tool.preview().parts.size(), std::size_t{1});
-    QVERIFY((tool.preview().parts[0].pose.translation() - Vec3(55, 475, 0)).norm() < 1e-9);
+    QVERIFY((bodyShown(tool).translation() - Vec3(55, 475, 0)).norm() < 1e-9);
     QCOMPARE(tool.settings().size(), std::size_t{3});
     for (const Property& place : tool.settings()) QVERIFY(std::isinf(place.least) && std::isinf(place.largest));
     tool.pointer(at(Kind::Release, 65, 480));
@@ -108,7 +161,7 @@ class CellToolTest : public QObject {
     CellTool tool = bench.slantedTool(0.5);
     tool.pointer(slanted(Kind::Press, {0, 500, 0}, 0.5, kShift));
     tool.pointer(slanted(Kind::Drag, {0, 500, 40}, 0.5, kShift));
-    QVERIFY((tool.preview().parts.at(0).pose.translation() - Vec3(0, 500, 40)).norm() < 1e-6);
+    QVERIFY((bodyShown(tool).translation() - Vec3(0, 500, 40)).norm() < 1e-6);
     tool.pointer(slanted(Kind::Drag, {70, 500, 40}, 0.5));  // without Shift it goes on from there
     tool.pointer(slanted(Kind::Release, {70, 500, 40}, 0.5));
     QVERIFY((bench.place() - Vec3(70, 500, 40)).norm() < 1e-6);
@@ -168,7 +221,7 @@ class CellToolTest : public QObject {
     CellBench bench;
     bench.selection.select(1);
     CellTool tool = bench.tool("upper/0");
-    QCOMPARE(tool.pointer(at(Kind::Press, 300, 0)), ToolReply::Used);
+    QCOMPARE(tool.pointer(at(Kind::Press, 850, 0)), ToolReply::Used);
     QVERIFY(bench.selection.empty());
     tool.pointer(at(Kind::Release, 300, 0));
     QCOMPARE(tool.perform("delete"), ToolReply::Ignored);
@@ -180,7 +233,7 @@ class CellToolTest : public QObject {
     tool.pointer(at(Kind::Press, 0, 500));
     tool.pointer(at(Kind::Drag, 50, 500));
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
-    QVERIFY(tool.preview().parts.empty());
+    QVERIFY(!tool.preview().replaced);
     tool.pointer(at(Kind::Release, 50, 500));
     QCOMPARE(bench.steps(), 1);
     QCOMPARE(bench.place(), Vec3(0, 500, 0));
@@ -189,7 +242,7 @@ class CellToolTest : public QObject {
   void theRobotIsMovedAsBefore() {
     CellBench bench;
     CellTool tool = bench.tool("upper/0");
-    QCOMPARE(tool.pointer(at(Kind::Press, 300, 0)), ToolReply::Used);
+    QCOMPARE(tool.pointer(at(Kind::Press, 850, 0)), ToolReply::Used);
     tool.pointer(at(Kind::Drag, 0, 300));
     tool.pointer(at(Kind::Release, 0, 300));
     QVERIFY(std::abs(bench.document().joints()[0] - 0.5 * kPi) < 1e-6);
@@ -227,7 +280,7 @@ class CellToolTest : public QObject {
     tool.pointer(at(Kind::Drag, 50, 500));
     bench.document().history()->undo();
     tool.documentChanged();
-    QVERIFY(!bench.selection.body() && tool.preview().parts.empty());
+    QVERIFY(!bench.selection.body() && !tool.preview().replaced);
     tool.pointer(at(Kind::Release, 50, 500));
     QVERIFY(bench.document().bodies().empty());
   }

@@ -184,7 +184,7 @@ class TurningWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(felt().proxy.x() < 21.1, kPatienceMs);
     QTest::keyClick(turning.view, Qt::Key_Escape);
     QTest::qWait(200);
-    QVERIFY(std::abs(felt().proxy.x() - 21.0) < 0.2);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(felt().proxy.x() - 21.0) < 0.2, kPatienceMs);
     turning.leadTo({19.0, 0.0, 50.0}, 1);
     QTRY_VERIFY_WITH_TIMEOUT(felt().isContact && felt().force.x() > 0.05, kPatienceMs);
     QTest::qWait(200);
