@@ -51,8 +51,10 @@ class CollisionBody {
 
 // What queries have done.
 struct QueryCounts {
-  std::uint64_t bounds = 0;  // pairs of pieces whose bounds were compared
-  std::uint64_t exact = 0;   // pairs of pieces whose distance was computed
+  std::uint64_t bounds = 0;   // pairs of pieces whose bounds were compared
+  std::uint64_t exact = 0;    // pairs of pieces whose distance was computed
+  std::uint64_t volumes = 0;  // pairs of bounding volumes within those pieces that were compared,
+  std::uint64_t pairs = 0;    // and pairs of triangles or solids; counted by ProximityQuery alone
 };
 
 // The distance of two bodies (mm) where it is below `enough`, else `enough` or a larger lower bound of it. At most 0

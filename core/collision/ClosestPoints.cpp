@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collision/ClosestPoints.h"
+
+#include "collision/PairTraversal.h"
+#include "collision/PieceDepth.h"
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kMostMeeting = 128;  // leaves that are taken apart
+constexpr double kTouching = 1e-9;         // mm: who asks for what meets gets what touches, too
+
+// The other way round.
+ClosestPoints exchanged(const ClosestPoints& points) {
+  return {points.distance, points.second, points.first, -points.normal};
+}
+
+// A sphere and a solid, by a formula.
+ClosestPoints ballToSolid(const CollisionPiece& ball, const Vec3& centre, const CollisionPiece& solid,
+                          const Pose& pose) {
+  const SolidNearest nearest = nearestOfSolid(solid.kind, solid.half, pose.inverse(Eigen::Isometry) * centre);
+  const Vec3 normal = pose.linear() * nearest.normal;
+  const double radius = ball.half.x();
+  return {nearest.distance - radius, centre - radius * normal, pose * nearest.point, normal};
+}
+
+// None: it takes more than a formula.
+std::optional<ClosestPoints> byFormula(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
+                                       const Pose& poseB) {
+  using enum CollisionPiece::Kind;
+  if (a.kind == Ball && b.kind != Mesh) return ballToSolid(a, poseA.translation(), b, poseB);
+  if (b.kind == Ball && a.kind != Mesh) return exchanged(ballToSolid(b, poseB.translation(), a, poseA));
+  return std::nullopt;
+}
+
+bool isClosedMesh(const CollisionPiece& piece) {
+  return piece.kind == CollisionPiece::Kind::Mesh && piece.mesh->isClosed();
+}
+
+// Two pieces of which at least one is a mesh, or neither is a sphere.
+class PiecePair {
+ public:
+  PiecePair(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, QueryCounts& counts)
+      : m_first(a),
+        m_second(b),
+        m_pose(poseA.inverse(Eigen::Isometry) * poseB),
+        m_world(poseA),
+        m_a(a),
+        m_b(b),
+        m_walk(m_a, m_b, m_pose, counts) {}
+
+  bool isEmpty() const { return m_a.isEmpty() || m_b.isEmpty(); }
+
+  std::optional<ClosestPoints> closest(double enough, PairHint& hint) {
+    auto found = m_walk.nearest(std::max(enough, kTouching), {hint.first, hint.second});
+    if (found && found->isMeeting) return apart(hint);
+    const bool isFirstWithin = isWithin(m_a, Pose::Identity(), m_second, m_pose);
+    const bool isSecondWithin = !isFirstWithin && isWithin(m_b, m_pose, m_first, Pose::Identity());
+    if (isFirstWithin || isSecondWithin) {
+      if (!found) found = m_walk.nearest(std::numeric_limits<double>::infinity(), {});
+      if (found) return outOf(*found, isFirstWithin);
+    }
+    if (!found) return std::nullopt;
+    hint = {found->leaves.first, found->leaves.second, hint.normal};
+    const Vec3 normal = (found->first - found->second).stableNormalized();
+    if (found->distance > 0.0) hint.normal = m_world.linear() * normal;
+    return inWorld(found->distance, found->first - m_a.margin() * normal, found->second + m_b.margin() * normal,
+                   normal);
+  }
+
+  double bound(double than, double upTo, PairHint& hint) {
+    const auto found = m_walk.nearest(upTo, {hint.first, hint.second}, than);
+    if (found) hint = {found->leaves.first, found->leaves.second, hint.normal};
+    if (found && found->distance < than) return found->distance;
+    if (isAnyWithin()) return 0.0;
+    return found ? found->distance : upTo;
+  }
+
+  bool isMeeting(PairHint& hint) {
+    if (m_a.margin() + m_b.margin() > 0.0) return bound(kTouching, kTouching, hint) < kTouching;
+    const auto found = m_walk.meeting(1, {hint.first, hint.second});
+    if (!found.empty()) hint = {found.front().first, found.front().second, hint.normal};
+    return !found.empty() || isAnyWithin();
+  }
+
+ private:
+  // A mesh has a surface only, so that what is in it may meet none of its triangles.
+  static bool isWithin(const PieceTree& inner, const Pose& poseInner, const CollisionPiece& outer,
+                       const Pose& poseOuter) {
+    if (!isClosedMesh(outer)) return false;
+    const Vec3 p = inner.isMesh() ? inner.model()->vertices[0] : Vec3(Vec3::Zero());
+    return outer.mesh->contains(poseOuter.inverse(Eigen::Isometry) * (poseInner * p));
+  }
+
+  bool isAnyWithin() const {
+    return isWithin(m_a, Pose::Identity(), m_second, m_pose) || isWithin(m_b, m_pose, m_first, Pose::Identity());
+  }
+
+  // Of leaves that meet.
+  ClosestPoints apart(const PairHint& hint) {
+    std::vector<MeetingShapes> shapes;
+    for (const PairTraversal::Leaves& leaves : m_walk.meeting(kMostMeeting, {}))
+      shapes.push_back({m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)});
+    if (shapes.empty()) return inWorld(0.0, m_pose.translation(), m_pose.translation(), lastWay(hint));
+    const Vec3 last = m_world.linear().transpose() * hint.normal;
+    const WayOut way = leastWayOut(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
+    const double depth = std::max(0.0, way.depth) + m_a.margin() + m_b.margin();
+    const Vec3 deepest = way.deepest - m_a.margin() * way.normal;
+    return inWorld(-depth, deepest, deepest + depth * way.normal, way.normal);
+  }
+
+  Vec3 lastWay(const PairHint& hint) const {
+    return hint.normal.isZero(0.0) ? Vec3(Vec3::UnitZ()) : Vec3(m_world.linear().transpose() * hint.normal);
+  }
+
+  // One is inside of the other without meeting its surface: out by the closest point of that, with all of it.
+  ClosestPoints outOf(const PairTraversal::Nearest& found, bool isFirstWithin) const {
+    Vec3 normal = (found.second - found.first).stableNormalized();
+    if (normal.isZero(0.0)) normal = Vec3::UnitZ();
+    if (isFirstWithin) {
+      const Vec3 deepest = farthest(m_a, Pose::Identity(), -normal);
+      const double depth = normal.dot(found.second - deepest);
+      return inWorld(-depth, deepest, deepest + depth * normal, normal);
+    }
+    const Vec3 deepest = farthest(m_b, m_pose, normal);
+    const double depth = normal.dot(deepest - found.first);
+    return inWorld(-depth, deepest - depth * normal, deepest, normal);
+  }
+
+  static Vec3 farthest(const PieceTree& tree, const Pose& pose, const Vec3& direction) {
+    if (!tree.isMesh()) return tree.shape(0, pose).support(direction) + tree.margin() * direction;
+    const Vec3 own = pose.linear().transpose() * direction;
+    const Vec3* best = tree.model()->vertices;
+    for (int i = 1; i < tree.model()->num_vertices; ++i) {
+      if (tree.model()->vertices[i].dot(own) > best->dot(own)) best = &tree.model()->vertices[i];
+    }
+    return pose * *best;
+  }
+
+  ClosestPoints inWorld(double distance, const Vec3& first, const Vec3& second, const Vec3& normal) const {
+    return {distance, m_world * first, m_world * second, m_world.linear() * normal};
+  }
+
+  const CollisionPiece &m_first, &m_second;
+  const Pose m_pose;   // of the second in the first
+  const Pose m_world;  // of the first
+  const PieceTree m_a, m_b;
+  PairTraversal m_walk;
+};
+
+}  // namespace
+
+std::optional<ClosestPoints> closestPoints(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
+                                           const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts) {
+  ++counts.exact;
+  std::optional<ClosestPoints> found = byFormula(a, poseA, b, poseB);
+  if (found) {
+    ++counts.pairs;
+  } else {
+    PiecePair pair(a, poseA, b, poseB, counts);
+    if (!pair.isEmpty()) found = pair.closest(enough, hint);
+  }
+  return found && found->distance < enough ? found : std::nullopt;
+}
+
+double distanceBound(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB,
+                     double than, double upTo, PairHint& hint, QueryCounts& counts) {
+  ++counts.exact;
+  if (const auto found = byFormula(a, poseA, b, poseB)) {
+    ++counts.pairs;
+    return found->distance;
+  }
+  PiecePair pair(a, poseA, b, poseB, counts);
+  return pair.isEmpty() ? upTo : pair.bound(than, upTo, hint);
+}
+
+bool areMeeting(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, PairHint& hint,
+                QueryCounts& counts) {
+  ++counts.exact;
+  if (const auto found = byFormula(a, poseA, b, poseB)) {
+    ++counts.pairs;
+    return found->distance <= 0.0;
+  }
+  PiecePair pair(a, poseA, b, poseB, counts);
+  return !pair.isEmpty() && pair.isMeeting(hint);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collision/PairTraversal.h"
+
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// mm⁴: below this, FCL's distance of triangles takes one for a line.
+constexpr double kSmallestTriangle = 1e-12;
+
+double squaredArea(const std::array<const Vec3*, 3>& t) {
+  return (*t[1] - *t[0]).cross(*t[2] - *t[0]).squaredNorm();
+}
+
+}  // namespace
+
+PairTraversal::PairTraversal(const PieceTree& a, const PieceTree& b, const Pose& pose, QueryCounts& counts)
+    : m_a(a),
+      m_b(b),
+      m_pose(pose),
+      m_turn(pose.linear()),
+      m_shift(pose.translation()),
+      m_counts(counts),
+      m_margin(a.margin() + b.margin()) {}
+
+bool PairTraversal::isValid(const Leaves& leaves) const {
+  return leaves.first < m_a.leafCount() && leaves.second < m_b.leafCount();
+}
+
+// The spheres around the boxes tell most that is far away; swept rectangles cost ten times as much.
+double PairTraversal::boundOf(int a, int b) {
+  ++m_counts.volumes;
+  const fcl::OBBRSSd &first = m_a.bound(a), &second = m_b.bound(b);
+  const double apart = (m_turn * second.obb.To + m_shift - first.obb.To).norm();
+  const double bySpheres = apart - first.obb.extent.norm() - second.obb.extent.norm();
+  if (bySpheres >= m_least) return bySpheres;
+  return fcl::distance(m_turn, m_shift, first.rss, second.rss);
+}
+
+bool PairTraversal::isSplitFirst(int a, int b) const {
+  return m_b.isLeaf(b) || (!m_a.isLeaf(a) && m_a.bound(a).obb.size() > m_b.bound(b).obb.size());
+}
+
+void PairTraversal::descend(int a, int b, double bound) {
+  if (bound >= m_least || m_least <= m_stop) return;
+  if (m_a.isLeaf(a) && m_b.isLeaf(b)) return look(m_a.leafOf(a), m_b.leafOf(b));
+  const bool isFirst = isSplitFirst(a, b);
+  const int a1 = isFirst ? m_a.left(a) : a, a2 = isFirst ? m_a.right(a) : a;
+  const int b1 = isFirst ? b : m_b.left(b), b2 = isFirst ? b : m_b.right(b);
+  const double one = boundOf(a1, b1), other = boundOf(a2, b2);
+  if (one <= other) {
+    descend(a1, b1, one);
+    descend(a2, b2, other);
+  } else {
+    descend(a2, b2, other);
+    descend(a1, b1, one);
+  }
+}
+
+void PairTraversal::look(std::uint32_t a, std::uint32_t b) {
+  ++m_counts.pairs;
+  ConvexNearest nearest;
+  if (m_a.isMesh() && m_b.isMesh()) {
+    const auto s = m_a.corners(a), t = m_b.corners(b);
+    if (squaredArea(s) > kSmallestTriangle && squaredArea(t) > kSmallestTriangle) {
+      nearest.distance = fcl::detail::TriangleDistanced::triDistance(*s[0], *s[1], *s[2], *t[0], *t[1], *t[2], m_turn,
+                                                                     m_shift, nearest.first, nearest.second);
+    } else {
+      nearest = nearestOf(m_a.shape(a, Pose::Identity()), m_b.shape(b, m_pose), m_least);
+    }
+  } else {
+    nearest = nearestOf(m_a.shape(a, Pose::Identity()), m_b.shape(b, m_pose), m_least);
+  }
+  if (!(nearest.distance < m_least)) return;
+  m_least = nearest.distance;
+  m_found = {nearest.distance - m_margin, !(nearest.distance > 0.0), {a, b}, nearest.first, nearest.second};
+}
+
+std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, const Leaves& hint, double stop) {
+  m_least = enough + m_margin;
+  m_stop = std::max(0.0, std::nextafter(stop + m_margin, 0.0));  // of the shapes, and at or below it
+  m_found.reset();
+  if (!(m_least > 0.0)) return std::nullopt;
+  if (isValid(hint)) look(hint.first, hint.second);
+  descend(0, 0, boundOf(0, 0));
+  return m_found;
+}
+
+void PairTraversal::collect(int a, int b) {
+  if (m_meeting.size() >= m_most) return;
+  ++m_counts.volumes;
+  if (!fcl::overlap(m_turn, m_shift, m_a.bound(a).obb, m_b.bound(b).obb)) return;
+  if (m_a.isLeaf(a) && m_b.isLeaf(b)) {
+    m_least = std::numeric_limits<double>::infinity();
+    m_found.reset();
+    look(m_a.leafOf(a), m_b.leafOf(b));
+    if (m_found && m_found->isMeeting) m_meeting.push_back(m_found->leaves);
+    return;
+  }
+  const bool isFirst = isSplitFirst(a, b);
+  collect(isFirst ? m_a.left(a) : a, isFirst ? b : m_b.left(b));
+  collect(isFirst ? m_a.right(a) : a, isFirst ? b : m_b.right(b));
+}
+
+std::vector<PairTraversal::Leaves> PairTraversal::meeting(std::size_t most, const Leaves& hint) {
+  m_meeting.clear();
+  m_most = most;
+  m_found.reset();
+  if (isValid(hint)) {
+    m_least = std::numeric_limits<double>::infinity();
+    look(hint.first, hint.second);
+    if (m_found && m_found->isMeeting && most == 1) return {hint};
+  }
+  collect(0, 0);
+  return m_meeting;
+}
+
+}  // namespace handwheel

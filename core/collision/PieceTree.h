@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "collision/ConvexDistance.h"
+#include "collision/FclHierarchy.h"
+
+namespace handwheel {
+
+// A piece as a tree of bounds, with a convex shape in each leaf: the triangles of a mesh, or one leaf for a solid. The
+// bounds of a sphere are those of its centre. In the frame of the piece, which must outlive it.
+class PieceTree {
+ public:
+  explicit PieceTree(const CollisionPiece& piece);
+
+  bool isEmpty() const { return m_model && m_model->num_tris == 0; }
+  bool isMesh() const { return m_model != nullptr; }
+  double margin() const { return m_margin; }  // mm around the shapes: the radius of a sphere
+  const fcl::OBBRSSd& bound(int node) const { return m_model ? m_model->getBV(node).bv : m_bound; }
+  bool isLeaf(int node) const { return !m_model || m_model->getBV(node).isLeaf(); }
+  int left(int node) const { return m_model->getBV(node).leftChild(); }
+  int right(int node) const { return m_model->getBV(node).rightChild(); }
+  // The triangle of a leaf; 0 for a solid.
+  std::uint32_t leafOf(int node) const {
+    return m_model ? static_cast<std::uint32_t>(m_model->getBV(node).primitiveId()) : 0;
+  }
+  std::uint32_t leafCount() const { return m_model ? static_cast<std::uint32_t>(m_model->num_tris) : 1; }
+  // Its shape, in a frame in which the piece has this pose.
+  ConvexShape shape(std::uint32_t leaf, const Pose& pose) const;
+  std::array<const Vec3*, 3> corners(std::uint32_t leaf) const;  // of a mesh
+  const fcl::BVHModel<fcl::OBBRSSd>* model() const { return m_model; }
+
+ private:
+  const CollisionPiece& m_piece;
+  const fcl::BVHModel<fcl::OBBRSSd>* m_model = nullptr;
+  fcl::OBBRSSd m_bound;
+  double m_margin = 0.0;
+};
+
+}  // namespace handwheel
