@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collision/DistanceForce.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+DistanceWrench distanceForce(std::span<const NearPair> near, const Vec3& reference,
+                             const DistanceForceSettings& settings) {
+  DistanceWrench sum;
+  for (const NearPair& pair : near) {
+    const ClosestPoints& points = pair.points;
+    const double nearer = settings.reach - points.distance;
+    if (!(nearer > 0.0) || !points.normal.allFinite() || !points.first.allFinite()) continue;
+    // From the deepest on the force stays as it is, and its energy grows in a straight line.
+    const double most = settings.reach + settings.deepest, counted = std::min(nearer, most);
+    const Vec3 force = settings.stiffness * counted * points.normal;
+    sum.force += force;
+    sum.torque += settings.torqueShare * (points.first - reference).cross(force);
+    sum.energy += settings.stiffness * counted * (nearer - 0.5 * counted);
+  }
+  const double size = sum.force.norm();
+  if (size > settings.largestForce) {
+    const double share = settings.largestForce / size;
+    sum.force *= share;
+    sum.torque *= share;
+  }
+  return sum;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collision/DistanceForce.h"
+
+#include "AnyBodies.h"
+#include "TestClass.h"
+#include "TriangleOracle.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr double kReach = 10.0, kStiffness = 0.5;
+
+CollisionBody meshBody(const TriangleSoup& soup) {
+  return CollisionBody({CollisionPiece::ofMesh(Pose::Identity(), std::make_shared<const CollisionMesh>(soup))});
+}
+
+// The force on the first body, from all the others.
+DistanceWrench forceOn(const std::vector<CollisionBody>& bodies, const std::vector<Pose>& poses, const Vec3& reference,
+                       const DistanceForceSettings& settings = {}) {
+  std::vector<BodyPair> pairs;
+  for (std::uint32_t i = 1; i < bodies.size(); ++i) pairs.push_back({0, i});
+  ProximityQuery query(bodies, pairs);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) query.place(i, poses[i]);
+  std::vector<NearPair> near;
+  query.findNear(settings.reach, near);
+  return distanceForce(near, reference, settings);
+}
+
+Pose at(const Vec3& place) {
+  return Pose(Eigen::Translation3d(place));
+}
+
+double degreesBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
+}
+
+bool isAs(const Vec3& found, const Vec3& exact) {
+  return degreesBetween(found, exact) <= 0.1 && std::abs(found.norm() - exact.norm()) <= 0.01 * exact.norm();
+}
+
+// A ball of triangles with bumps, 8 n² of them.
+TriangleSoup bumpyBall(int n, double radius) {
+  TriangleSoup soup;
+  const auto point = [&](double u, double v) {
+    const Vec3 d(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
+    return Vec3(radius * (1.0 + 0.1 * std::sin(5 * d.x() + 1) * std::sin(4 * d.y() + 2)) * d);
+  };
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i < 2 * n; ++i) soup.points.push_back(point(M_PI * i / n, M_PI * (1.0 * j / n - 0.5)));
+  }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(2 * n * j + i % (2 * n)); };
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < 2 * n; ++i) {
+      soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return soup;
+}
+
+}  // namespace
+
+class DistanceForceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void balls() {
+    const CollisionBody ball({CollisionPiece::sphere(Vec3::Zero(), 5.0)});
+    const Vec3 way = Vec3(1.0, 2.0, -2.0) / 3.0;
+    for (double distance = -9.0; distance < 12.0; distance += 0.75) {
+      const Vec3 place = (distance + 10.0) * way, reference(3.0, 1.0, 2.0);
+      const DistanceWrench found = forceOn({ball, ball}, {at(place), Pose::Identity()}, reference);
+      const Vec3 exact = kStiffness * std::max(0.0, kReach - distance) * way;
+      QVERIFY((found.force - exact).norm() < 1e-12);
+      QVERIFY((found.torque - (place - 5.0 * way - reference).cross(exact)).norm() < 1e-9);
+    }
+  }
+
+  // Its lowest corner is pushed up.
+  void boxOnPlane() {
+    TriangleSoup plane;
+    plane.points = {{-500, -500, 0}, {500, -500, 0}, {500, 500, 0}, {-500, 500, 0}};
+    plane.triangles = {{0, 1, 2}, {0, 2, 3}};
+    Pose pose = at({7, 8, 15});
+    pose.rotate(Eigen::AngleAxisd(0.1, Vec3::UnitX()) * Eigen::AngleAxisd(-0.05, Vec3::UnitY()));
+    const TriangleSoup box = boxSoup({20, 10, 8});
+    Vec3 lowest(0, 0, 1e9);
+    for (const Vec3& p : box.points) lowest = (pose * p).z() < lowest.z() ? Vec3(pose * p) : lowest;
+    const DistanceWrench found = forceOn({meshBody(box), meshBody(plane)}, {pose, Pose::Identity()}, Vec3(1, 2, 3));
+    const Vec3 exact(0, 0, kStiffness * (kReach - lowest.z()));
+    QVERIFY(isAs(found.force, exact));
+    QVERIFY(isAs(found.torque, (lowest - Vec3(1, 2, 3)).cross(exact)));
+  }
+
+  // A round peg in a square hole of four walls: each pushes by what it is nearer by, and in the middle nothing is left.
+  void pegInHole() {
+    const CollisionBody peg({CollisionPiece::cylinder(Pose::Identity(), 10.0, 60.0)});
+    std::vector<CollisionBody> bodies = {peg};
+    std::vector<Pose> poses = {Pose::Identity()};
+    for (int i = 0; i < 4; ++i) {
+      bodies.push_back(meshBody(boxSoup({10, 40, 20})));
+      poses.push_back(Pose(Eigen::AngleAxisd(i * M_PI / 2, Vec3::UnitZ())) * at({25, 0, 0}));  // 5 mm away
+    }
+    QVERIFY(forceOn(bodies, poses, Vec3::Zero()).force.norm() < 1e-6);
+    poses[0] = at({2.0, -1.0, 0.0});
+    const Vec3 exact(-kStiffness * 2.0 * 2.0, kStiffness * 2.0 * 1.0, 0.0);
+    QVERIFY(isAs(forceOn(bodies, poses, Vec3::Zero()).force, exact));
+    // Meshes alone, with eight sides: their corners lie on the walls' normals.
+    TriangleSoup prism;
+    for (int i = 0; i < 16; ++i)
+      prism.points.emplace_back(10 * std::cos(i / 2 * M_PI / 4), 10 * std::sin(i / 2 * M_PI / 4), i % 2 ? 30 : -30);
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const std::uint32_t next = (2 * i + 2) % 16;
+      prism.triangles.push_back({2 * i, next, 2 * i + 1});
+      prism.triangles.push_back({2 * i + 1, next, next + 1});
+    }
+    bodies[0] = meshBody(prism);
+    QVERIFY(isAs(forceOn(bodies, poses, Vec3::Zero()).force, exact));
+  }
+
+  // The gradient of the energy that every pair of triangles gives, without the program.
+  void gradientOfTheEnergy() {
+    const TriangleSoup first = bumpyBall(3, 20.0), second = bumpyBall(4, 30.0);
+    const std::vector<CollisionBody> bodies = {meshBody(first), meshBody(second)};
+    const auto energy = [&](const Pose& a, const Pose& b) {
+      const double nearer = std::max(0.0, kReach - surfaceDistance(first, a, second, b));
+      return 0.5 * kStiffness * nearer * nearer;
+    };
+    int compared = 0;
+    QVERIFY(rc::check([&] {
+      Pose a = anyPose(0.0);
+      const Pose b = anyPose(5.0);
+      a.translation() = b.translation() + evenly(49.0, 58.0) * (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized();
+      const DistanceWrench found = forceOn(bodies, {a, b}, a.translation());
+      const double exact = energy(a, b);
+      if (exact >= 0.5 * kStiffness * kReach * kReach) return;  // they meet
+      RC_ASSERT(std::abs(found.energy - exact) <= 1e-6);
+      constexpr double kStep = 1e-5, kTurn = 1e-6;
+      Vec3 force, torque;
+      double bend = 0.0;  // where the closest feature changes there is no gradient
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const Vec3 axis = Vec3::Unit(k);
+        Pose turned = a, back = a;
+        turned.linear() = Eigen::AngleAxisd(kTurn, axis) * a.linear();
+        back.linear() = Eigen::AngleAxisd(-kTurn, axis) * a.linear();
+        const double ahead = energy(at(kStep * axis) * a, b), behind = energy(at(-kStep * axis) * a, b);
+        const double left = energy(turned, b), right = energy(back, b);
+        force[k] = -(ahead - behind) / (2.0 * kStep);
+        torque[k] = -(left - right) / (2.0 * kTurn);
+        bend = std::max(
+            {bend, std::abs(ahead + behind - 2.0 * exact) / kStep, std::abs(left + right - 2.0 * exact) / kTurn});
+      }
+      if (bend > 1e-3 || force.norm() < 0.05) return;
+      ++compared;
+      RC_ASSERT(isAs(found.force, force));
+      RC_ASSERT((found.torque - torque).norm() <= 0.01 * torque.norm() + 0.02 * force.norm());
+    }));
+    QVERIFY(compared > 30);
+  }
+
+  // Nothing leaps at the reach, nothing is beyond it, and nothing grows without end.
+  void limits() {
+    const CollisionBody ball({CollisionPiece::sphere(Vec3::Zero(), 5.0)});
+    const auto sizeAt = [&](double distance) {
+      return forceOn({ball, ball}, {at({distance + 10.0, 0, 0}), Pose::Identity()}, Vec3::Zero()).force.norm();
+    };
+    QVERIFY(sizeAt(kReach) == 0.0 && sizeAt(kReach + 1e-9) == 0.0 && sizeAt(1e9) == 0.0);
+    QVERIFY(sizeAt(kReach - 1e-6) > 0.0 && sizeAt(kReach - 1e-6) < 1e-6);
+    // Deep in a large one, whole, of every kind.
+    const CollisionBody little({CollisionPiece::sphere(Vec3::Zero(), 1.0)});
+    for (const CollisionBody& large :
+         {CollisionBody({CollisionPiece::sphere(Vec3::Zero(), 500.0)}), meshBody(boxSoup({500, 500, 500})),
+          CollisionBody({CollisionPiece::cylinder(Pose::Identity(), 500.0, 1000.0)})}) {
+      for (const Vec3& place : {Vec3(0, 0, 0), Vec3(480, 3, 2), Vec3(499.5, 3, 2)}) {
+        const DistanceWrench found = forceOn({little, large}, {at(place), Pose::Identity()}, Vec3(1e6, 0, 0));
+        QVERIFY(found.force.allFinite() && found.torque.allFinite());
+        QVERIFY(found.force.norm() <= kStiffness * 20.0 + 1e-9 && found.force.norm() > 0.0);
+      }
+    }
+    // Many of them together.
+    const std::vector<CollisionBody> many(200, little);
+    QVERIFY(forceOn(many, std::vector<Pose>(200, Pose::Identity()), Vec3::Zero()).force.norm() <= 20.0 + 1e-9);
+    Pose nowhere = Pose::Identity();
+    nowhere.linear()(0, 0) = std::nan("");
+    QVERIFY(forceOn({ball, ball}, {nowhere, Pose::Identity()}, Vec3::Zero()).force.isZero(0.0));
+    QVERIFY(forceOn({ball, CollisionBody()}, {Pose::Identity(), nowhere}, Vec3::Zero()).force.isZero(0.0));
+    NearPair broken;
+    broken.points.distance = std::nan("");
+    QVERIFY(distanceForce(std::span(&broken, 1), Vec3::Zero(), {}).force.isZero(0.0));
+    // Without its torque, half of it.
+    DistanceForceSettings half;
+    half.torqueShare = 0.5;
+    const std::vector<Pose> poses = {at({12, 0, 0}), Pose::Identity()};
+    const DistanceWrench whole = forceOn({ball, ball}, poses, Vec3(0, 9, 0));
+    QVERIFY(whole.torque.norm() > 1.0);
+    QVERIFY((forceOn({ball, ball}, poses, Vec3(0, 9, 0), half).torque - 0.5 * whole.torque).norm() < 1e-12);
+  }
+};
+
+HANDWHEEL_TEST(DistanceForceTest)
+#include "DistanceForceTest.moc"
