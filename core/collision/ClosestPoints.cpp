@@ -9,8 +9,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostMeeting = 128;  // leaves that are taken apart
-constexpr double kTouching = 1e-9;         // mm: who asks for what meets gets what touches, too
+constexpr std::size_t kMostMeeting = 64;  // leaves that are taken apart
+constexpr double kTouching = 1e-9;        // mm: who asks for what meets gets what touches, too
 
 // The other way round.
 ClosestPoints exchanged(const ClosestPoints& points) {
@@ -54,8 +54,13 @@ class PiecePair {
   bool isEmpty() const { return m_a.isEmpty() || m_b.isEmpty(); }
 
   std::optional<ClosestPoints> closest(double enough, PairHint& hint) {
+    // Boxes tell what meets far more quickly than distances do, which are zero then for very many bounds.
+    if (m_walk.mayMeet()) {
+      const auto meeting = m_walk.meeting(kMostMeeting, {});
+      if (!meeting.empty()) return apart(meeting, hint);
+    }
     auto found = m_walk.nearest(std::max(enough, kTouching), {hint.first, hint.second});
-    if (found && found->isMeeting) return apart(hint);
+    if (found && found->isMeeting) return apart({found->leaves}, hint);
     const bool isFirstWithin = isWithin(m_a, Pose::Identity(), m_second, m_pose);
     const bool isSecondWithin = !isFirstWithin && isWithin(m_b, m_pose, m_first, Pose::Identity());
     if (isFirstWithin || isSecondWithin) {
@@ -99,20 +104,15 @@ class PiecePair {
   }
 
   // Of leaves that meet.
-  ClosestPoints apart(const PairHint& hint) {
+  ClosestPoints apart(const std::vector<PairTraversal::Leaves>& meeting, const PairHint& hint) {
     std::vector<MeetingShapes> shapes;
-    for (const PairTraversal::Leaves& leaves : m_walk.meeting(kMostMeeting, {}))
+    for (const PairTraversal::Leaves& leaves : meeting)
       shapes.push_back({m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)});
-    if (shapes.empty()) return inWorld(0.0, m_pose.translation(), m_pose.translation(), lastWay(hint));
     const Vec3 last = m_world.linear().transpose() * hint.normal;
     const WayOut way = leastWayOut(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
     const double depth = std::max(0.0, way.depth) + m_a.margin() + m_b.margin();
     const Vec3 deepest = way.deepest - m_a.margin() * way.normal;
     return inWorld(-depth, deepest, deepest + depth * way.normal, way.normal);
-  }
-
-  Vec3 lastWay(const PairHint& hint) const {
-    return hint.normal.isZero(0.0) ? Vec3(Vec3::UnitZ()) : Vec3(m_world.linear().transpose() * hint.normal);
   }
 
   // One is inside of the other without meeting its surface: out by the closest point of that, with all of it.

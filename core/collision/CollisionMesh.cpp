@@ -61,6 +61,8 @@ CollisionMesh::CollisionMesh(const TriangleSoup& soup) : m_soup(welded(soup)) {
     hierarchy->model->addSubModel(m_soup.points, triangles);
     hierarchy->model->endModel();
     hierarchy->model->computeLocalAABB();
+    for (int i = 0; i < hierarchy->model->getNumBVs(); ++i)
+      hierarchy->radii.push_back(hierarchy->model->getBV(i).bv.obb.extent.norm());
   }
   m_hierarchy = std::move(hierarchy);
   for (const Triangle& t : m_soup.triangles) {

@@ -151,7 +151,8 @@ ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enoug
     const Vec3 at = first - second;
     const double square = nearest.squaredNorm(), ahead = nearest.dot(at);
     largest = std::max({largest, first.norm(), second.norm()});
-    if (ahead > 0.0 && ahead >= enough * std::sqrt(square)) return {ahead / std::sqrt(square)};
+    // By rounding the quotient may be below what the product is not.
+    if (ahead > 0.0 && ahead >= enough * std::sqrt(square)) return {std::max(enough, ahead / std::sqrt(square))};
     if (hull.size > 0 && square - ahead <= kConverged * square) break;
     const DifferenceHull before = hull;
     hull.points[hull.size++] = {at, first, second};

@@ -12,6 +12,7 @@ namespace handwheel {
 // as long for collisions.
 struct CollisionMesh::Hierarchy {
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> model;
+  std::vector<double> radii;  // mm: of spheres around the boxes, node by node
 };
 
 }  // namespace handwheel

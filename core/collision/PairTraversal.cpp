@@ -31,18 +31,27 @@ bool PairTraversal::isValid(const Leaves& leaves) const {
   return leaves.first < m_a.leafCount() && leaves.second < m_b.leafCount();
 }
 
-// The spheres around the boxes tell most that is far away; swept rectangles cost ten times as much.
+// Spheres tell most that is far away, and boxes along their axes most of the rest; the distance of swept rectangles,
+// the closest bound, takes several times as long as both.
 double PairTraversal::boundOf(int a, int b) {
   ++m_counts.volumes;
   const fcl::OBBRSSd &first = m_a.bound(a), &second = m_b.bound(b);
-  const double apart = (m_turn * second.obb.To + m_shift - first.obb.To).norm();
-  const double bySpheres = apart - first.obb.extent.norm() - second.obb.extent.norm();
-  if (bySpheres >= m_least) return bySpheres;
+  const Vec3 way = m_turn.lazyProduct(second.obb.To) + m_shift - first.obb.To;
+  const double apart = m_least + m_a.radius(a) + m_b.radius(b);
+  if (way.squaredNorm() >= apart * apart) return m_least;
+  const Eigen::Matrix3d turn = first.obb.axis.transpose().lazyProduct(m_turn.lazyProduct(second.obb.axis).eval());
+  const Vec3 toSecond = first.obb.axis.transpose().lazyProduct(way);
+  const Eigen::Matrix3d size = turn.cwiseAbs();
+  const Vec3 beyondFirst = toSecond.cwiseAbs() - first.obb.extent - size.lazyProduct(second.obb.extent);
+  const Vec3 beyondSecond = turn.transpose().lazyProduct(toSecond).cwiseAbs() - second.obb.extent -
+                            size.transpose().lazyProduct(first.obb.extent);
+  const double square = std::max(beyondFirst.cwiseMax(0.0).squaredNorm(), beyondSecond.cwiseMax(0.0).squaredNorm());
+  if (square >= m_least * m_least) return m_least;
   return fcl::distance(m_turn, m_shift, first.rss, second.rss);
 }
 
 bool PairTraversal::isSplitFirst(int a, int b) const {
-  return m_b.isLeaf(b) || (!m_a.isLeaf(a) && m_a.bound(a).obb.size() > m_b.bound(b).obb.size());
+  return m_b.isLeaf(b) || (!m_a.isLeaf(a) && m_a.radius(a) > m_b.radius(b));
 }
 
 void PairTraversal::descend(int a, int b, double bound) {
@@ -85,8 +94,10 @@ std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, cons
   m_stop = std::max(0.0, std::nextafter(stop + m_margin, 0.0));  // of the shapes, and at or below it
   m_found.reset();
   if (!(m_least > 0.0)) return std::nullopt;
+  const double bound = boundOf(0, 0);
+  if (bound >= m_least) return std::nullopt;
   if (isValid(hint)) look(hint.first, hint.second);
-  descend(0, 0, boundOf(0, 0));
+  descend(0, 0, bound);
   return m_found;
 }
 
@@ -95,7 +106,6 @@ void PairTraversal::collect(int a, int b) {
   ++m_counts.volumes;
   if (!fcl::overlap(m_turn, m_shift, m_a.bound(a).obb, m_b.bound(b).obb)) return;
   if (m_a.isLeaf(a) && m_b.isLeaf(b)) {
-    m_least = std::numeric_limits<double>::infinity();
     m_found.reset();
     look(m_a.leafOf(a), m_b.leafOf(b));
     if (m_found && m_found->isMeeting) m_meeting.push_back(m_found->leaves);
@@ -109,14 +119,19 @@ void PairTraversal::collect(int a, int b) {
 std::vector<PairTraversal::Leaves> PairTraversal::meeting(std::size_t most, const Leaves& hint) {
   m_meeting.clear();
   m_most = most;
+  m_least = std::numeric_limits<double>::infinity();
   m_found.reset();
-  if (isValid(hint)) {
-    m_least = std::numeric_limits<double>::infinity();
+  if (most == 1 && isValid(hint) && fcl::overlap(m_turn, m_shift, m_a.bound(0).obb, m_b.bound(0).obb)) {
     look(hint.first, hint.second);
-    if (m_found && m_found->isMeeting && most == 1) return {hint};
+    if (m_found && m_found->isMeeting) return {hint};
   }
   collect(0, 0);
   return m_meeting;
+}
+
+bool PairTraversal::mayMeet() {
+  m_least = std::numeric_limits<double>::infinity();
+  return !(boundOf(0, 0) > 0.0);
 }
 
 }  // namespace handwheel

@@ -28,7 +28,10 @@ class PairTraversal {
   std::optional<Nearest> nearest(double enough, const Leaves& hint,
                                  double stop = -std::numeric_limits<double>::infinity());
 
-  // The leaves that meet, at most so many. The margins do not count.
+  // Whether the bounds of the whole pieces do not say that they are apart.
+  bool mayMeet();
+  // The leaves that meet, at most so many; one of them: that which met last time, if it still does. The margins do not
+  // count.
   std::vector<Leaves> meeting(std::size_t most, const Leaves& hint);
 
  private:

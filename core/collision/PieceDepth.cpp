@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostFaces = 32;  // triangles whose directions are tried
+constexpr std::size_t kMostFaces = 16;  // triangles whose directions are tried
 
 class WayOutSearch {
  public:

@@ -50,8 +50,10 @@ PieceTree::PieceTree(const CollisionPiece& piece) : m_piece(piece) {
       break;
     case CollisionPiece::Kind::Mesh:
       m_model = piece.mesh->hierarchy().model.get();
-      break;
+      m_radii = piece.mesh->hierarchy().radii.data();
+      return;
   }
+  m_radius = m_bound.obb.extent.norm();
 }
 
 std::array<const Vec3*, 3> PieceTree::corners(std::uint32_t leaf) const {

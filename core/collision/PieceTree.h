@@ -12,11 +12,14 @@ namespace handwheel {
 class PieceTree {
  public:
   explicit PieceTree(const CollisionPiece& piece);
+  PieceTree(const PieceTree&) = delete;
+  PieceTree& operator=(const PieceTree&) = delete;
 
   bool isEmpty() const { return m_model && m_model->num_tris == 0; }
   bool isMesh() const { return m_model != nullptr; }
   double margin() const { return m_margin; }  // mm around the shapes: the radius of a sphere
   const fcl::OBBRSSd& bound(int node) const { return m_model ? m_model->getBV(node).bv : m_bound; }
+  double radius(int node) const { return m_radii[node]; }  // mm: of the sphere around the box of a bound
   bool isLeaf(int node) const { return !m_model || m_model->getBV(node).isLeaf(); }
   int left(int node) const { return m_model->getBV(node).leftChild(); }
   int right(int node) const { return m_model->getBV(node).rightChild(); }
@@ -35,6 +38,8 @@ class PieceTree {
   const fcl::BVHModel<fcl::OBBRSSd>* m_model = nullptr;
   fcl::OBBRSSd m_bound;
   double m_margin = 0.0;
+  double m_radius = 0.0;              // of m_bound
+  const double* m_radii = &m_radius;  // node by node
 };
 
 }  // namespace handwheel

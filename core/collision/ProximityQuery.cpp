@@ -148,7 +148,7 @@ std::optional<NearPair> ProximityQuery::closest(double enough) {
   if (last != m_order.end()) std::rotate(m_order.begin(), last, last + 1);
   for (const auto& [bound, i] : m_order) {
     if (bound >= least) continue;
-    const auto found = look(m_pieces[i], least, 0.0);
+    const auto found = look(m_pieces[i], least, marginOf(m_pairs[m_pieces[i].pair], least));
     if (!found) continue;
     least = found->distance;
     best = {m_pairs[m_pieces[i].pair].bodies, *found};
