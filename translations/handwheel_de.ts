@@ -1129,6 +1129,46 @@
         <source>Plan the path again.</source>
         <translation>Planen Sie die Bahn neu.</translation>
     </message>
+    <message>
+        <source>the robot carries &apos;%1&apos;, so its tool cannot work on it</source>
+        <translation>der Roboter trägt „%1“, deshalb kann sein Werkzeug ihn nicht bearbeiten</translation>
+    </message>
+    <message>
+        <source>Choose a part that stands in the cell, or take it off the robot.</source>
+        <translation>Wählen Sie ein Teil, das in der Zelle steht, oder nehmen Sie es vom Roboter.</translation>
+    </message>
+    <message>
+        <source>no such curve was found on &apos;%1&apos;</source>
+        <translation>auf „%1“ wurde keine solche Kurve gefunden</translation>
+    </message>
+    <message>
+        <source>Choose a place on a sharp edge of the part, or a section through it.</source>
+        <translation>Wählen Sie einen Punkt an einer scharfen Kante des Teils, oder einen Schnitt hindurch.</translation>
+    </message>
+    <message>
+        <source>the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm</source>
+        <translation>der Roboter kann Punkt %1 von %2 der Kurve nicht erreichen, bei X %3 Y %4 Z %5 mm</translation>
+    </message>
+    <message>
+        <source>Move the part nearer, turn the tool, or let it turn about its own axis.</source>
+        <translation>Rücken Sie das Teil näher, drehen Sie das Werkzeug, oder lassen Sie es sich um seine Achse drehen.</translation>
+    </message>
+    <message>
+        <source>at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7</source>
+        <translation>bei Punkt %1 von %2 der Kurve, X %3 Y %4 Z %5 mm, stößt der Roboter an: %6 mit %7</translation>
+    </message>
+    <message>
+        <source>Lean the tool away, keep a distance from the part, or allow this pair.</source>
+        <translation>Neigen Sie das Werkzeug weg, halten Sie Abstand vom Teil, oder erlauben Sie dieses Paar.</translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint</source>
+        <translation>der Arm kann der Kurve nicht bis Punkt %1 von %2, bei X %3 Y %4 Z %5 mm, folgen, ohne dass ein Gelenk springt</translation>
+    </message>
+    <message>
+        <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
+        <translation>Teilen Sie die Kurve, drehen Sie das Werkzeug, oder lassen Sie es sich um seine Achse drehen.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -4744,6 +4784,82 @@
         <source>nothing</source>
         <translation>nichts</translation>
     </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>an edge</source>
+        <translation>einer Kante</translation>
+    </message>
+    <message>
+        <source>a section across X</source>
+        <translation>eines Schnitts quer zu X</translation>
+    </message>
+    <message>
+        <source>a section across Y</source>
+        <translation>eines Schnitts quer zu Y</translation>
+    </message>
+    <message>
+        <source>a section across Z</source>
+        <translation>eines Schnitts quer zu Z</translation>
+    </message>
+    <message>
+        <source>Length from there (0: all)</source>
+        <translation>Länge von dort (0: alles)</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>Andersherum</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Vorlauf</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Turn about the tool</source>
+        <translation>Drehung um das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Free to turn about the tool</source>
+        <translation>Drehung um das Werkzeug ist frei</translation>
+    </message>
+    <message>
+        <source>Distance from the part</source>
+        <translation>Abstand vom Teil</translation>
+    </message>
+    <message>
+        <source>Approach and retract</source>
+        <translation>An- und Abfahrt</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Geschwindigkeit (mm/s)</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überschleifen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>nowhere else</source>
+        <translation>nirgends sonst</translation>
+    </message>
+    <message>
+        <source>Comes from</source>
+        <translation>Kommt von</translation>
+    </message>
+    <message>
+        <source>Goes to</source>
+        <translation>Geht nach</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6151,6 +6267,22 @@
         <source>Plan path</source>
         <translation>Bahn planen</translation>
     </message>
+    <message>
+        <source>Plan process path</source>
+        <translation>Bearbeitungsbahn planen</translation>
+    </message>
+    <message>
+        <source>plan the path along the curve</source>
+        <translation>die Bahn entlang der Kurve planen</translation>
+    </message>
+    <message>
+        <source>choose another curve</source>
+        <translation>eine andere Kurve wählen</translation>
+    </message>
+    <message>
+        <source>choose a curve on a part</source>
+        <translation>eine Kurve auf einem Teil wählen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -6922,6 +7054,10 @@
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Bearbeitung</translation>
     </message>
 </context>
 <context>
@@ -9171,6 +9307,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PartSurfaces</name>
+    <message>
+        <source>Finding the edges of %1</source>
+        <translation>Kanten von %1 werden gesucht</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PathDock</name>
     <message>
         <source>Pl&amp;ay the path</source>
@@ -10457,6 +10600,14 @@
     <message>
         <source>Planning</source>
         <translation>Planung</translation>
+    </message>
+    <message>
+        <source>&amp;Process path along a curve</source>
+        <translation>&amp;Bearbeitungsbahn entlang einer Kurve</translation>
+    </message>
+    <message>
+        <source>Choose an edge or a section of a part for the robot&apos;s tool to work along</source>
+        <translation>Eine Kante oder einen Schnitt eines Teils wählen, an dem das Werkzeug entlangarbeitet</translation>
     </message>
 </context>
 <context>

@@ -1129,6 +1129,46 @@
         <source>Plan the path again.</source>
         <translation>请重新规划路径。</translation>
     </message>
+    <message>
+        <source>the robot carries &apos;%1&apos;, so its tool cannot work on it</source>
+        <translation>机器人正携带“%1”，其工具无法加工它</translation>
+    </message>
+    <message>
+        <source>Choose a part that stands in the cell, or take it off the robot.</source>
+        <translation>请选择立于单元中的零件，或将其从机器人上取下。</translation>
+    </message>
+    <message>
+        <source>no such curve was found on &apos;%1&apos;</source>
+        <translation>在“%1”上未找到这样的曲线</translation>
+    </message>
+    <message>
+        <source>Choose a place on a sharp edge of the part, or a section through it.</source>
+        <translation>请选择零件锐边上的一点，或穿过零件的截面。</translation>
+    </message>
+    <message>
+        <source>the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm</source>
+        <translation>机器人无法到达曲线的第 %1 / %2 点，位于 X %3 Y %4 Z %5 mm</translation>
+    </message>
+    <message>
+        <source>Move the part nearer, turn the tool, or let it turn about its own axis.</source>
+        <translation>请将零件移近、转动工具，或允许工具绕自身轴线转动。</translation>
+    </message>
+    <message>
+        <source>at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7</source>
+        <translation>在曲线的第 %1 / %2 点（X %3 Y %4 Z %5 mm）机器人发生碰撞：%6 与 %7</translation>
+    </message>
+    <message>
+        <source>Lean the tool away, keep a distance from the part, or allow this pair.</source>
+        <translation>请倾斜工具、与零件保持距离，或允许该对接触。</translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint</source>
+        <translation>机械臂无法沿曲线到达第 %1 / %2 点（X %3 Y %4 Z %5 mm）而不发生关节跳变</translation>
+    </message>
+    <message>
+        <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
+        <translation>请拆分曲线、转动工具，或允许工具绕自身轴线转动。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -4737,6 +4777,82 @@
         <source>nothing</source>
         <translation>无</translation>
     </message>
+    <message>
+        <source>Along</source>
+        <translation>沿</translation>
+    </message>
+    <message>
+        <source>an edge</source>
+        <translation>一条边</translation>
+    </message>
+    <message>
+        <source>a section across X</source>
+        <translation>垂直于 X 的截面</translation>
+    </message>
+    <message>
+        <source>a section across Y</source>
+        <translation>垂直于 Y 的截面</translation>
+    </message>
+    <message>
+        <source>a section across Z</source>
+        <translation>垂直于 Z 的截面</translation>
+    </message>
+    <message>
+        <source>Length from there (0: all)</source>
+        <translation>从该处起的长度（0：全部）</translation>
+    </message>
+    <message>
+        <source>The other way round</source>
+        <translation>反方向</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>前倾角</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>侧倾角</translation>
+    </message>
+    <message>
+        <source>Turn about the tool</source>
+        <translation>绕工具转角</translation>
+    </message>
+    <message>
+        <source>Free to turn about the tool</source>
+        <translation>可绕工具轴自由转动</translation>
+    </message>
+    <message>
+        <source>Distance from the part</source>
+        <translation>与零件的距离</translation>
+    </message>
+    <message>
+        <source>Approach and retract</source>
+        <translation>接近与退出</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>速度 (mm/s)</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>过渡圆弧</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>nowhere else</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Comes from</source>
+        <translation>来自</translation>
+    </message>
+    <message>
+        <source>Goes to</source>
+        <translation>前往</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6107,6 +6223,22 @@
         <source>Plan path</source>
         <translation>规划路径</translation>
     </message>
+    <message>
+        <source>Plan process path</source>
+        <translation>规划加工路径</translation>
+    </message>
+    <message>
+        <source>plan the path along the curve</source>
+        <translation>沿曲线规划路径</translation>
+    </message>
+    <message>
+        <source>choose another curve</source>
+        <translation>选择另一条曲线</translation>
+    </message>
+    <message>
+        <source>choose a curve on a part</source>
+        <translation>选择零件上的曲线</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -6871,6 +7003,10 @@
     <message>
         <source>Open %1</source>
         <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>加工</translation>
     </message>
 </context>
 <context>
@@ -9102,6 +9238,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PartSurfaces</name>
+    <message>
+        <source>Finding the edges of %1</source>
+        <translation>正在查找 %1 的边</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PathDock</name>
     <message>
         <source>Pl&amp;ay the path</source>
@@ -10375,6 +10518,14 @@
     <message>
         <source>Planning</source>
         <translation>规划</translation>
+    </message>
+    <message>
+        <source>&amp;Process path along a curve</source>
+        <translation>沿曲线的加工路径(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Choose an edge or a section of a part for the robot&apos;s tool to work along</source>
+        <translation>选择零件的边或截面，供机器人工具沿其加工</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,41 @@ class PlanTest : public QObject {
     QCOMPARE(report["min_clearance_mm"].get<double>(), 0.0);
   }
 
+  // Along an edge of a block, coming from a configuration and going back there; the tool's centre point is where the
+  // edge is, 2 mm away from it.
+  void alongAnEdge() {
+    const PlannedCell cell;
+    cell.run({"configuration", "irb120", "--add", "home", "--joints", "joint_2=0.2,joint_5=0.6", "-o", "c.handwheel"});
+    cell.run({"body", "c.handwheel", "--add", "box:120,200,100", "--at", "420,0,50", "--name", "block", "-o",
+              "c.handwheel"});
+    const QStringList edge{"process", "c.handwheel", "--part", "block", "--near", "360,0,100", "--free"};
+    const Ran ran = cell.run(edge + QStringList{"--standoff", "2", "--from", "home", "--to", "home", "--name", "deburr",
+                                                "-o", "c.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json report = jsonOf(ran.out);
+    QVERIFY(report["certified"].get<bool>());
+    QVERIFY(report["min_clearance_mm"].get<double>() > 0.0);
+    QCOMPARE(cell.run({"verify", "c.handwheel", "deburr"}).code, 0);
+    QCOMPARE(cell.run({"post", "c.handwheel", "deburr", "--controller", "csv", "-o", "deburr.csv"}).code, 0);
+    // Two of the tool's places are beside the ends of the edge: 2 mm from x 360, z 100 at y ±100.
+    int ends = 0;
+    for (const QByteArray& line : cell.read("deburr.csv").split('\n')) {
+      const QList<QByteArray> words = line.split(',');
+      for (qsizetype i = 0; i + 2 < words.size(); ++i) {
+        const double away = std::hypot(words[i].toDouble() - 360.0, words[i + 2].toDouble() - 100.0);
+        ends += std::abs(away - 2.0) < 0.01 && std::abs(std::abs(words[i + 1].toDouble()) - 100.0) < 0.01 ? 1 : 0;
+      }
+    }
+    QCOMPARE(ends, 2);
+    const Ran touching = cell.run(edge + QStringList{"--standoff", "-5", "--json"});
+    QCOMPARE(touching.code, 2);
+    QVERIFY(!jsonOf(touching.out)["solved"].get<bool>());
+    QVERIFY2(touching.err.contains("collides") && touching.err.contains("block"), touching.err);
+    QCOMPARE(cell.run({"process", "c.handwheel", "--part", "block", "--near", "3000,0,0", "--along", "x"}).code, 1);
+    QCOMPARE(cell.run({"process", "c.handwheel", "--part", "nothing", "--near", "1,0,0"}).code, 1);
+    QCOMPARE(cell.run({"process", "c.handwheel", "--part", "block"}).code, 1);
+  }
+
   // By way of a critical configuration, into the cell, and repeatable.
   void throughACriticalConfiguration() {
     const PlannedCell cell;

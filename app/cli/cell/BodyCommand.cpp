@@ -13,6 +13,7 @@
 #include "cli/cell/PlanCommand.h"
 #include "cli/cell/PlanningBenchmark.h"
 #include "cli/cell/PostCommand.h"
+#include "cli/cell/ProcessCommand.h"
 #include "cli/cell/TeleopCommand.h"
 #include "cli/cell/VerifyCommand.h"
 #include "document/Document.h"
@@ -93,13 +94,8 @@ std::vector<Command> cellCommands() {
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
-  return {{std::move(spec), runBody},
-          configurationCommand(),
-          ikCommand(),
-          planCommand(),
-          verifyCommand(),
-          postCommand(),
-          teleopCommand(),
+  return {{std::move(spec), runBody}, configurationCommand(), ikCommand(),   planCommand(),
+          processCommand(),           verifyCommand(),        postCommand(), teleopCommand(),
           planningBenchmarkCommand()};
 }
 

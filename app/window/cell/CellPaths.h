@@ -5,6 +5,7 @@
 #include "panels/MessageBar.h"
 #include "tools/cell/PathCheck.h"
 #include "tools/cell/PlanOperation.h"
+#include "tools/cell/ProcessOperation.h"
 #include "window/cell/CellCollisions.h"
 #include "window/cell/PlanTree.h"
 
@@ -31,6 +32,8 @@ class CellPaths : public QObject {
   QList<QAction*> all();
   QList<QAction*> buttons() { return {&m_store, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
+  // Plans a path along a curve on a part (processOperation()).
+  void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
   PlanTree* tree() { return m_tree; }  // owned by the window
   void setVisible(bool isVisible);     // the line of the path in the view
 
@@ -65,6 +68,8 @@ class CellPaths : public QObject {
   void planAgain();
   void startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
                      const QString& text);
+  using Planning = std::function<Result<PlannedPath>(const CellScene& scene, const RobotCellSnapshot& cell, Progress)>;
+  void startPlanning(Planning planning, const std::string& name, const QString& text);
   void insertHere();
   void setPlaceHere();
   void movePlace(int by);

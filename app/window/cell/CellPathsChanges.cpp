@@ -101,6 +101,25 @@ void CellPaths::planAgain() {
 
 void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
                               const QString& text) {
+  startPlanning([places = std::move(places), settings](
+                    const CellScene& scene, const RobotCellSnapshot& content,
+                    Progress progress) { return plannedThrough(scene, *content.plans, places, settings, progress); },
+                name, text);
+}
+
+void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface) {
+  const std::string name = plans().freePathName(tr("Process").toStdString());
+  startPlanning(
+      [values, surface](const CellScene& scene, const RobotCellSnapshot& content,
+                        Progress progress) -> Result<PlannedPath> {
+        const Result<BodyPointer> part = partCalled(values, scene);
+        if (!part) return part.error();
+        return processPath(scene, content, values, *surface, **part, progress);
+      },
+      name, tr("Plan %1"));
+}
+
+void CellPaths::startPlanning(Planning planning, const std::string& name, const QString& text) {
   const auto scene = m_collisions.scene();
   if (!scene) {
     emit message({Message::Weight::Info,
@@ -118,9 +137,9 @@ void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings
   job.name = tr("Planning %1").arg(QString::fromStdString(name));
   job.owner = this;
   job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, all = cell().plans(), places = std::move(places), settings, name,
-              text](Progress progress) -> Job::Finish {
-    auto planned = plannedThrough(*scene, *all, places, settings, progress);
+  job.work = [this, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
+              planning = std::move(planning), name, text](Progress progress) -> Job::Finish {
+    auto planned = planning(*scene, *content, progress);
     return [this, scene, name, text, planned = std::move(planned)]() mutable {
       if (!m_document || scene != m_collisions.scene()) return;
       if (!planned) return report(planned.error());

@@ -13,6 +13,7 @@
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 #include "tools/cell/CellTool.h"
+#include "tools/cell/ProcessTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/ActionToolTip.h"
@@ -38,6 +39,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
       m_collisions(window, this),
       m_paths(window, m_collisions, this),
       m_pathDock(window, m_paths, this),
+      m_surfaces(window.jobs, this),
       m_builtIn(tr("&New cell with a built-in robot…"), this),
       m_panel(makePanel()) {
   const auto follow = [&kind, &choice = window.fidelity] {
@@ -59,6 +61,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   });
   connect(&m_bodies, &CellBodies::chosen, this, [this](BodyId body) { reveal(body, false); });
   connect(&m_bodies, &CellBodies::added, this, [this](BodyId body, bool) { reveal(body, true); });
+  connect(&m_surfaces, &PartSurfaces::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
 }
 
@@ -118,6 +121,7 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   m_bodies.setDocument(document);
   m_collisions.setDocument(document);
   m_paths.setDocument(document);
+  m_surfaces.clear();
   RigidPartsUi::setDocument(document);
   if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
 }
@@ -274,16 +278,39 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                         "joints",
                         CellTool::keys()};
   joints.isDefault = true;
-  return {joints, measureParts()};
+  const ToolDescriptor process{QStringLiteral("processTool"),
+                               tr("&Process path along a curve"),
+                               tr("Choose an edge or a section of a part for the robot's tool to work along"),
+                               QStringLiteral("boundary"),
+                               QKeySequence(Qt::Key_X),
+                               [this] { return processTool(); },
+                               "process",
+                               ProcessTool::keys()};
+  return {joints, process, measureParts()};
+}
+
+std::optional<RobotCellPick> RobotCellUi::pickCell(const Ray& ray) const {
+  const Pick hit = parts().viewport.pickAlong(ray.origin, ray.direction);
+  const std::string part = partOf(hit);
+  return part.empty() ? std::nullopt : std::optional(RobotCellPick{part, hit.point});
+}
+
+std::unique_ptr<Tool> RobotCellUi::processTool() {
+  const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
+  ProcessServices services;
+  services.pick = [this](const Ray& ray) { return pickCell(ray); };
+  services.surface = [this](const BodyPointer& body) { return m_surfaces.of(body); };
+  services.plan = [this, &cell](const OperationValues& values) {
+    const BodyPointer part = cell.bodies().withId(static_cast<BodyId>(std::stoul(values.text("part"))));
+    const auto surface = part ? m_surfaces.of(part) : nullptr;
+    if (surface) m_paths.planProcess(values, surface);
+  };
+  return std::make_unique<ProcessTool>(cell, std::move(services));
 }
 
 std::unique_ptr<Tool> RobotCellUi::handTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  const auto pick = [this](const Ray& ray) -> std::optional<RobotCellPick> {
-    const Pick hit = parts().viewport.pickAlong(ray.origin, ray.direction);
-    const std::string part = partOf(hit);
-    return part.empty() ? std::nullopt : std::optional(RobotCellPick{part, hit.point});
-  };
+  const auto pick = [this](const Ray& ray) { return pickCell(ray); };
   const auto mark = [this](DisplayModel& shown, const JointValues& joints, const Body* moved) {
     m_collisions.mark(shown, joints, moved);
   };

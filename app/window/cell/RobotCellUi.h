@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tools/cell/JointDragTool.h"
 #include "window/cell/CellBodies.h"
 #include "window/cell/CellCollisions.h"
 #include "window/cell/CellPaths.h"
+#include "window/cell/PartSurfaces.h"
 #include "window/cell/PathDock.h"
 #include "window/kinds/RigidPartsUi.h"
 
@@ -40,6 +42,8 @@ class RobotCellUi : public RigidPartsUi {
 
  private:
   std::unique_ptr<Tool> handTool();
+  std::unique_ptr<Tool> processTool();
+  std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
   DisplayModel displayed(const Document& document) const override;
   BodyPointer placedBody(BodyId id) const;
@@ -55,6 +59,7 @@ class RobotCellUi : public RigidPartsUi {
   CellCollisions m_collisions;
   CellPaths m_paths;
   PathDock m_pathDock;
+  PartSurfaces m_surfaces;
   QAction m_builtIn;
   QPointer<QWidget> m_panel;
   bool m_isCovered = false;       // the selected body was, when it was last looked for

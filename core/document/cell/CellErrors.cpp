@@ -54,4 +54,33 @@ const ErrorDescription CellError::PathCollides{
     .sentences = {translatable("ErrorText", "the path '%1' collides in %2 places, first %3 with %4")},
     .advice = {translatable("ErrorText", "Plan it again, or see all of them with 'verify'.")}};
 
+const ErrorDescription CellError::PartCarried{
+    .id = "PartCarried",
+    .sentences = {translatable("ErrorText", "the robot carries '%1', so its tool cannot work on it")},
+    .advice = {translatable("ErrorText", "Choose a part that stands in the cell, or take it off the robot.")}};
+
+const ErrorDescription CellError::TrackMissing{
+    .id = "TrackMissing",
+    .sentences = {translatable("ErrorText", "no such curve was found on '%1'")},
+    .advice = {translatable("ErrorText", "Choose a place on a sharp edge of the part, or a section through it.")}};
+
+const ErrorDescription CellError::TrackOutOfReach{
+    .id = "TrackOutOfReach",
+    .sentences = {translatable("ErrorText",
+                               "the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm")},
+    .advice = {translatable("ErrorText", "Move the part nearer, turn the tool, or let it turn about its own axis.")}};
+
+const ErrorDescription CellError::TrackBlocked{
+    .id = "TrackBlocked",
+    .sentences = {translatable("ErrorText",
+                               "at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7")},
+    .advice = {translatable("ErrorText", "Lean the tool away, keep a distance from the part, or allow this pair.")}};
+
+const ErrorDescription CellError::TrackBroken{
+    .id = "TrackBroken",
+    .sentences = {translatable(
+        "ErrorText",
+        "the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint")},
+    .advice = {translatable("ErrorText", "Divide the curve, turn the tool, or let it turn about its own axis.")}};
+
 }  // namespace handwheel

@@ -97,7 +97,7 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     if (!id.ends_with(".carrier")) return bodyPropertyEdit(bodies(), id, value);
     const auto* choice = std::get_if<double>(&value);
     if (!choice || !(*choice >= 0.0 && *choice <= static_cast<double>(m_robot->model.links.size())))
-      return Error{ErrorCode::ElementMalformed, {id, "a link of the robot was expected"}, {}, {}};
+      return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
     const std::uint32_t link = *choice < 1.0 ? kNone : static_cast<std::uint32_t>(*choice) - 1;
     return carryEdit(bodies(), *body, link, m_robot->model, m_joints);
   }

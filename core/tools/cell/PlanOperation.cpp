@@ -4,8 +4,8 @@
 
 #include "base/NumberText.h"
 #include "document/cell/CellErrors.h"
-#include "planning/CartesianLine.h"
 #include "planning/Planners.h"
+#include "planning/ToolTrack.h"
 #include "robot/program/PathFile.h"
 
 #include <QtGlobal>
@@ -89,22 +89,16 @@ class LegPlanning {
   }
 
  private:
-  // A straight line of the tool; between its places the arm is within the deviation of what is checked.
   Status follow(const ArmValues& begin, const ArmValues& end, const PathPlace& to, const std::string& name,
                 RobotPath& path, Progress progress) {
-    const LineSettings line;
-    const FollowedLine followed = followLine(m_scene.arm, m_plans.tool, begin, end, line, progress);
+    const CheckedLine line =
+        checkLine(m_scene.scene, m_scene.arm, m_plans.tool, begin, end, {}, m_settings.plan.check, progress);
+    m_steps += line.steps;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (followed.reached < 1.0)
-      return Error{CellError::LineUnreachable, {name, roundedText(100.0 * followed.reached, 3)}, {}, {}};
-    MotionCheckSettings check = m_settings.plan.check;
-    check.clearance += line.deviation;
-    for (std::size_t i = 1; i < followed.path.size(); ++i) {
-      MotionCheck motion(m_scene.scene, followed.path[i - 1], followed.path[i], check);
-      const bool isFree = motion.run() == MotionCheck::State::Free;
-      m_steps += motion.steps();
-      if (isFree) continue;
-      const auto [link, other] = m_scene.namesOf(motion.blockedBy());
+    if (line.reached < 1.0)
+      return Error{CellError::LineUnreachable, {name, roundedText(100.0 * line.reached, 3)}, {}, {}};
+    if (!line.isFree()) {
+      const auto [link, other] = m_scene.namesOf(line.blocked);
       return Error{CellError::PathCollides, {name, "1", link, other}, {}, {}};
     }
     path.places.push_back(to);

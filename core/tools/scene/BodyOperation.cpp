@@ -105,7 +105,8 @@ Result<BodyChange> unlinking(Body body, const BodySet& bodies) {
   return BodyChange{std::move(edit).value(), {}, std::move(name)};
 }
 
-// By its name, or else its number.
+}  // namespace
+
 Result<BodyPointer> bodyCalled(const BodySet& bodies, const std::string& text) {
   const BodyPointer named = bodies.withName(text);
   const auto found = std::find_if(bodies.begin(), bodies.end(),
@@ -116,8 +117,6 @@ Result<BodyPointer> bodyCalled(const BodySet& bodies, const std::string& text) {
   if (!named && !numbered) return Error{BodyError::BodyMissing, {text}, {}, {}};
   return named ? named : numbered;
 }
-
-}  // namespace
 
 const Operation& bodyOperation() {
   static const Operation operation = {

@@ -13,6 +13,9 @@ namespace handwheel {
 // another or cuts the link. A body is named by its name or its number.
 const Operation& bodyOperation();
 
+// The body of this name, or else this number. Errors: BodyMissing; Ambiguous where these are two.
+Result<BodyPointer> bodyCalled(const BodySet& bodies, const std::string& text);
+
 // What is wrong with a combination of values, as a clause; empty when they fit together.
 std::string problemOfBodyValues(const OperationValues& values);
 

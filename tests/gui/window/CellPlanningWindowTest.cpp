@@ -80,6 +80,45 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(driver.paths()->child(0)->childCount(), places);
   }
 
+  // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.
+  void alongAnEdge() {
+    PlanningWindow driver;
+    driver.edit("joint.joint_2", "28.6");
+    driver.edit("joint.joint_3", "45.8");
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "500");
+    driver.edit("body.1.y", "0");
+    driver.edit("body.1.z", "150");
+    driver.choose("processTool");
+    QVERIFY(driver.settle());
+    driver.view()->setStandardView(StandardView::Front);
+    driver.showAll();
+    const QPoint middle = driver.placeOf("body.1");
+    QVERIFY(!middle.isNull());
+    const auto settings = [&](const char* id) {
+      return driver.find<QDockWidget>("toolDock")->findChild<QWidget*>(QStringLiteral("property/") + QLatin1String(id));
+    };
+    QVERIFY(settings("lead") && settings("standoff") && settings("from"));
+    auto* plan = driver.find<QAbstractButton>("toolAction/commit");
+    QVERIFY(!plan->isEnabled());
+    driver.move(middle);  // its edges are found when it is first pointed to
+    QTest::mouseMove(driver.view(), middle);
+    QVERIFY(driver.settle());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(plan->isEnabled());
+    QTest::keyClick(driver.view(), Qt::Key_Escape);
+    QTRY_VERIFY(!plan->isEnabled());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(plan->isEnabled());
+    QTest::mouseClick(plan, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free of collisions"), kPatienceMs);
+    QCOMPARE(driver.paths()->child(0)->childCount(), 4);  // approach, both ends of the edge, retract
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->childCount(), 0);
+  }
+
   void aPathIsPlayed() {
     PlanningWindow driver;
     driver.storeAt("joint.joint_1", "60");

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/PartSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace handwheel {
+
+namespace {
+
+double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  const double square = way.squaredNorm();
+  const double share = square > 0.0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
+  return (p - a - share * way).norm();
+}
+
+double angleBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// For the numbers of equal points: those of the first.
+std::vector<std::uint32_t> weldedNumbers(const std::vector<Vec3>& points) {
+  std::vector<std::uint32_t> order(points.size()), numbers(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto isBefore = [&](std::uint32_t i, std::uint32_t j) {
+    return std::lexicographical_compare(points[i].begin(), points[i].end(), points[j].begin(), points[j].end());
+  };
+  std::sort(order.begin(), order.end(), isBefore);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool isSame = i > 0 && points[order[i]] == points[order[i - 1]];
+    numbers[order[i]] = isSame ? numbers[order[i - 1]] : order[i];
+  }
+  return numbers;
+}
+
+// Directions of the points of a line, and normals at a right angle to them.
+void orient(SurfaceTrack& track) {
+  std::vector<TrackPoint>& points = track.points;
+  const std::size_t count = points.size();
+  const auto wayTo = [&](std::size_t i) { return Vec3((points[i].place - points[i - 1].place).normalized()); };
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 direction = Vec3::Zero();
+    if (i > 0) direction += wayTo(i);
+    if (i + 1 < count) direction += wayTo(i + 1);
+    if (track.isClosed && i == 0) direction += wayTo(count - 1);
+    if (track.isClosed && i + 1 == count) direction += wayTo(1);
+    points[i].direction = direction.normalized();
+  }
+  for (TrackPoint& point : points) {
+    Vec3 normal = point.normal - point.normal.dot(point.direction) * point.direction;
+    if (!(normal.norm() > 1e-9)) normal = point.direction.unitOrthogonal();
+    point.normal = normal.normalized();
+  }
+}
+
+}  // namespace
+
+double SurfaceTrack::length() const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i].place - points[i - 1].place).norm();
+  return sum;
+}
+
+SurfaceTrack SurfaceTrack::reversed() const {
+  SurfaceTrack other = *this;
+  std::reverse(other.points.begin(), other.points.end());
+  for (TrackPoint& point : other.points) point.direction = -point.direction;
+  return other;
+}
+
+PartSurface::PartSurface(const TriangleSoup& soup, const EdgeSettings& settings)
+    : m_settings(settings), m_points(soup.points) {
+  const std::vector<std::uint32_t> welded = weldedNumbers(m_points);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> facesOf;
+  for (const Triangle& triangle : soup.triangles) {
+    const Triangle t{welded[triangle[0]], welded[triangle[1]], welded[triangle[2]]};
+    const Vec3 across = (m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]);
+    if (!(across.norm() > 0.0) || !across.allFinite()) continue;
+    for (std::size_t i = 0; i < 3; ++i)
+      facesOf[std::minmax(t[i], t[(i + 1) % 3])].push_back(static_cast<std::uint32_t>(m_triangles.size()));
+    m_triangles.push_back(t);
+    m_normals.push_back(across.normalized());
+  }
+  for (const auto& [ends, faces] : facesOf) {
+    const Vec3& first = m_normals[faces.front()];
+    const Vec3& last = m_normals[faces.back()];
+    if (faces.size() == 2 && angleBetween(first, last) < settings.sharpness) continue;
+    const Vec3 sum = first + last;
+    m_sharp.push_back({ends.first, ends.second, sum.norm() > 1e-9 ? Vec3(sum.normalized()) : first});
+  }
+  m_firstOfVertex.assign(m_points.size() + 1, 0);
+  for (const Edge& edge : m_sharp) {
+    ++m_firstOfVertex[edge.a + 1];
+    ++m_firstOfVertex[edge.b + 1];
+  }
+  std::partial_sum(m_firstOfVertex.begin(), m_firstOfVertex.end(), m_firstOfVertex.begin());
+  m_sharpOfVertex.resize(m_firstOfVertex.back());
+  std::vector<std::uint32_t> free(m_firstOfVertex.begin(), m_firstOfVertex.end() - 1);
+  for (std::uint32_t e = 0; e < m_sharp.size(); ++e) {
+    m_sharpOfVertex[free[m_sharp[e].a]++] = e;
+    m_sharpOfVertex[free[m_sharp[e].b]++] = e;
+  }
+}
+
+// The edge that goes on straightest at a vertex.
+std::optional<std::uint32_t> PartSurface::next(std::uint32_t edge, std::uint32_t vertex) const {
+  const auto away = [&](std::uint32_t e) {
+    const std::uint32_t other = m_sharp[e].a == vertex ? m_sharp[e].b : m_sharp[e].a;
+    return Vec3(m_points[other] - m_points[vertex]);
+  };
+  const Vec3 along = -away(edge);
+  double least = m_settings.corner;
+  std::optional<std::uint32_t> straightest;
+  for (std::uint32_t i = m_firstOfVertex[vertex]; i < m_firstOfVertex[vertex + 1]; ++i) {
+    const std::uint32_t e = m_sharpOfVertex[i];
+    const double turn = angleBetween(along, away(e));
+    if (e == edge || turn > least) continue;
+    least = turn;
+    straightest = e;
+  }
+  return straightest;
+}
+
+PartSurface::Chain PartSurface::chainThrough(std::uint32_t edge) const {
+  Chain chain;
+  std::vector<bool> isUsed(m_sharp.size(), false);
+  isUsed[edge] = true;
+  const auto follow = [&](std::uint32_t vertex, std::vector<std::uint32_t>& edges, std::vector<std::uint32_t>& ends) {
+    std::uint32_t e = edge;
+    ends.push_back(vertex);
+    while (const auto on = next(e, vertex)) {
+      if (*on == edge) return true;
+      if (isUsed[*on]) return false;
+      isUsed[*on] = true;
+      e = *on;
+      vertex = m_sharp[e].a == vertex ? m_sharp[e].b : m_sharp[e].a;
+      edges.push_back(e);
+      ends.push_back(vertex);
+    }
+    return false;
+  };
+  std::vector<std::uint32_t> back, backEnds;
+  chain.isClosed = follow(m_sharp[edge].b, chain.edges, chain.vertices);
+  if (!chain.isClosed) follow(m_sharp[edge].a, back, backEnds);
+  std::reverse(back.begin(), back.end());
+  std::reverse(backEnds.begin(), backEnds.end());
+  if (chain.isClosed) backEnds.push_back(m_sharp[edge].a);
+  back.push_back(edge);
+  chain.edges.insert(chain.edges.begin(), back.begin(), back.end());
+  chain.vertices.insert(chain.vertices.begin(), backEnds.begin(), backEnds.end());
+  return chain;
+}
+
+SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
+  std::optional<std::uint32_t> nearest;
+  double least = farthest;
+  for (std::uint32_t e = 0; e < m_sharp.size(); ++e) {
+    const double distance = distanceToSegment(place, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
+    if (!(distance <= least)) continue;
+    least = distance;
+    nearest = e;
+  }
+  SurfaceTrack track;
+  if (!nearest) return track;
+  const Chain chain = chainThrough(*nearest);
+  track.isClosed = chain.isClosed;
+  const std::size_t count = chain.edges.size();
+  for (std::size_t i = 0; i <= count; ++i) {
+    Vec3 normal = Vec3::Zero();
+    if (i > 0 || chain.isClosed) normal += m_sharp[chain.edges[(i + count - 1) % count]].normal;
+    if (i < count || chain.isClosed) normal += m_sharp[chain.edges[i % count]].normal;
+    track.points.push_back({m_points[chain.vertices[i]], Vec3::Zero(), normal.normalized()});
+  }
+  orient(track);
+  return track;
+}
+
+SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
+  // Points in the plane count as above it, so that it never goes through a vertex.
+  std::vector<bool> isAbove(m_points.size());
+  for (std::size_t i = 0; i < m_points.size(); ++i) isAbove[i] = (m_points[i] - onPlane).dot(normal) >= 0.0;
+  using EndEdge = std::pair<std::uint32_t, std::uint32_t>;
+  struct Segment {
+    std::array<EndEdge, 2> ends;
+    std::uint32_t triangle;
+  };
+  const auto pointOn = [&](const EndEdge& edge) {
+    const Vec3 &a = m_points[edge.first], &b = m_points[edge.second];
+    const double from = (a - onPlane).dot(normal), to = (b - onPlane).dot(normal);
+    return Vec3(a + from / (from - to) * (b - a));
+  };
+  std::vector<Segment> segments;
+  std::map<EndEdge, std::vector<std::uint32_t>> segmentsAt;
+  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t nearest = 0;
+  for (std::uint32_t t = 0; t < m_triangles.size(); ++t) {
+    const Triangle& corners = m_triangles[t];
+    Segment segment{{}, t};
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
+      if (isAbove[a] != isAbove[b] && found < 2) segment.ends[found++] = std::minmax(a, b);
+    }
+    if (found < 2) continue;
+    const auto number = static_cast<std::uint32_t>(segments.size());
+    for (const EndEdge& end : segment.ends) segmentsAt[end].push_back(number);
+    const double distance = distanceToSegment(place, pointOn(segment.ends[0]), pointOn(segment.ends[1]));
+    if (distance < least) {
+      least = distance;
+      nearest = number;
+    }
+    segments.push_back(segment);
+  }
+  SurfaceTrack track;
+  if (segments.empty()) return track;
+  std::vector<bool> isUsed(segments.size(), false);
+  isUsed[nearest] = true;
+  const auto follow = [&](EndEdge end) {
+    std::vector<TrackPoint> points;
+    Vec3 before = m_normals[segments[nearest].triangle];
+    for (;;) {
+      std::optional<std::uint32_t> on;
+      for (const std::uint32_t s : segmentsAt[end]) {
+        if (!isUsed[s]) on = s;
+      }
+      const Vec3 after = on ? m_normals[segments[*on].triangle] : before;
+      points.push_back({pointOn(end), Vec3::Zero(), (before + after).normalized()});
+      if (!on) return points;
+      isUsed[*on] = true;
+      const auto& ends = segments[*on].ends;
+      end = ends[0] == end ? ends[1] : ends[0];
+      before = after;
+    }
+  };
+  std::vector<TrackPoint> ahead = follow(segments[nearest].ends[1]);
+  track.points = follow(segments[nearest].ends[0]);
+  std::reverse(track.points.begin(), track.points.end());
+  track.points.insert(track.points.end(), ahead.begin(), ahead.end());
+  // Cut vertices give points at one place.
+  const auto isSame = [](const TrackPoint& a, const TrackPoint& b) { return (a.place - b.place).norm() < 1e-9; };
+  track.points.erase(std::unique(track.points.begin(), track.points.end(), isSame), track.points.end());
+  if (track.points.size() < 2) return {};
+  track.isClosed = track.points.size() > 2 && isSame(track.points.front(), track.points.back());
+  orient(track);
+  return track;
+}
+
+SurfaceTrack pieceFrom(const SurfaceTrack& track, const Vec3& place, double length) {
+  const std::vector<TrackPoint>& points = track.points;
+  if (points.size() < 2 || !(length > 0.0)) return {};
+  std::size_t nearest = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double distance = distanceToSegment(place, points[i - 1].place, points[i].place);
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = i;
+  }
+  const auto between = [&](std::size_t i, double share) {
+    const TrackPoint &a = points[i - 1], &b = points[i];
+    return TrackPoint{a.place + share * (b.place - a.place), Vec3::Zero(), a.normal + share * (b.normal - a.normal)};
+  };
+  const Vec3 way = points[nearest].place - points[nearest - 1].place;
+  const double from = std::clamp((place - points[nearest - 1].place).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  SurfaceTrack piece;
+  piece.points.push_back(between(nearest, from));
+  const std::size_t count = points.size() - 1;  // segments
+  for (std::size_t k = 0; k <= count && length > 0.0; ++k) {
+    if (!track.isClosed && nearest + k > count) break;
+    const std::size_t i = (nearest - 1 + k) % count + 1;
+    const double to = k == count ? from : 1.0;  // round to where it began
+    const double step = (between(i, to).place - piece.points.back().place).norm();
+    const double share = step > length ? length / step : 1.0;
+    length -= step;
+    if (!(step > 0.0)) continue;
+    TrackPoint end = between(i, to);
+    end.place = piece.points.back().place + share * (end.place - piece.points.back().place);
+    piece.points.push_back(end);
+    piece.isClosed = k == count && share == 1.0;
+  }
+  if (piece.points.size() < 2) return {};
+  orient(piece);
+  return piece;
+}
+
+SurfaceTrack simplified(const SurfaceTrack& track, double deviation, double angle) {
+  const std::vector<TrackPoint>& points = track.points;
+  if (points.size() < 3) return track;
+  std::vector<bool> isKept(points.size(), false);
+  isKept.front() = isKept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double worst = 1.0;  // in units of what is allowed
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distanceToSegment(points[i].place, points[first].place, points[last].place) / deviation;
+      const double turned = std::min(angleBetween(points[i].normal, points[first].normal),
+                                     angleBetween(points[i].normal, points[last].normal)) /
+                            angle;
+      const double share = std::max(off, turned);
+      if (share > worst) {
+        worst = share;
+        at = i;
+      }
+    }
+    if (at == first) continue;
+    isKept[at] = true;
+    open.emplace_back(first, at);
+    open.emplace_back(at, last);
+  }
+  SurfaceTrack kept{{}, track.isClosed};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (isKept[i]) kept.points.push_back(points[i]);
+  }
+  orient(kept);
+  return kept;
+}
+
+}  // namespace handwheel

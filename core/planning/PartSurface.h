@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/structure/TriangleSoup.h"
+
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// A point of a curve on a part, for a tool that works along it.
+struct TrackPoint {
+  Vec3 place;      // mm
+  Vec3 direction;  // along the curve, of unit length
+  Vec3 normal;     // away from the part, of unit length, at a right angle to the direction
+};
+
+// A curve on a part. Straight between its points.
+struct SurfaceTrack {
+  std::vector<TrackPoint> points;  // empty: there is none
+  bool isClosed = false;           // it ends where it begins; that point is in it twice
+  double length() const;           // mm
+  SurfaceTrack reversed() const;
+};
+
+// How the edges of a part are found and followed.
+struct EdgeSettings {
+  double sharpness = 0.5235987755982988;  // rad: an edge is one whose faces bend by at least so much, or a rim
+  double corner = 0.7853981633974483;     // rad: a curve ends where its edges turn by more
+};
+
+// The surface of a part, prepared for curves on it: its edges, and sections with planes. Immutable; any thread.
+class PartSurface {
+ public:
+  // Triangles that have no area or are not finite are left out. O(n log n).
+  explicit PartSurface(const TriangleSoup& soup, const EdgeSettings& settings = {});
+
+  bool hasEdges() const { return !m_sharp.empty(); }
+
+  // The curve of edges through the one nearest to a place. None where none is within `farthest` (mm). O(edges).
+  SurfaceTrack edgeNear(const Vec3& place, double farthest) const;
+  // The section with a plane: the curve that comes nearest to a place, which need not be in the plane. normal: of unit
+  // length. O(n).
+  SurfaceTrack sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const;
+
+ private:
+  struct Edge {
+    std::uint32_t a, b;
+    Vec3 normal;  // between those of its faces
+  };
+  struct Chain {
+    std::vector<std::uint32_t> edges;
+    std::vector<std::uint32_t> vertices;  // one more than edges
+    bool isClosed = false;
+  };
+  Chain chainThrough(std::uint32_t edge) const;
+  std::optional<std::uint32_t> next(std::uint32_t edge, std::uint32_t vertex) const;
+
+  EdgeSettings m_settings;
+  std::vector<Vec3> m_points;
+  std::vector<Triangle> m_triangles;
+  std::vector<Vec3> m_normals;  // of the triangles
+  std::vector<Edge> m_sharp;
+  std::vector<std::uint32_t> m_firstOfVertex;  // in m_sharpOfVertex; one more than points
+  std::vector<std::uint32_t> m_sharpOfVertex;
+};
+
+// The piece of a curve that begins at its point nearest to a place and goes on for a length (mm), or to its end; a
+// closed one comes round to where it began. Empty where its length is 0. O(points).
+SurfaceTrack pieceFrom(const SurfaceTrack& track, const Vec3& place, double length);
+
+// The same curve with fewer points: nowhere farther than `deviation` (mm) from it, its normals off by no more than
+// `angle` (rad). Ends stay. (Douglas and Peucker 1973.) O(n log n) as a rule.
+SurfaceTrack simplified(const SurfaceTrack& track, double deviation, double angle);
+
+}  // namespace handwheel

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/ProcessOperation.h"
+
+#include "base/NumberText.h"
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellErrors.h"
+#include "planning/ToolTrack.h"
+#include "scene/RigidPose.h"
+#include "tools/scene/BodyOperation.h"
+
+#include <QtGlobal>
+#include <chrono>
+#include <limits>
+#include <numbers>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kNormalAngle = 5.0 * std::numbers::pi / 180.0;  // that normals may be off after simplification
+constexpr int kFreeSpins = 24;                                   // turns of a tool that may be turned about its axis
+
+Parameter textParameter(const char* id, const char* word, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = word,
+          .hasDefault = false};
+}
+
+Parameter numberParameter(const char* id, const char* label, const char* word, std::string meaning, double value,
+                          double least, double largest, Quantity quantity) {
+  return {.property = {.id = id,
+                       .group = {},
+                       .label = label,
+                       .value = value,
+                       .quantity = quantity,
+                       .least = least,
+                       .largest = largest},
+          .meaning = std::move(meaning),
+          .word = word};
+}
+
+Parameter flagParameter(const char* id, const char* label, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = label, .value = false}, .meaning = std::move(meaning)};
+}
+
+Error errorAt(const ErrorDescription& code, const FollowedTrack& track, std::span<const Pose> poses,
+              std::vector<std::string> more = {}) {
+  const Vec3 at = poses[track.failedAt].translation();
+  std::vector<std::string> arguments{std::to_string(track.failedAt + 1), std::to_string(poses.size()),
+                                     roundedText(at.x(), 6), roundedText(at.y(), 6), roundedText(at.z(), 6)};
+  for (std::string& each : more) arguments.push_back(std::move(each));
+  return {code, std::move(arguments), {}, {}};
+}
+
+Status checkFollowed(const FollowedTrack& track, std::span<const Pose> poses, const CellScene& scene) {
+  switch (track.outcome) {
+    case FollowedTrack::Outcome::Solved:
+      return Done{};
+    case FollowedTrack::Outcome::OutOfReach:
+      return errorAt(CellError::TrackOutOfReach, track, poses);
+    case FollowedTrack::Outcome::Blocked: {
+      const auto [link, other] = scene.namesOf(track.blocked);
+      return errorAt(CellError::TrackBlocked, track, poses, {link, other});
+    }
+    case FollowedTrack::Outcome::NoWay:
+      return errorAt(CellError::TrackBroken, track, poses);
+    case FollowedTrack::Outcome::Cancelled:
+      break;
+  }
+  return Error{ErrorCode::Cancelled, {}, {}, {}};
+}
+
+// Plans from one place to another and adds what is between them, and the second.
+Status addLeg(const CellScene& scene, const CellPlans& plans, const PathPlace& from, const PathPlace& to,
+              const RouteSettings& settings, PlannedPath& planned, Progress progress) {
+  const std::array<PathPlace, 2> ends{from, to};
+  Result<PlannedPath> leg = plannedThrough(scene, plans, ends, settings, progress);
+  if (!leg) return leg.error();
+  planned.steps += leg->steps;
+  for (std::size_t i = 1; i < leg->path.places.size(); ++i)
+    planned.path.places.push_back(std::move(leg->path.places[i]));
+  return Done{};
+}
+
+}  // namespace
+
+const Operation& processOperation() {
+  constexpr double kRightAngle = 0.5 * std::numbers::pi;
+  static const Operation kOperation = {
+      .id = "process",
+      .title = QT_TRANSLATE_NOOP("Tool", "Plan process path"),
+      .meaning = "Plans a path of the tool along an edge or a section of a part",
+      .parameters = {
+          textParameter("part", "BODY", "The part, given by name or number"),
+          {.property = {.id = "near",
+                        .group = {},
+                        .label = {},
+                        .value = "0,0,0",
+                        .quantity = Quantity::Length,
+                        .least = -kFarthestBody,
+                        .largest = kFarthestBody},
+           .meaning = "A place near the curve, in mm from the robot's base; a section goes through it",
+           .word = "X,Y,Z",
+           .parts = {{"x"}, {"y"}, {"z"}},
+           .hasDefault = false},
+          {.property = {.id = "along",
+                        .group = {},
+                        .label = QT_TRANSLATE_NOOP("Property", "Along"),
+                        .value = 0.0,
+                        .choices = {QT_TRANSLATE_NOOP("Property", "an edge"),
+                                    QT_TRANSLATE_NOOP("Property", "a section across X"),
+                                    QT_TRANSLATE_NOOP("Property", "a section across Y"),
+                                    QT_TRANSLATE_NOOP("Property", "a section across Z")}},
+           .meaning = "What the tool follows; sections are across an axis of the base",
+           .word = "CURVE",
+           .words = {"edge", "x", "y", "z"}},
+          {.property = {.id = "length",
+                        .group = {},
+                        .label = QT_TRANSLATE_NOOP("Property", "Length from there (0: all)"),
+                        .value = 0.0,
+                        .quantity = Quantity::Length,
+                        .least = 0.0,
+                        .largest = kFarthestBody},
+           .meaning = "How much of the curve, from the place on; 0: all of it",
+           .word = "MM"},
+          flagParameter("reverse", QT_TRANSLATE_NOOP("Property", "The other way round"),
+                        "Follow the curve the other way round"),
+          numberParameter("lead", QT_TRANSLATE_NOOP("Property", "Lead"), "DEGREES",
+                          "The tool points ahead by so much; below 0 it lags", 0.0, -1.4, 1.4, Quantity::Angle),
+          numberParameter("tilt", QT_TRANSLATE_NOOP("Property", "Tilt"), "DEGREES",
+                          "The tool leans to the right of its way by so much", 0.0, -kRightAngle, kRightAngle,
+                          Quantity::Angle),
+          numberParameter("spin", QT_TRANSLATE_NOOP("Property", "Turn about the tool"), "DEGREES",
+                          "The tool is turned about its own axis by so much", 0.0, -std::numbers::pi, std::numbers::pi,
+                          Quantity::Angle),
+          flagParameter("free", QT_TRANSLATE_NOOP("Property", "Free to turn about the tool"),
+                        "The tool may be turned about its own axis as suits the arm"),
+          numberParameter("standoff", QT_TRANSLATE_NOOP("Property", "Distance from the part"), "MM",
+                          "How far the tool stays from the curve", 1.0, -1e3, 1e3, Quantity::Length),
+          numberParameter("approach", QT_TRANSLATE_NOOP("Property", "Approach and retract"), "MM",
+                          "How far along its axis the tool comes and goes", 50.0, 0.0, 1e4, Quantity::Length),
+          numberParameter("speed", QT_TRANSLATE_NOOP("Property", "Speed (mm/s)"), "MM/S",
+                          "Of the tool along the curve, in mm/s", 50.0, 0.01, 1e4, Quantity::Number),
+          numberParameter("blend", QT_TRANSLATE_NOOP("Property", "Blend"), "MM",
+                          "How far from a point of the curve the tool may round it off", 1.0, 0.0, 100.0,
+                          Quantity::Length),
+          numberParameter("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance"), "MM",
+                          "How far the path may be from the curve", 0.1, 1e-4, 100.0, Quantity::Length),
+          {.property = {.id = "clearance",
+                        .group = {},
+                        .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
+                        .value = 0.0,
+                        .quantity = Quantity::Length,
+                        .least = 0.0,
+                        .largest = 1e4},
+           .meaning = "Kept from everything; without it that of the cell",
+           .word = "MM",
+           .hasDefault = false},
+          textParameter("from", "PLACE", "Where the robot comes from, planned free of collisions"),
+          textParameter("to", "PLACE", "Where it goes afterwards"),
+          textParameter("name", "NAME", "The name of the path in the cell")}};
+  return kOperation;
+}
+
+Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& scene) {
+  Result<BodyPointer> part = bodyCalled(scene.bodies, values.text("part"));
+  if (part && carrierOf(**part, scene.robot->model) != kNone)
+    return Error{CellError::PartCarried, {(*part)->name}, {}, {}};
+  return part;
+}
+
+Result<SurfaceTrack> trackOn(const PartSurface& surface, const Body& body, const OperationValues& values) {
+  const std::vector<double> numbers = values.numbers("near");
+  const Pose toBody = body.pose.inverse(Eigen::Isometry);
+  const Vec3 near = toBody * Vec3(numbers[0], numbers[1], numbers[2]);
+  const std::size_t along = values.whole("along");
+  SurfaceTrack track;
+  if (along == 0)
+    track = surface.edgeNear(near, std::numeric_limits<double>::max());
+  else
+    track = surface.sectionNear(near, toBody.linear().col(static_cast<Eigen::Index>(along) - 1), near);
+  if (track.points.size() < 2) return Error{CellError::TrackMissing, {body.name}, {}, {}};
+  if (values.flag("reverse")) track = track.reversed();
+  const double length = values.number("length");
+  if (track.isClosed || length > 0.0)
+    track = pieceFrom(track, near, length > 0.0 ? length : std::numeric_limits<double>::max());
+  if (track.points.size() < 2) return Error{CellError::TrackMissing, {body.name}, {}, {}};
+  track = simplified(track, values.number("tolerance"), kNormalAngle);
+  for (TrackPoint& point : track.points) {
+    point.place = body.pose * point.place;
+    point.direction = body.pose.linear() * point.direction;
+    point.normal = body.pose.linear() * point.normal;
+  }
+  return track;
+}
+
+Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
+                                const PartSurface& surface, const Body& body, Progress progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<SurfaceTrack> track = trackOn(surface, body, values);
+  if (!track) return track.error();
+  if (track->points.size() > RobotPath::kMostPlaces)
+    return Error{ErrorCode::FileTooLarge,
+                 {"points", std::to_string(track->points.size()), std::to_string(RobotPath::kMostPlaces)},
+                 {},
+                 {}};
+  std::vector<Pose> poses = toolPoses(*track, {.lead = values.number("lead"),
+                                               .tilt = values.number("tilt"),
+                                               .spin = values.number("spin"),
+                                               .standoff = values.number("standoff")});
+  const Pose away(Eigen::Translation3d(0.0, 0.0, -values.number("approach")));
+  poses.insert(poses.begin(), poses.front() * away);
+  poses.push_back(poses.back() * away);
+  RouteSettings route;
+  route.plan.check.clearance = values.given("clearance").value_or(cell.plans->clearance);
+  route.plan.seconds = 10.0;
+  const TrackSettings settings{.check = route.plan.check, .line = {}, .spins = values.flag("free") ? kFreeSpins : 1};
+  const FollowedTrack followed = followTrack(scene.scene, scene.arm, cell.plans->tool, poses,
+                                             scene.planned(cell.joints), settings, progress.part(0.0, 0.8));
+  if (const Status solved = checkFollowed(followed, poses, scene); !solved) return solved.error();
+  PlannedPath planned;
+  std::vector<PathPlace>& places = planned.path.places;
+  for (const ArmValues& each : followed.values) {
+    places.push_back({.joints = scene.whole(each),
+                      .motion = ProgramMotion::Kind::Linear,
+                      .speed = values.number("speed"),
+                      .blend = values.number("blend")});
+  }
+  places.front() = {.joints = places.front().joints, .name = "approach"};
+  places.back().name = "retract";
+  places[1].blend = places[places.size() - 2].blend = places.back().blend = 0.0;
+  if (values.isSet("from")) {
+    const Result<PathPlace> from = placeCalled(scene, cell, values.text("from"));
+    if (!from) return from.error();
+    PlannedPath before;
+    before.path.places.push_back(*from);
+    const Status leg = addLeg(scene, *cell.plans, *from, places.front(), route, before, progress.part(0.8, 0.9));
+    if (!leg) return leg.error();
+    before.path.places.insert(before.path.places.end(), places.begin() + 1, places.end());
+    planned = std::move(before);
+  }
+  if (values.isSet("to")) {
+    const Result<PathPlace> to = placeCalled(scene, cell, values.text("to"));
+    if (!to) return to.error();
+    const PathPlace last = planned.path.places.back();
+    const Status leg = addLeg(scene, *cell.plans, last, *to, route, planned, progress.part(0.9, 1.0));
+    if (!leg) return leg.error();
+  }
+  planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return planned;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/ProcessTool.h"
+
+#include "document/cell/BodyCarriers.h"
+#include "document/scene/BodyDisplay.h"
+#include "planning/ToolTrack.h"
+#include "tools/OperationSettings.h"
+#include "tools/ToolProperty.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr ToolKey kProcessKeys[] = {
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "plan the path along the curve")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose another curve")},
+};
+
+constexpr const char* kShownSettings[] = {"along",    "length",   "reverse", "lead",  "tilt",      "spin",     "free",
+                                          "standoff", "approach", "speed",   "blend", "tolerance", "clearance"};
+
+}  // namespace
+
+ProcessTool::ProcessTool(const RobotCellDocument& document, ProcessServices services)
+    : m_document(document), m_services(std::move(services)), m_values(processOperation()) {
+  m_values.setValid("clearance", document.plans()->clearance);
+}
+
+std::span<const ToolKey> ProcessTool::keys() {
+  return kProcessKeys;
+}
+
+// On a part that the robot does not carry.
+std::optional<ProcessTool::Place> ProcessTool::placeAt(const PointerEvent& event) const {
+  const auto hit = event.ray.isUsable() ? m_services.pick(event.ray) : std::nullopt;
+  const auto id = hit ? bodyOfPart(hit->part) : std::nullopt;
+  const BodyPointer body = id ? m_document.bodies().withId(*id) : nullptr;
+  if (!body || carrierOf(*body, m_document.robot().model) != kNone) return std::nullopt;
+  return Place{*id, event.held.value_or(hit->point)};
+}
+
+SurfaceTrack ProcessTool::trackAt(const Place& place) const {
+  const BodyPointer body = m_document.bodies().withId(place.body);
+  const auto surface = body ? m_services.surface(body) : nullptr;
+  if (!surface) return {};
+  OperationValues values = m_values;
+  values.setValid("near", std::vector<double>{place.point.x(), place.point.y(), place.point.z()});
+  Result<SurfaceTrack> track = trackOn(*surface, *body, values);
+  return track ? std::move(track).value() : SurfaceTrack{};
+}
+
+void ProcessTool::look() {
+  const auto& place = m_chosen ? m_chosen : m_hovered;
+  m_track = place ? trackAt(*place) : SurfaceTrack{};
+}
+
+ToolReply ProcessTool::pointer(const PointerEvent& event) {
+  switch (event.kind) {
+    case PointerEvent::Kind::Hover:
+    case PointerEvent::Kind::Leave:
+      if (m_chosen) return ToolReply::Ignored;
+      m_hovered = event.kind == PointerEvent::Kind::Hover ? placeAt(event) : std::nullopt;
+      look();
+      return ToolReply::Used;
+    case PointerEvent::Kind::Press: {
+      const auto place = event.button == PointerButton::First ? placeAt(event) : std::nullopt;
+      if (!place || trackAt(*place).points.empty()) return ToolReply::Ignored;  // the camera's
+      m_chosen = place;
+      look();
+      return ToolReply::Used;
+    }
+    case PointerEvent::Kind::Drag:
+    case PointerEvent::Kind::Release:
+      return m_chosen ? ToolReply::Used : ToolReply::Ignored;
+    case PointerEvent::Kind::DoubleClick:
+      break;
+  }
+  return ToolReply::Ignored;
+}
+
+ToolReply ProcessTool::perform(std::string_view action) {
+  if (action == "revert") {
+    if (!m_chosen) return ToolReply::Finished;
+    m_chosen.reset();
+    look();
+    return ToolReply::Used;
+  }
+  if (action != "commit" || !m_chosen || m_track.points.empty()) return ToolReply::Ignored;
+  OperationValues values = m_values;
+  values.setValid("part", std::to_string(m_chosen->body));
+  const Vec3& at = m_chosen->point;
+  values.setValid("near", std::vector<double>{at.x(), at.y(), at.z()});
+  m_services.plan(values);
+  return ToolReply::Used;
+}
+
+std::vector<ToolAction> ProcessTool::actions() const {
+  const bool isChosen = m_chosen && !m_track.points.empty();
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a curve on a part")},
+          actionOf(kProcessKeys, "commit", isChosen),
+          actionOf(kProcessKeys, "revert", true, m_chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
+}
+
+// The curve, and how the tool is held at points of it.
+ToolPreview ProcessTool::preview() const {
+  constexpr double kShownTool = 30.0;     // mm of its axis
+  constexpr std::size_t kMostShown = 60;  // tools
+  ToolPreview preview;
+  if (m_track.points.size() < 2) return preview;
+  std::vector<Vec3> curve;
+  for (const TrackPoint& point : m_track.points) curve.push_back(point.place);
+  preview.lines.push_back(std::move(curve));
+  const std::vector<Pose> poses = toolPoses(m_track, {.lead = m_values.number("lead"),
+                                                      .tilt = m_values.number("tilt"),
+                                                      .spin = m_values.number("spin"),
+                                                      .standoff = m_values.number("standoff")});
+  for (std::size_t i = 0; i < poses.size(); i += poses.size() / kMostShown + 1)
+    preview.lines.push_back({poses[i].translation(), poses[i] * Vec3(0.0, 0.0, -kShownTool)});
+  return preview;
+}
+
+std::vector<std::string> ProcessTool::ends() const {
+  std::vector<std::string> names;
+  for (const NamedConfiguration& each : m_document.plans()->configurations) names.push_back(each.name);
+  return names;
+}
+
+std::vector<Property> ProcessTool::settings() const {
+  std::vector<Property> all;
+  for (const char* const id : kShownSettings) {
+    all.push_back(settingOf(m_values, id));
+    if (std::string_view(id) == "clearance") all.back().value = m_values.given(id).value_or(0.0);
+  }
+  for (const char* const end : {"from", "to"}) {
+    std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "nowhere else"),
+                                     QT_TRANSLATE_NOOP("Property", "Where the robot stands")};
+    const std::vector<std::string> names = ends();
+    choices.insert(choices.end(), names.begin(), names.end());
+    const std::string chosen = m_values.isSet(end) ? m_values.text(end) : std::string();
+    const auto found = std::find(names.begin(), names.end(), chosen);
+    const int index = chosen == "here" ? 1 : found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 2;
+    const char* const label = std::string_view(end) == "from" ? QT_TRANSLATE_NOOP("Property", "Comes from")
+                                                              : QT_TRANSLATE_NOOP("Property", "Goes to");
+    all.push_back(choiceSetting(end, label, index, std::move(choices)));
+  }
+  return all;
+}
+
+void ProcessTool::setSetting(std::string_view id, const PropertyValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  if ((id == "from" || id == "to") && number) {
+    const std::vector<std::string> names = ends();
+    const auto index = static_cast<std::size_t>(std::max(0.0, *number));
+    if (index == 0 || index >= names.size() + 2)
+      m_values.reset(id);
+    else
+      m_values.setValid(id, index == 1 ? "here" : names[index - 2]);
+  } else {
+    takeSetting(m_values, id, value);
+  }
+  look();
+}
+
+void ProcessTool::documentChanged() {
+  if (m_chosen && !m_document.bodies().withId(m_chosen->body)) m_chosen.reset();
+  m_hovered.reset();
+  look();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/RobotCellDocument.h"
+#include "tools/cell/JointDragTool.h"
+#include "tools/cell/ProcessOperation.h"
+
+namespace handwheel {
+
+// Services that ProcessTool uses.
+struct ProcessServices {
+  JointDragTool::Pick pick;
+  // The surface of a body; null while it is being prepared.
+  std::function<std::shared_ptr<const PartSurface>(const BodyPointer& body)> surface;
+  // Plans with these values, which name the part.
+  std::function<void(const OperationValues& values)> plan;
+};
+
+// Tool that chooses an edge or a section of a part for the robot's tool to work along. The curve under the pointer is
+// shown, a click takes it, and the settings say how the tool is held; "commit" plans the path.
+class ProcessTool : public Tool {
+ public:
+  ProcessTool(const RobotCellDocument& document, ProcessServices services);
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "process"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  // Edges are hard to hit by hand.
+  SnapTargets snapTargets() const override { return {.corners = true, .edges = true}; }
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  // Where a curve was pointed to.
+  struct Place {
+    BodyId body;
+    Vec3 point;  // in the frame of the robot's base
+  };
+  std::optional<Place> placeAt(const PointerEvent& event) const;
+  SurfaceTrack trackAt(const Place& place) const;
+  std::vector<std::string> ends() const;  // names of configurations
+  void look();
+
+  const RobotCellDocument& m_document;
+  ProcessServices m_services;
+  OperationValues m_values;
+  std::optional<Place> m_hovered, m_chosen;
+  SurfaceTrack m_track;  // that is shown
+};
+
+}  // namespace handwheel
