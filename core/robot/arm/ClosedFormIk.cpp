@@ -21,39 +21,57 @@ Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
   return turned(v, axis, std::cos(angle), std::sin(angle));
 }
 
-Eigen::Matrix3d turnAbout(const Vec3& axis, double angle) {
-  return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+Eigen::Matrix3d turnAbout(const Vec3& axis, double cosine, double sine) {
+  Eigen::Matrix3d turn;
+  for (int i = 0; i < 3; ++i) turn.col(i) = turned(Vec3::Unit(i), axis, cosine, sine);
+  return turn;
 }
 
 Vec3 across(const Vec3& v, const Vec3& axis) {
   return v - axis.dot(v) * axis;
 }
 
-// The angle by which a turns about the axis to point as b does; none where one of them is along the axis. (The first
-// subproblem.)
-std::optional<double> angleBetween(const Vec3& a, const Vec3& b, const Vec3& axis, double size) {
+// An angle with its cosine and sine, which cost more than the rest where they are computed from it.
+struct Angle {
+  explicit Angle(double of) : value(of), cosine(std::cos(of)), sine(std::sin(of)) {}
+  // That of a point of the plane, which is not the origin.
+  Angle(double x, double y) : value(std::atan2(y, x)), cosine(x), sine(y) {
+    const double length = std::sqrt(x * x + y * y);
+    cosine /= length;
+    sine /= length;
+  }
+  double value, cosine, sine;
+};
+
+// The angle by which a turns about the axis to point as b does; where one of them is along the axis, the other one.
+// (The first subproblem.)
+Angle angleBetween(const Vec3& a, const Vec3& b, const Vec3& axis, double size, double other) {
   const Vec3 u = across(a, axis), v = across(b, axis);
-  if (u.norm() < kSame * size || v.norm() < kSame * size) return std::nullopt;
-  return std::atan2(axis.dot(u.cross(v)), u.dot(v));
+  const double least = kSame * kSame * size * size;
+  if (u.squaredNorm() < least || v.squaredNorm() < least) return Angle(other);
+  return {u.dot(v), axis.dot(u.cross(v))};
 }
 
-// The two angles q with A cos q + B sin q = C. size: what A, B and C are small against.
+// The two angles q with A cos q + B sin q = C.
 struct TwoAngles {
   std::array<double, 2> q{};
   int count = 0;
   bool isAny = false;  // every angle solves it
 };
 
-TwoAngles solved(double a, double b, double c, double size) {
-  const double r = std::hypot(a, b);
-  if (r < kSame * size) return {{}, std::abs(c) < kSame * size ? 1 : 0, true};
-  if (std::abs(c) > r + kSame * size) return {};
-  const double middle = std::atan2(b, a), away = std::acos(std::clamp(c / r, -1.0, 1.0));
-  return {{middle + away, middle - away}, 2, false};
+// size: what A, B and C are small against.
+TwoAngles solved(const ClosedFormIk::Wave& wave, double c, double size) {
+  if (wave.height < kSame * size) return {{}, std::abs(c) < kSame * size ? 1 : 0, true};
+  if (std::abs(c) > wave.height + kSame * size) return {};
+  const double away = std::acos(std::clamp(c / wave.height, -1.0, 1.0));
+  return {{wave.crest + away, wave.crest - away}, 2, false};
 }
 
+// The same as remainder(angle, 2π), which is slow, for the sums of few angles.
 double wrapped(double angle) {
-  return std::remainder(angle, 2.0 * M_PI);
+  constexpr double kTurn = 2.0 * M_PI;
+  if (std::abs(angle) <= M_PI) return angle;
+  return std::abs(angle) < 3.0 * M_PI ? angle - std::copysign(kTurn, angle) : std::remainder(angle, kTurn);
 }
 
 // Where two lines meet; none where they do not, or are parallel.
@@ -109,11 +127,25 @@ std::optional<ClosedFormIk> ClosedFormIk::of(const SerialArm& arm) {
   const auto wrist = meet(3, 4);
   if (wrist && (*wrist - *centre).norm() < 1e-7 * made.m_scale) {
     made.m_form = Form::SphericalWrist;
-    return made;
+  } else if (isParallel(1, 3)) {
+    made.m_form = Form::ParallelMiddle;
+  } else {
+    return std::nullopt;
   }
-  if (!isParallel(1, 3)) return std::nullopt;
-  made.m_form = Form::ParallelMiddle;
+  made.prepare();
   return made;
+}
+
+// What does not depend on the pose.
+void ClosedFormIk::prepare() {
+  const bool isSpherical = m_form == Form::SphericalWrist;
+  const Vec3 &w2 = m_axes[1].direction, &w3 = m_axes[2].direction, &w5 = m_axes[4].direction;
+  const Vec3 &w6 = m_axes[5].direction, &p3 = m_axes[2].point;
+  m_upper = across(p3 - m_axes[1].point, w2);
+  m_fore = across((isSpherical ? m_centre : m_axes[3].point) - p3, w2);
+  m_third = Wave(m_upper.dot(m_fore), m_upper.dot(w3.cross(m_fore)));
+  const Vec3& above = isSpherical ? m_axes[3].direction : w2;
+  m_fifth = Wave(above.dot(across(w6, w5)), above.dot(w5.cross(w6)));
 }
 
 // In both forms the axes 2 and 3, and in the second 4, are parallel: along them the centre of the wrist is where the
@@ -127,25 +159,27 @@ void ClosedFormIk::solve(const Pose& tip, const ArmValues& reference, IkSolution
   const Vec3 u = target - p1;
   const double along = w1.dot(u);
   const TwoAngles first =
-      solved(w2.dot(across(u, w1)), -w2.dot(w1.cross(u)), w2.dot(m_centre - p1) - along * w1.dot(w2), m_scale);
+      solved(Wave(w2.dot(across(u, w1)), -w2.dot(w1.cross(u))), w2.dot(m_centre - p1) - along * w1.dot(w2), m_scale);
   for (int i = 0; i < first.count; ++i) {
     const double q1 = first.isAny ? reference[0] : first.q[static_cast<std::size_t>(i)];
     const double c = std::cos(q1), s = std::sin(q1);
     const Vec3 place = p1 + turned(u, w1, c, -s);
-    const Eigen::Matrix3d turn = turnAbout(w1, -q1) * motion.linear();
+    const Eigen::Matrix3d turn = turnAbout(w1, c, -s) * motion.linear();
     const ArmConfiguration configuration{i == 1, false, false};
     if (m_form == Form::ParallelMiddle) {
       solveMiddle(q1, place, turn, reference, configuration, solutions);
       continue;
     }
-    const Vec3 &w3 = m_axes[2].direction, &p2 = m_axes[1].point, &p3 = m_axes[2].point;
-    const Vec3 k = across(p3 - p2, w2), v = across(m_centre - p3, w2), b = across(place - p2, w2);
-    const TwoAngles third = solved(k.dot(v), k.dot(w3.cross(v)),
-                                   0.5 * (b.squaredNorm() - k.squaredNorm() - v.squaredNorm()), m_scale * m_scale);
+    const Vec3& w3 = m_axes[2].direction;
+    const double way3 = w3.dot(w2);  // 1 or -1
+    const Vec3 b = across(place - m_axes[1].point, w2);
+    const TwoAngles third =
+        solved(m_third, 0.5 * (b.squaredNorm() - m_upper.squaredNorm() - m_fore.squaredNorm()), m_scale * m_scale);
     for (int j = 0; j < third.count; ++j) {
       const double q3 = third.isAny ? reference[2] : third.q[static_cast<std::size_t>(j)];
-      const double q2 = angleBetween(k + turned(v, w3, q3), b, w2, m_scale).value_or(reference[1]);
-      const Eigen::Matrix3d rest = turnAbout(w3, -q3) * turnAbout(w2, -q2) * turn;
+      const double q2 = angleBetween(m_upper + turned(m_fore, w3, q3), b, w2, m_scale, reference[1]).value;
+      const double bent = q2 + way3 * q3;
+      const Eigen::Matrix3d rest = turnAbout(w2, std::cos(bent), -std::sin(bent)) * turn;
       solveWrist(q1, q2, q3, rest, reference, {i == 1, j == 1, false}, solutions);
     }
   }
@@ -155,16 +189,15 @@ void ClosedFormIk::solve(const Pose& tip, const ArmValues& reference, IkSolution
 void ClosedFormIk::solveWrist(double q1, double q2, double q3, const Eigen::Matrix3d& turn, const ArmValues& reference,
                               ArmConfiguration configuration, IkSolutions& solutions) const {
   const Vec3 &w4 = m_axes[3].direction, &w5 = m_axes[4].direction, &w6 = m_axes[5].direction;
-  const Vec3 pointed = turn * w6;
-  const TwoAngles fifth =
-      solved(w4.dot(across(w6, w5)), w4.dot(w5.cross(w6)), w4.dot(pointed) - w4.dot(w5) * w5.dot(w6), 1.0);
+  const Vec3 pointed = turn * w6, across6 = turn * m_across[5];
+  const TwoAngles fifth = solved(m_fifth, w4.dot(pointed) - w4.dot(w5) * w5.dot(w6), 1.0);
   for (int k = 0; k < fifth.count; ++k) {
-    const double q5 = fifth.isAny ? reference[4] : fifth.q[static_cast<std::size_t>(k)];
-    const double q4 = angleBetween(turned(w6, w5, q5), pointed, w4, 1e2).value_or(reference[3]);
-    const Vec3 last = turned(turned(turn * m_across[5], w4, -q4), w5, -q5);
+    const Angle q5(fifth.isAny ? reference[4] : fifth.q[static_cast<std::size_t>(k)]);
+    const Angle q4 = angleBetween(turned(w6, w5, q5.cosine, q5.sine), pointed, w4, 1e2, reference[3]);
+    const Vec3 last = turned(turned(across6, w4, q4.cosine, -q4.sine), w5, q5.cosine, -q5.sine);
     const double q6 = std::atan2(w6.dot(m_across[5].cross(last)), m_across[5].dot(last));
     configuration.wrist = k == 1;
-    add(solutions, {q1, q2, q3, q4, q5, q6}, configuration);
+    add(solutions, {q1, q2, q3, q4.value, q5.value, q6}, configuration);
   }
 }
 
@@ -173,26 +206,26 @@ void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix
                                ArmConfiguration configuration, IkSolutions& solutions) const {
   const Vec3 &w2 = m_axes[1].direction, &w3 = m_axes[2].direction, &w4 = m_axes[3].direction;
   const Vec3 &w5 = m_axes[4].direction, &w6 = m_axes[5].direction;
-  const Vec3 &p2 = m_axes[1].point, &p3 = m_axes[2].point, &p4 = m_axes[3].point;
+  const Vec3& p4 = m_axes[3].point;
   const double way3 = w3.dot(w2), way4 = w4.dot(w2);  // 1 or -1
-  const TwoAngles fifth =
-      solved(w2.dot(across(w6, w5)), w2.dot(w5.cross(w6)), w2.dot(turn * w6) - w2.dot(w5) * w5.dot(w6), 1.0);
+  const TwoAngles fifth = solved(m_fifth, w2.dot(turn * w6) - w2.dot(w5) * w5.dot(w6), 1.0);
   for (int i = 0; i < fifth.count; ++i) {
-    const double q5 = fifth.isAny ? reference[4] : fifth.q[static_cast<std::size_t>(i)];
-    const Vec3 sideways = turned(w2, w5, -q5);
-    const double q6 = angleBetween(turn.transpose() * w2, sideways, w6, 1e2).value_or(reference[5]);
-    const Vec3 x = turn * turned(turned(m_across[1], w5, -q5), w6, -q6);  // m_across[1], turned by joints 2 to 4
+    const Angle q5(fifth.isAny ? reference[4] : fifth.q[static_cast<std::size_t>(i)]);
+    const Vec3 sideways = turned(w2, w5, q5.cosine, -q5.sine);
+    const Angle q6 = angleBetween(turn.transpose() * w2, sideways, w6, 1e2, reference[5]);
+    // m_across[1], turned by the joints 2 to 4.
+    const Vec3 x = turn * turned(turned(m_across[1], w5, q5.cosine, -q5.sine), w6, q6.cosine, -q6.sine);
     const double whole = std::atan2(w2.dot(m_across[1].cross(x)), m_across[1].dot(x));
     const Vec3 elbow = place - turned(m_centre - p4, w2, whole);  // where the fourth axis is to be
-    const Vec3 k = across(p3 - p2, w2), v = across(p4 - p3, w2), b = across(elbow - p2, w2);
-    const TwoAngles third = solved(k.dot(v), k.dot(w3.cross(v)),
-                                   0.5 * (b.squaredNorm() - k.squaredNorm() - v.squaredNorm()), m_scale * m_scale);
+    const Vec3 b = across(elbow - m_axes[1].point, w2);
+    const TwoAngles third =
+        solved(m_third, 0.5 * (b.squaredNorm() - m_upper.squaredNorm() - m_fore.squaredNorm()), m_scale * m_scale);
     for (int j = 0; j < third.count; ++j) {
       const double q3 = third.isAny ? reference[2] : third.q[static_cast<std::size_t>(j)];
-      const double q2 = angleBetween(k + turned(v, w3, q3), b, w2, m_scale).value_or(reference[1]);
+      const double q2 = angleBetween(m_upper + turned(m_fore, w3, q3), b, w2, m_scale, reference[1]).value;
       configuration.elbow = j == 1;
       configuration.wrist = i == 1;
-      add(solutions, {q1, q2, q3, way4 * (whole - q2 - way3 * q3), q5, q6}, configuration);
+      add(solutions, {q1, q2, q3, way4 * (whole - q2 - way3 * q3), q5.value, q6.value}, configuration);
     }
   }
 }

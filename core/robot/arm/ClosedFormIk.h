@@ -5,6 +5,7 @@
 #include "robot/arm/SerialArm.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace handwheel {
@@ -41,12 +42,20 @@ class ClosedFormIk {
   // as two axes are in line, it is that of the reference. None where the pose is out of reach. O(1).
   void solve(const Pose& tip, const ArmValues& reference, IkSolutions& solutions) const;
 
+  // A cos q + B sin q.
+  struct Wave {
+    Wave() = default;
+    Wave(double a, double b) : height(std::hypot(a, b)), crest(std::atan2(b, a)) {}
+    double height = 0.0, crest = 0.0;  // its largest value, and for which angle; rad
+  };
+
  private:
   enum class Form { SphericalWrist, ParallelMiddle };
   struct Axis {
     Vec3 direction, point;  // in the base, all joints at 0
   };
   ClosedFormIk() = default;
+  void prepare();
   void solveWrist(double q1, double q2, double q3, const Eigen::Matrix3d& turn, const ArmValues& reference,
                   ArmConfiguration configuration, IkSolutions& solutions) const;
   void solveMiddle(double q1, const Vec3& place, const Eigen::Matrix3d& turn, const ArmValues& reference,
@@ -58,6 +67,9 @@ class ClosedFormIk {
   Pose m_fromTip;                // from a pose of the tip to what the joints must do together
   Vec3 m_centre;                 // where the axes of the wrist meet; mm
   double m_scale = 1.0;          // mm, of the arm
+  // The upper arm, and the forearm as far as the centre or the fourth axis, across the axes 2 and 3; mm.
+  Vec3 m_upper, m_fore;
+  Wave m_third, m_fifth;  // what the third joint does to the reach, mm², and the fifth to where the sixth axis points
 };
 
 // The values moved by whole turns into the limits, as near to the reference as these let them be. None: a joint cannot

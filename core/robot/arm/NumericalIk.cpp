@@ -17,7 +17,7 @@ constexpr double kLongestTurn = 0.7;  // rad in a step: the Jacobian says nothin
 constexpr double kLeastDamping = 1e-9;
 constexpr double kErrorDamping = 2e-3;  // for each square of the error
 constexpr int kMostIterations = 60;     // from one start
-constexpr int kMostStalls = 6;          // iterations that came no nearer
+constexpr int kMostStalls = 4;          // iterations that came no nearer: then another start is quicker
 
 using Error6 = Eigen::Matrix<double, 6, 1>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostArmJoints, kMostArmJoints>;
@@ -60,7 +60,10 @@ class Search {
     Error6 error = poseError(tip, m_wanted);
     error.head<3>() /= m_settings.length;
     m_jacobian.topRows<3>() /= m_settings.length;
-    if (m_rows == 3) error.tail<3>().setZero();
+    if (m_rows == 3) {
+      error.tail<3>().setZero();
+      m_jacobian.bottomRows<3>().setZero();
+    }
     return error;
   }
 
@@ -90,19 +93,20 @@ class Search {
   bool isReached(const Error6& error) const { return error.cwiseAbs().maxCoeff() <= m_settings.tolerance; }
 
  private:
-  // (JᵀJ + λI) δ = Jᵀe, or, which is the same, δ = Jᵀ(JJᵀ + λI)⁻¹e.
-  ArmValues solved(const ArmJacobian& columns, const Error6& error) const {
+  // (JᵀJ + λI) δ = Jᵀe, or, which is the same, δ = Jᵀ(JJᵀ + λI)⁻¹e: the smaller matrix of the two. That of six rows has
+  // its size at compile time: an iteration takes three quarters of the time that way.
+  static ArmValues solved(const ArmJacobian& columns, const Error6& error) {
     const double damping = kLeastDamping + kErrorDamping * error.squaredNorm();
     const Eigen::Index count = columns.cols();
-    if (count <= 6) {
+    if (count < 6) {
       Square square(count, count);
-      square.noalias() = columns.topRows(m_rows).transpose() * columns.topRows(m_rows);
+      square.noalias() = columns.transpose() * columns;
       square.diagonal().array() += damping;
-      return square.ldlt().solve(columns.topRows(m_rows).transpose() * error.head(m_rows));
+      return square.ldlt().solve(columns.transpose() * error);
     }
-    Eigen::Matrix<double, 6, 6> square = columns * columns.transpose();
-    square.diagonal().array() += damping;
-    return columns.transpose() * square.ldlt().solve(error);
+    Eigen::Matrix<double, 6, 6> square = damping * Eigen::Matrix<double, 6, 6>::Identity();
+    for (Eigen::Index i = 0; i < count; ++i) square.noalias() += columns.col(i) * columns.col(i).transpose();
+    return columns.transpose() * square.llt().solve(error);
   }
 
   // Takes out the columns of joints at their limits that the step would lead beyond, unless a turn less is within.
