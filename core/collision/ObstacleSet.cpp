@@ -45,6 +45,14 @@ void ObstacleSet::add(const CollisionBody& body, const Pose& pose, std::uint32_t
   }
 }
 
+std::map<std::uint32_t, CollisionBody> ObstacleSet::bodies() const {
+  std::map<std::uint32_t, std::vector<CollisionPiece>> pieces;
+  for (const Obstacle& obstacle : m_obstacles) pieces[obstacle.owner].push_back(obstacle.piece);
+  std::map<std::uint32_t, CollisionBody> bodies;
+  for (auto& [owner, own] : pieces) bodies.emplace(owner, CollisionBody(std::move(own)));
+  return bodies;
+}
+
 void ObstacleSet::findNear(const Vec3& centre, double radius, double enough, std::vector<std::uint32_t>& near,
                            QueryCounts* counts) const {
   near.clear();

@@ -5,6 +5,7 @@
 #include "collision/CollisionBody.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace handwheel {
@@ -16,6 +17,9 @@ class ObstacleSet {
   // owner: a number of the caller's, by which it knows what was met.
   void add(const CollisionBody& body, const Pose& pose, std::uint32_t owner);
   std::size_t size() const { return m_obstacles.size(); }  // pieces
+
+  // Them by their owners, in the world.
+  std::map<std::uint32_t, CollisionBody> bodies() const;
 
   struct Nearest {
     double distance;              // mm; at most 0: it meets an obstacle

@@ -224,4 +224,26 @@ bool RobotScene::isWithinLimits(const ArmValues& values, double slack) const {
   return true;
 }
 
+ProximityQuery RobotScene::approachQuery(std::vector<std::uint32_t>& joints) const {
+  joints.clear();
+  std::vector<CollisionBody> bodies;
+  std::vector<const Part*> moved;
+  for (const Part& part : m_parts) {
+    if (part.joint == kNone) continue;
+    joints.push_back(part.joint);
+    bodies.push_back(part.body);
+    moved.push_back(&part);
+  }
+  std::vector<BodyPair> pairs;
+  for (auto& [owner, body] : m_obstacles.bodies()) {
+    const auto number = static_cast<std::uint32_t>(bodies.size());
+    bodies.push_back(body);
+    for (std::uint32_t i = 0; i < moved.size(); ++i) {
+      const auto& leftOut = moved[i]->leftOut;
+      if (std::find(leftOut.begin(), leftOut.end(), owner) == leftOut.end()) pairs.push_back({i, number});
+    }
+  }
+  return {std::move(bodies), pairs};
+}
+
 }  // namespace handwheel

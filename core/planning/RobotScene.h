@@ -3,6 +3,7 @@
 #pragma once
 
 #include "collision/ObstacleSet.h"
+#include "collision/ProximityQuery.h"
 #include "robot/SrdfReader.h"
 #include "robot/arm/SerialArm.h"
 
@@ -59,6 +60,11 @@ class RobotScene {
   bool isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
   // All that is: each link with each owner of obstacles, and each pair of links.
   std::vector<Nearest> allTooNear(const ArmValues& values, double clearance, double ownClearance) const;
+  // A query of how near what the joints move is to the obstacles. joints: which joint moves each of its first bodies;
+  // the others stand.
+  ProximityQuery approachQuery(std::vector<std::uint32_t>& joints) const;
+  // The joint next to this one on the way to the base; kNone: it is the first.
+  std::uint32_t parentOf(std::uint32_t joint) const { return m_joints[joint].parent; }
   // How far a point of the robot can be from where it is at these values, when each joint is off by at most so much;
   // mm.
   double travelBound(const ArmValues& values, const ArmValues& spread) const;

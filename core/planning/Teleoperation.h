@@ -31,8 +31,8 @@ class Teleoperation {
     bool isAtLimit = false;     // a joint is
   };
 
-  // The scene must outlive it; start must be free and within the limits, else the robot stays there until it is led
-  // out. tool: of the centre point in the arm's tip.
+  // The scene must outlive it. From a start beyond a limit the robot can only be led back, and where it meets something
+  // only so that it gets no deeper. tool: of the centre point in the arm's tip.
   Teleoperation(const RobotScene& scene, const SerialArm& arm, const Pose& tool, const ArmValues& start,
                 const TeleoperationSettings& settings);
 
@@ -41,16 +41,25 @@ class Teleoperation {
 
   // Follows to a pose of the tool's centre point in the base. seconds: since the step before.
   Step follow(const Pose& wanted, double seconds);
+  // Follows along the straight way from what was wanted before, in steps that are small for the arm, and until it comes
+  // no nearer: for a hand that rests while the robot still moves.
+  Step lead(const Pose& wanted);
+  // The same where the hand wants joint values.
+  Step lead(const ArmValues& wanted);
 
  private:
   ArmValues towards(const Pose& wanted, double seconds) const;
+  ArmValues withinLimits(ArmValues to) const;
   bool advance(const ArmValues& to);
+  bool slide(const ArmValues& to, const Pose& wanted);
+  Step stepTo(const Pose& wanted) const;
 
   const RobotScene& m_scene;
   const SerialArm m_arm;
   Pose m_tool;
   TeleoperationSettings m_settings;
   ArmValues m_values;
+  Pose m_wanted;  // by lead(), last
 };
 
 }  // namespace handwheel

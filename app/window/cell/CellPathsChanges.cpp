@@ -172,6 +172,16 @@ void CellPaths::insertHere() {
   m_tree->select(inserted);
 }
 
+void CellPaths::addPlace() {
+  if (path()) return insertHere();
+  CellPlans changed = plans();
+  RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}};
+  const PlanTree::Entry first{Kind::Place, begun.name, 0};
+  changed.paths.push_back(std::move(begun));
+  commit(tr("Begin a path"), std::move(changed));
+  m_tree->select(first);
+}
+
 void CellPaths::setPlaceHere() {
   const PlanTree::Entry entry = m_tree->current();
   CellPlans changed = plans();

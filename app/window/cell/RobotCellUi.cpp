@@ -53,7 +53,10 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
   connect(&m_paths, &CellPaths::message, this, &KindUi::message);
   connect(&m_pathDock, &PathDock::partsShown, this, &RobotCellUi::showPast);
-  connect(&m_collisions, &CellCollisions::prepared, this, [this] { show(); });
+  connect(&m_collisions, &CellCollisions::prepared, this, [this, &tools = window.tools] {
+    show();
+    tools.refresh();
+  });
   connect(&m_bodies, &CellBodies::selectionChanged, this, [this, &tools = window.tools] {
     markSelected(false);
     refreshPanel();
@@ -63,6 +66,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_bodies, &CellBodies::added, this, [this](BodyId body, bool) { reveal(body, true); });
   connect(&m_surfaces, &PartSurfaces::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
+  m_clock.start();
 }
 
 // The list of the bodies, and below it the fields of the selected one or the joints.
@@ -166,6 +170,7 @@ DisplayModel RobotCellUi::displayed(const Document& document) const {
 }
 
 void RobotCellUi::forget(DocumentTab* document) {
+  m_tries.erase(document);
   parts().jobs.cancelOf(document);
 }
 
@@ -286,7 +291,15 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                                [this] { return processTool(); },
                                "process",
                                ProcessTool::keys()};
-  return {joints, process, measureParts()};
+  const ToolDescriptor lead{QStringLiteral("leadTool"),
+                            tr("&Lead the robot by hand"),
+                            tr("Lead the robot's tool; the arm follows, never through anything"),
+                            QStringLiteral("lead"),
+                            QKeySequence(Qt::SHIFT | Qt::Key_J),
+                            [this] { return leadTool(); },
+                            "lead",
+                            LeadTool::keys()};
+  return {joints, lead, process, measureParts()};
 }
 
 std::optional<RobotCellPick> RobotCellUi::pickCell(const Ray& ray) const {
@@ -306,6 +319,16 @@ std::unique_ptr<Tool> RobotCellUi::processTool() {
     if (surface) m_paths.planProcess(values, surface);
   };
   return std::make_unique<ProcessTool>(cell, std::move(services));
+}
+
+std::unique_ptr<Tool> RobotCellUi::leadTool() {
+  LeadServices services;
+  services.scene = [this] { return m_collisions.scene(); };
+  services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
+  services.addPlace = [this] { m_paths.addPlace(); };
+  services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
+  services.tries = &m_tries[document()];
+  return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
 std::unique_ptr<Tool> RobotCellUi::handTool() {

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "tools/cell/JointDragTool.h"
+#include "tools/cell/LeadTool.h"
 #include "window/cell/CellBodies.h"
 #include "window/cell/CellCollisions.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PartSurfaces.h"
 #include "window/cell/PathDock.h"
 #include "window/kinds/RigidPartsUi.h"
+
+#include <QElapsedTimer>
 
 namespace handwheel {
 
@@ -43,6 +46,7 @@ class RobotCellUi : public RigidPartsUi {
  private:
   std::unique_ptr<Tool> handTool();
   std::unique_ptr<Tool> processTool();
+  std::unique_ptr<Tool> leadTool();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
   DisplayModel displayed(const Document& document) const override;
@@ -62,6 +66,8 @@ class RobotCellUi : public RigidPartsUi {
   PartSurfaces m_surfaces;
   QAction m_builtIn;
   QPointer<QWidget> m_panel;
+  QElapsedTimer m_clock;
+  std::map<const DocumentTab*, std::vector<LeadTry>> m_tries;
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged
 };

@@ -78,6 +78,23 @@ ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const Robo
   return way;
 }
 
+std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path) {
+  constexpr double kStep = 0.02;  // rad, mm: of the joint that moves most
+  constexpr double kMostSteps = 4000.0;
+  const JointPath way = resolved(scene, plans, path).joints;
+  const double step = std::max(kStep, lengthOf(scene.scene, way) / kMostSteps);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const ArmValues& from = way[i == 0 ? 0 : i - 1];
+    const int count = std::max(1, static_cast<int>(std::ceil((way[i] - from).cwiseAbs().maxCoeff() / step)));
+    for (int k = 1; k <= count; ++k) {
+      const ArmValues at = from + (static_cast<double>(k) / count) * (way[i] - from);
+      points.push_back((scene.arm.tipPose(at) * plans.tool).translation());
+    }
+  }
+  return points;
+}
+
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path, double clearance,
                               Progress progress) {
   if (path.places.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};

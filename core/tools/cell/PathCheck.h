@@ -19,6 +19,9 @@ struct ResolvedPath {
 };
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress = {});
 
+// The tool's centre point along a path, in the frame of the base; mm. Not finer than a few thousand points.
+std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path);
+
 // What is known of a path in a cell.
 struct CheckedPath {
   ResolvedPath way;

@@ -92,6 +92,63 @@ class TeleoperationTest : public QObject {
     QVERIFY(step.behind < 1.0);
   }
 
+  // A hand that leaps and rests: the robot is there at once where nothing is in the way, and never in the wall.
+  void isLedByLeaps() {
+    const HandledRobot robot;
+    Teleoperation following = robot.teleoperation();
+    Pose wanted = following.tool();
+    wanted.translation() += Vec3(-30.0, 150.0, 60.0);
+    wanted.rotate(Eigen::AngleAxisd(0.6, Vec3::UnitY()));
+    QVERIFY(following.lead(wanted).behind < 0.05);
+    QVERIFY((following.tool().linear() - wanted.linear()).norm() < 1e-3);
+    wanted.translation() += Vec3(400.0, 0.0, 0.0);
+    const Teleoperation::Step step = following.lead(wanted);
+    QVERIFY(step.isBlocked && step.behind > 50.0);
+    QVERIFY(robot.scene().nearest(following.values(), 1.0).distance > 0.0);
+    wanted.translation().x() = std::nan("");
+    QVERIFY(following.lead(wanted).tool.matrix().allFinite());
+  }
+
+  // Joint by joint: there, or at the limit.
+  void isLedByJoints() {
+    const HandledRobot robot;
+    Teleoperation following = robot.teleoperation();
+    ArmValues wanted = HandledRobot::start();
+    wanted[0] += 0.8;
+    wanted[5] = -2.0;
+    QVERIFY(following.lead(wanted).behind < 1e-9);
+    QVERIFY((following.values() - wanted).norm() < 1e-12);
+    wanted[5] = 100.0;
+    const Teleoperation::Step step = following.lead(wanted);
+    QVERIFY(step.isAtLimit);
+    QCOMPARE(following.values()[5], robot.scene().joint(5).upper);
+  }
+
+  // A robot that begins inside something comes out, and does not go in further.
+  void isLedOut() {
+    const HandledRobot robot;
+    RobotScene scene = robot.scene();
+    const SerialArm arm = robot.arm();
+    const Vec3 at = arm.tipPose(HandledRobot::start()).translation();
+    const double radius = 60.0;
+    const Vec3 centre = at + Vec3(0.0, 0.0, -radius - 5.0);
+    scene.addObstacle(CollisionBody({CollisionPiece::sphere(centre, radius)}), Pose::Identity(), 2);
+    const double begin = scene.nearest(HandledRobot::start(), 1.0).distance;
+    QVERIFY(begin <= 0.0);
+    Teleoperation following(scene, arm, Pose::Identity(), HandledRobot::start(), {});
+    Pose wanted = following.tool();
+    for (int i = 0; i < 20; ++i) {
+      wanted.translation().z() -= 1.0;
+      following.lead(wanted);
+      QVERIFY(scene.nearest(following.values(), 1.0).distance >= begin - 1e-9);
+    }
+    for (int i = 0; i < 150; ++i) {
+      wanted.translation().z() += 1.0;
+      following.lead(wanted);
+    }
+    QVERIFY(scene.nearest(following.values(), 1.0).distance > 0.0);
+  }
+
   // However wild the hand is: within the limits, no faster than the joints, free, finite.
   void anyHand() {
     const HandledRobot robot;

@@ -75,16 +75,16 @@ void ToolKeysTest::aNewKeyActsAndIsTold() {
   QVERIFY(once < before);
   {
     KeyPage page(driver);
-    page.press(kSmaller, Qt::Key_X);
-    QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("X"));
+    page.press(kSmaller, Qt::Key_Q);
+    QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("Q"));
     QCOMPARE(page.status(), QString());
   }
-  QVERIFY(bench.hints("X: smaller brush"));
+  QVERIFY(bench.hints("Q: smaller brush"));
   QVERIFY(!bench.hints("[: smaller brush"));
   QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush (X)"));
   bench.press(Qt::Key_BracketLeft);
   QCOMPARE(bench.radius(), once);
-  bench.press(Qt::Key_X);
+  bench.press(Qt::Key_Q);
   QVERIFY(bench.radius() < once);
   // In the palette, too, from which it can be run.
   const double twice = bench.radius();
@@ -92,12 +92,12 @@ void ToolKeysTest::aNewKeyActsAndIsTold() {
   QTest::keyClicks(driver.find<QLineEdit>("commandQuery"), "smaller brush");
   auto* found = driver.find<QListView>("commandList");
   QCOMPARE(found->model()->rowCount(), 1);
-  QCOMPARE(found->currentIndex().data(CommandModel::ShortcutRole).toString(), QStringLiteral("X"));
+  QCOMPARE(found->currentIndex().data(CommandModel::ShortcutRole).toString(), QStringLiteral("Q"));
   QTest::keyClick(driver.find<QLineEdit>("commandQuery"), Qt::Key_Return);
   QTRY_VERIFY(bench.radius() < twice);
   // The next window knows it.
   WindowDriver second;
-  QCOMPARE(KeyPage(second).shownKeys(kSmaller), QStringLiteral("X"));
+  QCOMPARE(KeyPage(second).shownKeys(kSmaller), QStringLiteral("Q"));
   QVERIFY(driver.settle());
 }
 

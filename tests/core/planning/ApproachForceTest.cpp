@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/ApproachForce.h"
+
+#include "Scenes.h"
+#include "TestClass.h"
+#include "robot/Kinematics.h"
+#include "robot/arm/ClosedFormIk.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// An IRB 120 whose only shapes are a ball at its flange and one at its elbow.
+struct TwoBalls {
+  static constexpr double kRadius = 30.0;
+
+  TwoBalls() : table(*libraryTable("irb120")), model(robotOf(table)) {
+    model.shapes = {SphereShape{kRadius}};
+    for (Link& link : model.links) {
+      link.visuals.clear();
+      link.collisions.clear();
+    }
+    model.links.back().collisions.push_back({0, Pose::Identity(), {}});
+    model.links[3].collisions.push_back({0, Pose::Identity(), {}});
+  }
+  RobotScene scene() const { return sceneOf(model); }
+  SerialArm arm() const { return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end())); }
+  static ArmValues start() {
+    ArmValues values(6);
+    values << 0.2, 0.1, 0.3, 0.4, 0.9, 0.2;
+    return values;
+  }
+
+  const DhTable& table;
+  RobotModel model;
+};
+
+}  // namespace
+
+// The force on a hand that leads a robot.
+class ApproachForceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // A ball at the flange before a large wall: the stiffness times what is nearer than the reach, at right angles to the
+  // wall, by the formula of a ball and a plane.
+  void ofABallBeforeAWall() {
+    const TwoBalls robot;
+    const SerialArm arm = robot.arm();
+    const Vec3 flange = arm.tipPose(TwoBalls::start()).translation();
+    for (const double distance : {20.0, 9.0, 5.0, 0.5, -3.0}) {
+      RobotScene scene = robot.scene();
+      const double wall = flange.x() + TwoBalls::kRadius + distance;
+      scene.addObstacle(CollisionBody({CollisionPiece::box(Pose::Identity(), {100.0, 4000.0, 4000.0})}),
+                        Pose(Eigen::Translation3d(wall + 50.0, 0.0, 0.0)), 1);
+      const DistanceForceSettings settings{.reach = 10.0, .stiffness = 0.5, .largestForce = 50.0};
+      ApproachForce force(scene, arm, Pose::Identity(), settings);
+      const ApproachForce::Felt felt = force.at(TwoBalls::start());
+      const Vec3 expected(-0.5 * std::max(0.0, 10.0 - distance), 0.0, 0.0);
+      QVERIFY2((felt.force - expected).norm() < 0.01 * std::max(0.1, expected.norm()),
+               qPrintable(QString::number(distance)));
+      QVERIFY(distance > 10.0 ? std::isinf(felt.distance) : std::abs(felt.distance - distance) < 1e-6);
+    }
+  }
+
+  // What only the elbow comes near to is felt at the tool, too: the work that the hand does on a small way, the turn of
+  // the tool kept, is what the energy changes by.
+  void ofAnElbow() {
+    const TwoBalls robot;
+    const SerialArm arm = robot.arm();
+    const ArmValues start = TwoBalls::start();
+    RobotScene scene = robot.scene();
+    const Pose tip = arm.tipPose(start);
+    // The ball of the elbow is where the third link is.
+    const Vec3 ball = linkPoses(robot.model, JointValues(start))[3].translation();
+    addBall(scene, ball + Vec3(20.0, 15.0, 55.0), 20.0, 1);
+    ApproachForce force(scene, arm, Pose::Identity(), {.reach = 15.0, .stiffness = 0.8, .largestForce = 1e3});
+    const ApproachForce::Felt felt = force.at(start);
+    QVERIFY(felt.distance < 14.0 && felt.energy > 0.0);
+    const auto ik = ClosedFormIk::of(arm);
+    QVERIFY(ik.has_value());
+    const auto energyAt = [&](const Vec3& away) {
+      IkSolutions solutions;
+      ik->solve(Pose(Eigen::Translation3d(away) * tip), start, solutions);
+      double least = 1e9, energy = 0.0;
+      for (const IkSolutions::Solution& each : solutions) {
+        ArmValues values(6);
+        double off = 0.0;
+        for (Eigen::Index i = 0; i < 6; ++i) {
+          values[i] = start[i] + std::remainder(each.values[static_cast<std::size_t>(i)] - start[i], 2.0 * M_PI);
+          off += std::abs(values[i] - start[i]);
+        }
+        if (off < least) {
+          least = off;
+          energy = force.at(values).energy;
+        }
+      }
+      return energy;
+    };
+    constexpr double kWay = 0.01;  // mm
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 away = kWay * Vec3::Unit(axis);
+      const double expected = -(energyAt(away) - energyAt(-away)) / (2.0 * kWay);
+      QVERIFY2(std::abs(felt.force[axis] - expected) < 1e-3 * std::max(1.0, felt.force.norm()),
+               qPrintable(QString("%1: %2, not %3").arg(axis).arg(felt.force[axis]).arg(expected)));
+    }
+  }
+
+  // Stretched out and deep inside, the force is within its bound, and a number.
+  void isBounded() {
+    const TwoBalls robot;
+    const SerialArm arm = robot.arm();
+    RobotScene scene = robot.scene();
+    addBall(scene, Vec3(0.0, 0.0, 500.0), 600.0, 1);
+    ApproachForce force(scene, arm, Pose::Identity(), {.largestForce = 7.0});
+    for (const double value : {0.0, 1e-9, 0.5, M_PI / 2.0}) {
+      const Vec3 felt = force.at(ArmValues::Constant(6, value)).force;
+      QVERIFY(felt.allFinite() && felt.norm() <= 7.0 + 1e-9);
+    }
+  }
+};
+
+HANDWHEEL_TEST(ApproachForceTest)
+#include "ApproachForceTest.moc"
