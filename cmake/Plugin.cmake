@@ -48,6 +48,24 @@ function(handwheel_device_guard NAME)
   install(TARGETS guard_${NAME} RUNTIME DESTINATION ${HANDWHEEL_GUARD_FOLDER})
 endfunction()
 
+# handwheel_post_plugin(NAME SOURCES file...): the post of a controller, from Plugin.cpp and its sources, whose headers are
+# reachable as "NAME/Header.h".
+function(handwheel_post_plugin NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
+  set(include_root ${CMAKE_BINARY_DIR}/rooms/post_${NAME})
+  file(MAKE_DIRECTORY ${include_root})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_root}/${NAME} SYMBOLIC)
+  add_library(post_${NAME} MODULE Plugin.cpp ${ARG_SOURCES})
+  set_target_properties(post_${NAME} PROPERTIES AUTOMOC ON PREFIX "" OUTPUT_NAME ${NAME}
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${HANDWHEEL_PLUGIN_FOLDER}/posts)
+  if(NOT HANDWHEEL_SANITIZE)
+    target_link_options(post_${NAME} PRIVATE -Wl,--no-undefined)
+  endif()
+  target_include_directories(post_${NAME} PRIVATE ${include_root})
+  target_link_libraries(post_${NAME} PRIVATE hw_robot Qt6::Core)
+  handwheel_warnings(post_${NAME})
+endfunction()
+
 # handwheel_install_plugin(NAME): for users, who get it wherever they get the program.
 function(handwheel_install_plugin NAME)
   set_target_properties(plugin_${NAME} PROPERTIES INSTALL_RPATH $ORIGIN/..)

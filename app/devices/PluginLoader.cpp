@@ -21,44 +21,45 @@ Error broken(const std::string& file, const std::string& reason) {
 }
 
 // What stands in the file, before any of its code runs. An error when it is no plugin, or not one for this program.
-std::optional<Error> readMetadata(const QPluginLoader& loader, PluginInfo& listing) {
+std::optional<Error> readMetadata(const QPluginLoader& loader, const char* interface, PluginInfo& listing) {
   const QJsonObject metadata = loader.metaData();
   if (metadata.isEmpty()) return broken(listing.file, loader.errorString().toStdString());
   const QJsonObject own = metadata.value("MetaData").toObject();
   listing.name = own.value("name").toString().toStdString();
   listing.version = own.value("version").toString().toStdString();
-  const std::string interface = metadata.value("IID").toString().toStdString();
-  if (interface != HANDWHEEL_DEVICE_PLUGIN) {
-    return Error{DeviceError::PluginVersion, {interface, HANDWHEEL_DEVICE_PLUGIN}, {}, listing.file};
-  }
+  const std::string found = metadata.value("IID").toString().toStdString();
+  if (found != interface) return Error{DeviceError::PluginVersion, {found, interface}, {}, listing.file};
   return {};
-}
-
-// The driver of a plugin whose metadata is right, or null and why.
-std::unique_ptr<DeviceDriver> makeDriver(QPluginLoader& loader, PluginInfo& listing) {
-  auto* const plugin = qobject_cast<DevicePlugin*>(loader.instance());
-  if (!plugin) {
-    listing.error = broken(listing.file, loader.errorString().toStdString());
-    return nullptr;
-  }
-  std::unique_ptr<DeviceDriver> driver = plugin->driver();
-  if (driver) {
-    listing.driver = driver->id();
-  } else {
-    listing.error = broken(listing.file, "it brings no driver");
-  }
-  return driver;
 }
 
 }  // namespace
 
-LoadedPlugin loadPlugin(const std::string& file) {
-  LoadedPlugin result;
-  result.listing.file = file;
+QObject* loadPluginObject(const std::string& file, const char* interface, PluginInfo& listing) {
+  listing.file = file;
   try {
     QPluginLoader loader(QString::fromStdString(file));
-    result.listing.error = readMetadata(loader, result.listing);
-    if (!result.listing.error) result.driver = makeDriver(loader, result.listing);
+    listing.error = readMetadata(loader, interface, listing);
+    if (listing.error) return nullptr;
+    QObject* const object = loader.instance();
+    if (!object) listing.error = broken(file, loader.errorString().toStdString());
+    return object;
+  } catch (const std::exception& thrown) {
+    listing.error = broken(file, thrown.what());
+    return nullptr;
+  }
+}
+
+LoadedPlugin loadPlugin(const std::string& file) {
+  LoadedPlugin result;
+  QObject* const object = loadPluginObject(file, HANDWHEEL_DEVICE_PLUGIN, result.listing);
+  if (!object) return result;
+  try {
+    auto* const plugin = qobject_cast<DevicePlugin*>(object);
+    if (plugin) result.driver = plugin->driver();
+    if (result.driver)
+      result.listing.driver = result.driver->id();
+    else
+      result.listing.error = broken(file, "it brings no driver");
   } catch (const std::exception& thrown) {
     result.listing.error = broken(file, thrown.what());
   }

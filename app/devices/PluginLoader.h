@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+class QObject;
+
 namespace handwheel {
 
 // A plugin that was found, with the error if it cannot be used.
@@ -18,14 +20,18 @@ struct PluginInfo {
   std::optional<Error> error;
 };
 
-// The result of loading a plugin.
+// Loads a plugin and returns its root object. Reads the metadata first, and loads no code of a plugin that was made for
+// another version of the interface. Null when it cannot be used: listing.error says why. Never unloads. Errors:
+// PluginVersion, PluginBroken.
+QObject* loadPluginObject(const std::string& file, const char* interface, PluginInfo& listing);
+
+// The result of loading a plugin of devices.
 struct LoadedPlugin {
   PluginInfo listing;
   std::unique_ptr<DeviceDriver> driver;  // null when loading failed
 };
 
-// Loads a plugin and creates its driver. Reads the metadata first, and loads no code of a plugin that was made for
-// another version of the interface. Never unloads. Errors: PluginVersion, PluginBroken.
+// Loads a plugin of devices and creates its driver. Errors: those of loadPluginObject().
 LoadedPlugin loadPlugin(const std::string& file);
 
 // The shared libraries in a folder, sorted; none when there is no such folder.

@@ -1,40 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Program.h"
+#include "PlannedCell.h"
 #include "TestClass.h"
 
 #include <QTest>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 using namespace handwheel;
-
-namespace {
-
-nlohmann::json jsonOf(const QByteArray& text) {
-  return nlohmann::json::parse(text.toStdString());
-}
-
-// A cell of a built-in robot between two configurations, with a box in the straight way.
-class PlannedCell {
- public:
-  PlannedCell() {
-    run({"configuration", "irb120", "--add", "left", "--joints", "joint_1=1.2,joint_2=0.5", "-o", "cell.handwheel"});
-    run({"configuration", "cell.handwheel", "--add", "right", "--joints", "joint_1=-1.2,joint_2=0.5", "-o",
-         "cell.handwheel"});
-    run({"configuration", "cell.handwheel", "--add", "up", "--joints", "joint_2=-0.6,joint_3=-0.6", "-o",
-         "cell.handwheel"});
-    run({"body", "cell.handwheel", "--add", "box:100,200,800", "--at", "450,0,400", "-o", "cell.handwheel"});
-  }
-  Ran run(const QStringList& words) const { return m_bench.run(words); }
-  QByteArray read(const QString& name) const { return m_bench.content(name); }
-  void put(const QString& name, const QByteArray& content) const { m_bench.put(name, content); }
-
- private:
-  Bench m_bench;
-};
-
-}  // namespace
 
 // A planner's work without a window: configurations, a path that is proven free, its verification.
 class PlanTest : public QObject {
@@ -146,25 +118,6 @@ class PlanTest : public QObject {
     const Ran ran = cell.run(QStringList{"plan", "cell.handwheel"} + words);
     QCOMPARE(ran.code, code);
     QVERIFY2(ran.err.contains(message), ran.err);
-  }
-
-  // The hand goes 300 mm ahead, into the box: the robot stops before it and is pulled back there.
-  void followsAHand() {
-    const PlannedCell cell;
-    QByteArray hand = "t_s,x_mm,y_mm,z_mm\n";
-    for (int i = 0; i <= 100; ++i) hand += QByteArray::number(0.02 * i) + "," + QByteArray::number(3.0 * i) + ",0,0\n";
-    cell.put("hand.csv", hand);
-    const Ran ran = cell.run({"teleop", "cell.handwheel", "--path", "hand.csv", "-o", "out.csv", "--json"});
-    QVERIFY2(ran.code == 0, ran.err);
-    const nlohmann::json report = jsonOf(ran.out);
-    QCOMPARE(report["steps"].get<int>(), 101);
-    QVERIFY(report["min_clearance_mm"].get<double>() > 0.0);
-    QVERIFY(report["blocked_s"].get<double>() > 0.5);
-    QVERIFY(report["behind_max_mm"].get<double>() > 100.0);
-    QVERIFY(report["max_force_N"].get<double>() <= 5.0 + 1e-9);
-    QCOMPARE(cell.read("out.csv").count('\n'), 102);
-    cell.put("bad.csv", "t_s,x_mm\n0,0\n");
-    QCOMPARE(cell.run({"teleop", "cell.handwheel", "--path", "bad.csv"}).code, 1);
   }
 
   // Each controller's program is proven against the path, and is a path again.

@@ -267,10 +267,14 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
 }
 
 std::vector<StartAction> RobotCellUi::startActions() const {
-  return {{QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"),
-           panelIcon(), QStringLiteral("robot-arm.urdf"),
-           StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
-                     tr("Opens a sample arm with six joints. Drag its links within their limits.")}}};
+  return {
+      {QStringLiteral("openCellSample"), tr("Open the sample robot &cell"),
+       tr("Open a robot before a block on a table, with a path along its edge"), panelIcon(),
+       QStringLiteral("robot-cell.handwheel"),
+       StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
+                 tr("Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.")}},
+      {QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"), panelIcon(),
+       QStringLiteral("robot-arm.urdf")}};
 }
 
 std::vector<ToolDescriptor> RobotCellUi::tools() {

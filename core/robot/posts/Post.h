@@ -5,6 +5,7 @@
 #include "base/Result.h"
 #include "robot/program/RobotProgram.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,8 +43,11 @@ class Post {
   virtual Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const = 0;
 };
 
-// All posts, in the order in which they are offered.
+// All posts, those of plugins last, in the order in which they are offered.
 std::span<const std::unique_ptr<Post>> posts();
+// Where the posts of plugins come from. Asked once, when posts are first needed; set before that. Of two posts with one
+// id the first is kept.
+void setPluginPosts(std::function<std::vector<std::unique_ptr<Post>>()> source);
 const Post* postCalled(std::string_view id);           // null: there is none
 const Post* postForEnding(std::string_view fileName);  // that reads files of this name; null: none
 

@@ -5,7 +5,6 @@
 #include "robot/posts/PostText.h"
 
 #include <algorithm>
-#include <array>
 
 namespace handwheel {
 
@@ -38,13 +37,38 @@ std::vector<Error> ControllerPost::refusals(const RobotProgram& program) const {
   return all;
 }
 
+namespace {
+
+std::function<std::vector<std::unique_ptr<Post>>()>& pluginSource() {
+  static std::function<std::vector<std::unique_ptr<Post>>()> source;
+  return source;
+}
+
+std::vector<std::unique_ptr<Post>> allPosts() {
+  std::vector<std::unique_ptr<Post>> all;
+  all.push_back(std::make_unique<RapidPost>());
+  all.push_back(std::make_unique<KrlPost>());
+  all.push_back(std::make_unique<FanucPost>());
+  all.push_back(std::make_unique<UrScriptPost>());
+  all.push_back(makeCsvPost());
+  all.push_back(makeJsonPost());
+  if (!pluginSource()) return all;
+  for (std::unique_ptr<Post>& post : pluginSource()()) {
+    const std::string_view id = post->id();
+    const bool isNew = std::none_of(all.begin(), all.end(), [&](const auto& other) { return other->id() == id; });
+    if (isNew) all.push_back(std::move(post));
+  }
+  return all;
+}
+
+}  // namespace
+
+void setPluginPosts(std::function<std::vector<std::unique_ptr<Post>>()> source) {
+  pluginSource() = std::move(source);
+}
+
 std::span<const std::unique_ptr<Post>> posts() {
-  static const std::array<std::unique_ptr<Post>, 6> kAll{std::make_unique<RapidPost>(),
-                                                         std::make_unique<KrlPost>(),
-                                                         std::make_unique<FanucPost>(),
-                                                         std::make_unique<UrScriptPost>(),
-                                                         makeCsvPost(),
-                                                         makeJsonPost()};
+  static const std::vector<std::unique_ptr<Post>> kAll = allPosts();
   return kAll;
 }
 

@@ -65,7 +65,7 @@ class KindsTest : public QObject {
     for (const auto& [tile, name] : {std::pair{"sampleTile", "scan-with-holes.stl"},
                                      {"latheTile", "shaft-stock.handwheel"},
                                      {"lessonTile", "first-lesson.exercise.json"},
-                                     {"cellTile", "robot-arm.urdf"}}) {
+                                     {"cellTile", "robot-cell.handwheel"}}) {
       WindowDriver driver;
       driver.click(tile);
       QVERIFY(driver.settle());

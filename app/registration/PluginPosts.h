@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/posts/Post.h"
+
+namespace handwheel {
+
+// The posts of the plugins in the folder "posts" of the plugin folders. What cannot be loaded is reported on stderr.
+// Needs a QCoreApplication.
+std::vector<std::unique_ptr<Post>> pluginPosts();
+
+}  // namespace handwheel

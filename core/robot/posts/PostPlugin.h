@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/posts/Post.h"
+
+// Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
+// the plugin is loaded. Increment it with every change of Post.h, RobotProgram.h, SerialArm.h, Error.h or of this file.
+#define HANDWHEEL_POST_PLUGIN "handwheel.post/1"
+
+namespace handwheel {
+
+// Interface of the root object of a plugin that brings a post. A plugin is never unloaded.
+class PostPlugin {
+ public:
+  virtual ~PostPlugin() = default;
+  virtual std::unique_ptr<Post> post() = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "example/ExamplePost.h"
+
+#include "robot/posts/PostText.h"
+
+namespace handwheel {
+
+namespace {
+
+// Places are written in the frame of the program, with a quaternion that has length 1 and its real part first.
+std::string placeText(const Pose& place) {
+  const Vec3 at = place.translation();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(place.linear()).normalized();
+  std::string text;
+  for (const double value : {at.x(), at.y(), at.z()}) text += " " + fixedText(value, 6);
+  for (const double value : {turn.w(), turn.x(), turn.y(), turn.z()}) text += " " + fixedText(value, 9);
+  return text;
+}
+
+// So many numbers with spaces between; fewer where the line ends.
+std::vector<double> numbersOf(LineReader& line, std::size_t most) {
+  std::vector<double> numbers;
+  while (numbers.size() < most) {
+    line.skipSpace();
+    const auto number = line.number();
+    if (!number) break;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Result<ReadMotion> jointMotion(LineReader& line, std::size_t joints) {
+  const std::vector<double> degrees = numbersOf(line, joints);
+  if (degrees.size() != joints) return line.malformed("JOINT", "a number for each joint was expected");
+  return ReadMotion{.kind = ProgramMotion::Kind::Joint, .joints = radiansOf(degrees)};
+}
+
+Result<ReadMotion> lineMotion(LineReader& line) {
+  const std::vector<double> n = numbersOf(line, 7);
+  const bool isPlace = n.size() == 7 && Eigen::Vector4d(n[3], n[4], n[5], n[6]).norm() > 0.5;
+  if (!isPlace) return line.malformed("LINE", "a place and a quaternion were expected");
+  Pose place(Eigen::Translation3d(n[0], n[1], n[2]));
+  place.linear() = Eigen::Quaterniond(n[3], n[4], n[5], n[6]).normalized().toRotationMatrix();
+  return ReadMotion{.kind = ProgramMotion::Kind::Linear, .pose = place};
+}
+
+}  // namespace
+
+std::string ExamplePost::write(const RobotProgram& program) const {
+  constexpr std::size_t kLongestName = 32;
+  std::string text = "PROGRAM " + identifierOf(program.name, kLongestName) + "\n";
+  for (const ProgramMotion& motion : program.motions) {
+    if (motion.kind == ProgramMotion::Kind::Joint) {
+      text += "JOINT";
+      for (const double degrees : degreesOf(motion.joints)) text += " " + fixedText(degrees, 9);
+      text += " SPEED " + fixedText(100.0 * motion.speed, 2);  // percent
+    } else {
+      text += "LINE" + placeText(program.frame.inverse(Eigen::Isometry) * program.tipOf(motion));
+      text += " SPEED " + fixedText(motion.speed, 2);  // mm/s
+    }
+    text += " ZONE " + fixedText(motion.blend, 3) + "\n";
+  }
+  return text + "END\n";
+}
+
+Result<std::vector<ReadMotion>> ExamplePost::read(std::string_view text, const RobotProgram& frame) const {
+  const Result<std::vector<std::string_view>> lines = programLines(text, ";");
+  if (!lines) return lines.error();
+  std::vector<ReadMotion> motions;
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    LineReader line((*lines)[i], i + 1);
+    line.skipSpace();
+    if (line.rest().empty() || line.takeWord("PROGRAM")) continue;
+    if (line.takeWord("END")) break;
+    if (motions.size() >= kMostMotions) return line.malformed("motion", "there are too many motions");
+    const bool isJoint = line.takeWord("JOINT");
+    // What may move the robot and is not understood is an error, never left out.
+    if (!isJoint && !line.takeWord("LINE")) return line.malformed("motion", "JOINT or LINE was expected");
+    Result<ReadMotion> motion =
+        isJoint ? jointMotion(line, static_cast<std::size_t>(frame.arm.size())) : lineMotion(line);
+    if (!motion) return motion.error();
+    const std::size_t zone = line.rest().find("ZONE");
+    if (zone != std::string_view::npos) {
+      LineReader after(line.rest().substr(zone + 4), i + 1);
+      after.skipSpace();
+      motion->blend = after.number().value_or(0.0);
+    }
+    motion->line = i + 1;
+    motions.push_back(*motion);
+  }
+  return motions;
+}
+
+}  // namespace handwheel

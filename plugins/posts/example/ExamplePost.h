@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/posts/Post.h"
+
+namespace handwheel {
+
+// A made-up language, with what most have: joint motions in degrees, lines by a place in mm and a quaternion, zones.
+//
+//   PROGRAM weld_seam_1
+//   JOINT 0.000000 30.000000 ... SPEED 25.00 ZONE 0.000
+//   LINE 374.000000 0.000000 630.000000 0.707106781 0.000000000 ... SPEED 100.00 ZONE 5.000
+//   END
+class ExamplePost : public Post {
+ public:
+  const char* id() const override { return "example"; }
+  const char* title() const override { return "Example"; }
+  const char* ending() const override { return ".moves"; }
+  std::string write(const RobotProgram& program) const override;
+  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+};
+
+}  // namespace handwheel

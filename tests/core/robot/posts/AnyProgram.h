@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../Robots.h"
+#include "robot/dh/DhTable.h"
+#include "robot/posts/Post.h"
+
+#include <cmath>
+
+// Programs of any motions, for properties of posts.
+namespace handwheel::test {
+
+inline SerialArm armCalled(const char* id) {
+  const DhTable& table = *libraryTable(id);
+  return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
+}
+
+inline RobotProgram programOf(const char* id) {
+  RobotProgram program;
+  program.name = "weld seam 1";
+  program.robot = id;
+  program.arm = armCalled(id);
+  program.tool = Pose(Eigen::Translation3d(10.0, -5.0, 120.0) * Eigen::AngleAxisd(0.3, Vec3::UnitY()));
+  program.frame = Pose(Eigen::Translation3d(400.0, 50.0, -10.0) * Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  return program;
+}
+
+inline ProgramMotion anyMotion(const SerialArm& arm) {
+  ProgramMotion motion;
+  motion.joints.resize(arm.size());
+  for (Eigen::Index i = 0; i < arm.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
+    motion.joints[i] = anyNumber(std::max(joint.lower, -M_PI), std::min(joint.upper, M_PI));
+  }
+  motion.kind = *rc::gen::arbitrary<bool>() ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear;
+  motion.speed = motion.kind == ProgramMotion::Kind::Joint ? anyNumber(0.01, 1.0) : anyNumber(1.0, 2000.0);
+  motion.blend = *rc::gen::arbitrary<bool>() ? anyNumber(0.5, 20.0) : 0.0;
+  return motion;
+}
+
+// A property: what a post writes of any program for this robot is read back as the same motions.
+inline void checkAnyProgram(const Post& post, const char* robot) {
+  RobotProgram program = programOf(robot);
+  for (int i = *rc::gen::inRange(0, 8); i >= 0; --i) program.motions.push_back(anyMotion(program.arm));
+  RC_ASSERT(post.refusals(program).empty());
+  const auto check = checkWritten(post, program, post.write(program));
+  RC_ASSERT(check.hasValue());
+  RC_ASSERT(check->distance <= 1e-3);
+  RC_ASSERT(check->angle <= 1e-3);
+  RC_ASSERT(check->motions == program.motions.size());
+}
+
+}  // namespace handwheel::test
