@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/PartSurface.h"
 
+#include "proximity/ClosestPoint.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,11 +14,8 @@ namespace handwheel {
 
 namespace {
 
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 way = b - a;
-  const double square = way.squaredNorm();
-  const double share = square > 0.0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (p - a - share * way).norm();
+double distanceTo(const Vec3& place, const Vec3& a, const Vec3& b) {
+  return (place - closestOnSegment(place, a, b)).norm();
 }
 
 double angleBetween(const Vec3& a, const Vec3& b) {
@@ -38,40 +37,7 @@ std::vector<std::uint32_t> weldedNumbers(const std::vector<Vec3>& points) {
   return numbers;
 }
 
-// Directions of the points of a line, and normals at a right angle to them.
-void orient(SurfaceTrack& track) {
-  std::vector<TrackPoint>& points = track.points;
-  const std::size_t count = points.size();
-  const auto wayTo = [&](std::size_t i) { return Vec3((points[i].place - points[i - 1].place).normalized()); };
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec3 direction = Vec3::Zero();
-    if (i > 0) direction += wayTo(i);
-    if (i + 1 < count) direction += wayTo(i + 1);
-    if (track.isClosed && i == 0) direction += wayTo(count - 1);
-    if (track.isClosed && i + 1 == count) direction += wayTo(1);
-    points[i].direction = direction.normalized();
-  }
-  for (TrackPoint& point : points) {
-    Vec3 normal = point.normal - point.normal.dot(point.direction) * point.direction;
-    if (!(normal.norm() > 1e-9)) normal = point.direction.unitOrthogonal();
-    point.normal = normal.normalized();
-  }
-}
-
 }  // namespace
-
-double SurfaceTrack::length() const {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i].place - points[i - 1].place).norm();
-  return sum;
-}
-
-SurfaceTrack SurfaceTrack::reversed() const {
-  SurfaceTrack other = *this;
-  std::reverse(other.points.begin(), other.points.end());
-  for (TrackPoint& point : other.points) point.direction = -point.direction;
-  return other;
-}
 
 PartSurface::PartSurface(const TriangleSoup& soup, const EdgeSettings& settings)
     : m_settings(settings), m_points(soup.points) {
@@ -160,7 +126,7 @@ SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
   std::optional<std::uint32_t> nearest;
   double least = farthest;
   for (std::uint32_t e = 0; e < m_sharp.size(); ++e) {
-    const double distance = distanceToSegment(place, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
+    const double distance = distanceTo(place, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
     if (!(distance <= least)) continue;
     least = distance;
     nearest = e;
@@ -178,6 +144,20 @@ SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
   }
   orient(track);
   return track;
+}
+
+TrackPoint PartSurface::placeNear(const Vec3& place) const {
+  TrackPoint nearest{place, Vec3::Zero(), Vec3::Zero()};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < m_triangles.size(); ++t) {
+    const Triangle& corners = m_triangles[t];
+    const Vec3 at = closestOnTriangle(place, m_points[corners[0]], m_points[corners[1]], m_points[corners[2]]);
+    const double distance = (place - at).squaredNorm();
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = {at, Vec3::Zero(), m_normals[t]};
+  }
+  return nearest;
 }
 
 SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
@@ -209,7 +189,7 @@ SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, c
     if (found < 2) continue;
     const auto number = static_cast<std::uint32_t>(segments.size());
     for (const EndEdge& end : segment.ends) segmentsAt[end].push_back(number);
-    const double distance = distanceToSegment(place, pointOn(segment.ends[0]), pointOn(segment.ends[1]));
+    const double distance = distanceTo(place, pointOn(segment.ends[0]), pointOn(segment.ends[1]));
     if (distance < least) {
       least = distance;
       nearest = number;
@@ -248,79 +228,6 @@ SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, c
   track.isClosed = track.points.size() > 2 && isSame(track.points.front(), track.points.back());
   orient(track);
   return track;
-}
-
-SurfaceTrack pieceFrom(const SurfaceTrack& track, const Vec3& place, double length) {
-  const std::vector<TrackPoint>& points = track.points;
-  if (points.size() < 2 || !(length > 0.0)) return {};
-  std::size_t nearest = 1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double distance = distanceToSegment(place, points[i - 1].place, points[i].place);
-    if (!(distance < least)) continue;
-    least = distance;
-    nearest = i;
-  }
-  const auto between = [&](std::size_t i, double share) {
-    const TrackPoint &a = points[i - 1], &b = points[i];
-    return TrackPoint{a.place + share * (b.place - a.place), Vec3::Zero(), a.normal + share * (b.normal - a.normal)};
-  };
-  const Vec3 way = points[nearest].place - points[nearest - 1].place;
-  const double from = std::clamp((place - points[nearest - 1].place).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  SurfaceTrack piece;
-  piece.points.push_back(between(nearest, from));
-  const std::size_t count = points.size() - 1;  // segments
-  for (std::size_t k = 0; k <= count && length > 0.0; ++k) {
-    if (!track.isClosed && nearest + k > count) break;
-    const std::size_t i = (nearest - 1 + k) % count + 1;
-    const double to = k == count ? from : 1.0;  // round to where it began
-    const double step = (between(i, to).place - piece.points.back().place).norm();
-    const double share = step > length ? length / step : 1.0;
-    length -= step;
-    if (!(step > 0.0)) continue;
-    TrackPoint end = between(i, to);
-    end.place = piece.points.back().place + share * (end.place - piece.points.back().place);
-    piece.points.push_back(end);
-    piece.isClosed = k == count && share == 1.0;
-  }
-  if (piece.points.size() < 2) return {};
-  orient(piece);
-  return piece;
-}
-
-SurfaceTrack simplified(const SurfaceTrack& track, double deviation, double angle) {
-  const std::vector<TrackPoint>& points = track.points;
-  if (points.size() < 3) return track;
-  std::vector<bool> isKept(points.size(), false);
-  isKept.front() = isKept.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
-  while (!open.empty()) {
-    const auto [first, last] = open.back();
-    open.pop_back();
-    double worst = 1.0;  // in units of what is allowed
-    std::size_t at = first;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distanceToSegment(points[i].place, points[first].place, points[last].place) / deviation;
-      const double turned = std::min(angleBetween(points[i].normal, points[first].normal),
-                                     angleBetween(points[i].normal, points[last].normal)) /
-                            angle;
-      const double share = std::max(off, turned);
-      if (share > worst) {
-        worst = share;
-        at = i;
-      }
-    }
-    if (at == first) continue;
-    isKept[at] = true;
-    open.emplace_back(first, at);
-    open.emplace_back(at, last);
-  }
-  SurfaceTrack kept{{}, track.isClosed};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (isKept[i]) kept.points.push_back(points[i]);
-  }
-  orient(kept);
-  return kept;
 }
 
 }  // namespace handwheel

@@ -3,26 +3,12 @@
 #pragma once
 
 #include "mesh/structure/TriangleSoup.h"
+#include "planning/SurfaceTrack.h"
 
 #include <optional>
 #include <vector>
 
 namespace handwheel {
-
-// A point of a curve on a part, for a tool that works along it.
-struct TrackPoint {
-  Vec3 place;      // mm
-  Vec3 direction;  // along the curve, of unit length
-  Vec3 normal;     // away from the part, of unit length, at a right angle to the direction
-};
-
-// A curve on a part. Straight between its points.
-struct SurfaceTrack {
-  std::vector<TrackPoint> points;  // empty: there is none
-  bool isClosed = false;           // it ends where it begins; that point is in it twice
-  double length() const;           // mm
-  SurfaceTrack reversed() const;
-};
 
 // How the edges of a part are found and followed.
 struct EdgeSettings {
@@ -38,6 +24,9 @@ class PartSurface {
 
   bool hasEdges() const { return !m_sharp.empty(); }
 
+  // The place on the surface nearest to this one, and the normal of the triangle it is in; a zero normal where there is
+  // no surface. O(triangles).
+  TrackPoint placeNear(const Vec3& place) const;
   // The curve of edges through the one nearest to a place. None where none is within `farthest` (mm). O(edges).
   SurfaceTrack edgeNear(const Vec3& place, double farthest) const;
   // The section with a plane: the curve that comes nearest to a place, which need not be in the plane. normal: of unit
@@ -65,13 +54,5 @@ class PartSurface {
   std::vector<std::uint32_t> m_firstOfVertex;  // in m_sharpOfVertex; one more than points
   std::vector<std::uint32_t> m_sharpOfVertex;
 };
-
-// The piece of a curve that begins at its point nearest to a place and goes on for a length (mm), or to its end; a
-// closed one comes round to where it began. Empty where its length is 0. O(points).
-SurfaceTrack pieceFrom(const SurfaceTrack& track, const Vec3& place, double length);
-
-// The same curve with fewer points: nowhere farther than `deviation` (mm) from it, its normals off by no more than
-// `angle` (rad). Ends stay. (Douglas and Peucker 1973.) O(n log n) as a rule.
-SurfaceTrack simplified(const SurfaceTrack& track, double deviation, double angle);
 
 }  // namespace handwheel

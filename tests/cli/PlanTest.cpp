@@ -83,6 +83,28 @@ class PlanTest : public QObject {
     QCOMPARE(cell.run({"process", "c.handwheel", "--part", "block"}).code, 1);
   }
 
+  // On the top of a block, with a bend, 5 mm above it.
+  void alongADrawnCurve() {
+    const PlannedCell cell;
+    cell.run(
+        {"body", "irb120", "--add", "box:120,200,100", "--at", "420,0,50", "--name", "block", "-o", "c.handwheel"});
+    const QStringList words{"process", "c.handwheel", "--part", "block", "--near", "380,-60,100", "--along", "drawn"};
+    const Ran ran = cell.run(words + QStringList{"--through", "400,0,100;380,60,100", "--free", "--standoff", "5",
+                                                 "--name", "drawn", "-o", "c.handwheel"});
+    QVERIFY2(ran.code == 0, ran.err);
+    QCOMPARE(cell.run({"verify", "c.handwheel", "drawn"}).code, 0);
+    QCOMPARE(cell.run({"post", "c.handwheel", "drawn", "--controller", "csv", "-o", "drawn.csv"}).code, 0);
+    const QByteArray table = cell.read("drawn.csv");
+    for (const char* place : {"380.000000000,-60.000000000,105.000000000", "400.000000000,0.000000000,105.000000000",
+                              "380.000000000,60.000000000,105.000000000"})
+      QVERIFY2(table.contains(place), table);
+    const Ran broken = cell.run(words + QStringList{"--through", "400,0,100;400,0,0"});
+    QCOMPARE(broken.code, 2);
+    QVERIFY2(broken.err.contains("from place 2 of the curve to place 3"), broken.err);
+    QVERIFY(cell.run(words + QStringList{"--through", "400,0"}).code != 0);
+    QVERIFY(cell.run(words).code != 0);
+  }
+
   // By way of a critical configuration, into the cell, and repeatable.
   void throughACriticalConfiguration() {
     const PlannedCell cell;

@@ -16,7 +16,7 @@ Result<PlannedAndChecked> processed(const OperationValues& values, const CellSce
                                     const RobotCellSnapshot& cell, Progress progress) {
   const Result<BodyPointer> part = partCalled(values, scene);
   if (!part) return part.error();
-  const PartSurface surface(*(*part)->geometry->surface());
+  const auto surface = std::make_shared<const PartSurface>(*(*part)->geometry->surface());
   Result<PlannedPath> path = processPath(scene, cell, values, surface, **part, progress.part(0.0, 0.8));
   if (!path) return path.error();
   return checkedAs(std::move(path).value(), values, scene, cell, progress.part(0.8, 1.0));
@@ -46,8 +46,8 @@ int runProcess(const Arguments& arguments, const DocumentKinds& kinds) {
 Command processCommand() {
   CommandSpec spec = {processOperation().id,
                       "CELL",
-                      "Plans a path of the robot's tool along an edge or a section of a part, proven free of "
-                      "collisions.",
+                      "Plans a path of the robot's tool along an edge, a section or a drawn curve of a part, proven free "
+                      "of collisions.",
                       {}};
   spec.options = pathOptions(processOperation());
   return {std::move(spec), runProcess};

@@ -34,7 +34,7 @@ class CellPaths : public QObject {
   QMenu& menu() { return *m_menu; }
   // Plans a path along a curve on a part (processOperation()).
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
-  // Inserts the configuration of the document into the present path, or begins one with it.
+  // Inserts the configuration of the document into the path of the selected row, or begins one with it.
   void addPlace();
   PlanTree* tree() { return m_tree; }  // owned by the window
   void setVisible(bool isVisible);     // the line of the path in the view

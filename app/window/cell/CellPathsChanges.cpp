@@ -114,7 +114,7 @@ void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const
                         Progress progress) -> Result<PlannedPath> {
         const Result<BodyPointer> part = partCalled(values, scene);
         if (!part) return part.error();
-        return processPath(scene, content, values, *surface, **part, progress);
+        return processPath(scene, content, values, surface, **part, progress);
       },
       name, tr("Plan %1"));
 }
@@ -173,7 +173,8 @@ void CellPaths::insertHere() {
 }
 
 void CellPaths::addPlace() {
-  if (path()) return insertHere();
+  const PlanTree::Entry::Kind chosen = m_tree->current().kind;
+  if (chosen == Kind::Path || chosen == Kind::Place) return insertHere();
   CellPlans changed = plans();
   RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}};
   const PlanTree::Entry first{Kind::Place, begun.name, 0};

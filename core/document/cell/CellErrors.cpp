@@ -64,6 +64,11 @@ const ErrorDescription CellError::TrackMissing{
     .sentences = {translatable("ErrorText", "no such curve was found on '%1'")},
     .advice = {translatable("ErrorText", "Choose a place on a sharp edge of the part, or a section through it.")}};
 
+const ErrorDescription CellError::DrawnCurveBroken{
+    .id = "DrawnCurveBroken",
+    .sentences = {translatable("ErrorText", "the surface does not lead from place %1 of the curve to place %2")},
+    .advice = {translatable("ErrorText", "Draw around what is between, or place more points.")}};
+
 const ErrorDescription CellError::TrackOutOfReach{
     .id = "TrackOutOfReach",
     .sentences = {translatable("ErrorText",

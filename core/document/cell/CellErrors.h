@@ -19,6 +19,7 @@ extern const ErrorDescription PoseUnreachable;    // {motion} of a program: no j
 extern const ErrorDescription PathCollides;       // {path, count of collisions, link, link or body} first of them
 extern const ErrorDescription PartCarried;        // {body} the robot itself carries it
 extern const ErrorDescription TrackMissing;       // {body} no curve is where it was asked for
+extern const ErrorDescription DrawnCurveBroken;   // {number of a place, the next} the surface does not lead there
 extern const ErrorDescription TrackOutOfReach;    // {point, count, x, y, z; mm}
 extern const ErrorDescription TrackBlocked;       // {point, count, x, y, z; mm; link, link or body}
 extern const ErrorDescription TrackBroken;        // {point, count, x, y, z; mm} not without a leap of a joint

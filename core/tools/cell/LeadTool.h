@@ -27,7 +27,7 @@ struct LeadServices {
   std::function<std::shared_ptr<const CellScene>()> scene;
   // Marks what collides where the robot stands.
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
-  // Adds the configuration of the document to the present path, or to a new one.
+  // Adds the configuration of the document to the selected path, or to a new one.
   std::function<void()> addPlace;
   // s, of a clock that does not go back.
   std::function<double()> time;

@@ -5,12 +5,15 @@
 #include "base/NumberText.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
+#include "planning/DrawnCurve.h"
 #include "planning/ToolTrack.h"
 #include "scene/RigidPose.h"
 #include "tools/scene/BodyOperation.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -72,6 +75,38 @@ Status checkFollowed(const FollowedTrack& track, std::span<const Pose> poses, co
   return Error{ErrorCode::Cancelled, {}, {}, {}};
 }
 
+// The places of a drawn curve after its first. Error: NumberMalformed.
+Result<std::vector<Vec3>> placesThrough(const std::string& text) {
+  std::vector<Vec3> places;
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::string_view word = rest.substr(0, rest.find_first_of(",; "));
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+    if (word.empty()) continue;
+    double number = 0.0;
+    ErrorCode why = ErrorCode::NumberMalformed;
+    const bool isNumber = parseDecimal(word, number, why) && std::abs(number) <= kFarthestBody;
+    if (!isNumber) return Error{ErrorCode::NumberMalformed, {std::string(word)}, {}, {}};
+    numbers.push_back(number);
+  }
+  if (numbers.empty() || numbers.size() % 3 != 0) return Error{ErrorCode::NumberMalformed, {text}, {}, {}};
+  for (std::size_t i = 0; i < numbers.size(); i += 3) places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  return places;
+}
+
+Result<SurfaceTrack> drawnTrack(std::shared_ptr<const PartSurface> surface, const Pose& toBody, const Vec3& near,
+                                const std::string& through) {
+  const Result<std::vector<Vec3>> places = placesThrough(through);
+  if (!places) return places.error();
+  DrawnCurve curve(std::move(surface), near);
+  for (std::size_t i = 0; i < places->size(); ++i) {
+    if (!curve.goOnTo(toBody * (*places)[i]))
+      return Error{CellError::DrawnCurveBroken, {std::to_string(i + 1), std::to_string(i + 2)}, {}, {}};
+  }
+  return curve.track();
+}
+
 // Plans from one place to another and adds what is between them, and the second.
 Status addLeg(const CellScene& scene, const CellPlans& plans, const PathPlace& from, const PathPlace& to,
               const RouteSettings& settings, PlannedPath& planned, Progress progress) {
@@ -91,7 +126,7 @@ const Operation& processOperation() {
   static const Operation kOperation = {
       .id = "process",
       .title = QT_TRANSLATE_NOOP("Tool", "Plan process path"),
-      .meaning = "Plans a path of the tool along an edge or a section of a part",
+      .meaning = "Plans a path of the tool along an edge, a section or a drawn curve of a part",
       .parameters = {
           textParameter("part", "BODY", "The part, given by name or number"),
           {.property = {.id = "near",
@@ -112,10 +147,12 @@ const Operation& processOperation() {
                         .choices = {QT_TRANSLATE_NOOP("Property", "an edge"),
                                     QT_TRANSLATE_NOOP("Property", "a section across X"),
                                     QT_TRANSLATE_NOOP("Property", "a section across Y"),
-                                    QT_TRANSLATE_NOOP("Property", "a section across Z")}},
+                                    QT_TRANSLATE_NOOP("Property", "a section across Z"),
+                                    QT_TRANSLATE_NOOP("Property", "a drawn curve")}},
            .meaning = "What the tool follows; sections are across an axis of the base",
            .word = "CURVE",
-           .words = {"edge", "x", "y", "z"}},
+           .words = {"edge", "x", "y", "z", "drawn"}},
+          textParameter("through", "PLACES", "Where a drawn curve goes on to from there: X,Y,Z;X,Y,Z"),
           {.property = {.id = "length",
                         .group = {},
                         .label = QT_TRANSLATE_NOOP("Property", "Length from there (0: all)"),
@@ -171,22 +208,35 @@ Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& s
   return part;
 }
 
-Result<SurfaceTrack> trackOn(const PartSurface& surface, const Body& body, const OperationValues& values) {
+Result<SurfaceTrack> trackOn(const std::shared_ptr<const PartSurface>& surface, const Body& body,
+                             const OperationValues& values) {
   const std::vector<double> numbers = values.numbers("near");
   const Pose toBody = body.pose.inverse(Eigen::Isometry);
   const Vec3 near = toBody * Vec3(numbers[0], numbers[1], numbers[2]);
   const std::size_t along = values.whole("along");
   SurfaceTrack track;
-  if (along == 0)
-    track = surface.edgeNear(near, std::numeric_limits<double>::max());
-  else
-    track = surface.sectionNear(near, toBody.linear().col(static_cast<Eigen::Index>(along) - 1), near);
+  if (along == kAlongDrawn) {
+    Result<SurfaceTrack> drawn =
+        drawnTrack(surface, toBody, near, values.isSet("through") ? values.text("through") : std::string());
+    if (!drawn) return drawn.error();
+    track = std::move(drawn).value();
+  } else if (along == kAlongEdge) {
+    track = surface->edgeNear(near, std::numeric_limits<double>::max());
+  } else {
+    track = surface->sectionNear(near, toBody.linear().col(static_cast<Eigen::Index>(along) - 1), near);
+  }
+  track = finishedTrack(std::move(track), near, body, values);
   if (track.points.size() < 2) return Error{CellError::TrackMissing, {body.name}, {}, {}};
+  return track;
+}
+
+SurfaceTrack finishedTrack(SurfaceTrack track, const Vec3& near, const Body& body, const OperationValues& values) {
+  if (track.points.size() < 2) return {};
   if (values.flag("reverse")) track = track.reversed();
   const double length = values.number("length");
   if (track.isClosed || length > 0.0)
     track = pieceFrom(track, near, length > 0.0 ? length : std::numeric_limits<double>::max());
-  if (track.points.size() < 2) return Error{CellError::TrackMissing, {body.name}, {}, {}};
+  if (track.points.size() < 2) return {};
   track = simplified(track, values.number("tolerance"), kNormalAngle);
   for (TrackPoint& point : track.points) {
     point.place = body.pose * point.place;
@@ -197,7 +247,8 @@ Result<SurfaceTrack> trackOn(const PartSurface& surface, const Body& body, const
 }
 
 Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
-                                const PartSurface& surface, const Body& body, Progress progress) {
+                                const std::shared_ptr<const PartSurface>& surface, const Body& body,
+                                Progress progress) {
   const auto begin = std::chrono::steady_clock::now();
   const Result<SurfaceTrack> track = trackOn(surface, body, values);
   if (!track) return track.error();

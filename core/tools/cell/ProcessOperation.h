@@ -10,9 +10,15 @@ namespace handwheel {
 // The operation "process": a path of the tool along a curve on a part.
 const Operation& processOperation();
 
+// Values of "along"; those between are sections.
+inline constexpr std::size_t kAlongEdge = 0, kAlongDrawn = 4;
+
 // The curve that these values choose on a part with this surface, in the frame of the robot's base, simplified and in
-// the direction that is asked for. body: at its place there. Error: TrackMissing.
-Result<SurfaceTrack> trackOn(const PartSurface& surface, const Body& body, const OperationValues& values);
+// the direction that is asked for. body: at its place there. Errors: TrackMissing, DrawnCurveBroken, NumberMalformed.
+Result<SurfaceTrack> trackOn(const std::shared_ptr<const PartSurface>& surface, const Body& body,
+                             const OperationValues& values);
+// The same for a curve that is known already, in the frame of the body, near to a place there. Empty: nothing is left.
+SurfaceTrack finishedTrack(SurfaceTrack track, const Vec3& near, const Body& body, const OperationValues& values);
 
 // The part that the values name. Errors: BodyMissing, Ambiguous; PartCarried of one that the robot carries.
 Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& scene);
@@ -21,6 +27,7 @@ Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& s
 // to places, if these are given. All of it is proven free. Errors: those of trackOn() and plannedThrough(),
 // PoseOfTrackUnreachable, TrackBlocked, TrackBroken, PlaceMissing, Cancelled.
 Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
-                                const PartSurface& surface, const Body& body, Progress progress = {});
+                                const std::shared_ptr<const PartSurface>& surface, const Body& body,
+                                Progress progress = {});
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/ProcessTool.h"
 
+#include "base/NumberText.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/scene/BodyDisplay.h"
 #include "planning/ToolTrack.h"
@@ -17,8 +18,11 @@ namespace {
 
 constexpr ToolKey kProcessKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "plan the path along the curve")},
+    {"removeLast", "Backspace", QT_TRANSLATE_NOOP("Tool", "remove the last point")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose another curve")},
 };
+
+constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is drawn in one go
 
 constexpr const char* kShownSettings[] = {"along",    "length",   "reverse", "lead",  "tilt",      "spin",     "free",
                                           "standoff", "approach", "speed",   "blend", "tolerance", "clearance"};
@@ -49,31 +53,56 @@ SurfaceTrack ProcessTool::trackAt(const Place& place) const {
   if (!surface) return {};
   OperationValues values = m_values;
   values.setValid("near", std::vector<double>{place.point.x(), place.point.y(), place.point.z()});
-  Result<SurfaceTrack> track = trackOn(*surface, *body, values);
+  Result<SurfaceTrack> track = trackOn(surface, *body, values);
   return track ? std::move(track).value() : SurfaceTrack{};
+}
+
+void ProcessTool::beginDrawing() {
+  m_through.clear();
+  m_drawn.clear();
+  m_drawnOn = m_chosen ? m_document.bodies().withId(m_chosen->body) : nullptr;
+  const auto surface = m_drawnOn ? m_services.surface(m_drawnOn) : nullptr;
+  if (surface) m_drawn.emplace_back(surface, m_drawnOn->pose.inverse(Eigen::Isometry) * m_chosen->point);
+}
+
+bool ProcessTool::drawTo(const Place& place) {
+  if (m_drawn.empty() || place.body != m_chosen->body) return false;
+  DrawnCurve longer = m_drawn.back();
+  if (!longer.goOnTo(m_drawnOn->pose.inverse(Eigen::Isometry) * place.point)) return false;
+  m_drawn.push_back(std::move(longer));
+  m_through.push_back(place.point);
+  return true;
+}
+
+// With the way to the place under the pointer.
+SurfaceTrack ProcessTool::drawnTrack() const {
+  if (m_drawn.empty()) return {};
+  const Pose toBody = m_drawnOn->pose.inverse(Eigen::Isometry);
+  DrawnCurve curve = m_drawn.back();
+  if (m_hovered && m_hovered->body == m_chosen->body) curve.goOnTo(toBody * m_hovered->point);
+  return finishedTrack(curve.track(), toBody * m_chosen->point, *m_drawnOn, m_values);
 }
 
 void ProcessTool::look() {
   const auto& place = m_chosen ? m_chosen : m_hovered;
-  m_track = place ? trackAt(*place) : SurfaceTrack{};
+  if (isDrawing())
+    m_track = drawnTrack();
+  else
+    m_track = place ? trackAt(*place) : SurfaceTrack{};
 }
 
 ToolReply ProcessTool::pointer(const PointerEvent& event) {
   switch (event.kind) {
     case PointerEvent::Kind::Hover:
     case PointerEvent::Kind::Leave:
-      if (m_chosen) return ToolReply::Ignored;
+      if (m_chosen && !isDrawing()) return ToolReply::Ignored;
       m_hovered = event.kind == PointerEvent::Kind::Hover ? placeAt(event) : std::nullopt;
       look();
       return ToolReply::Used;
-    case PointerEvent::Kind::Press: {
-      const auto place = event.button == PointerButton::First ? placeAt(event) : std::nullopt;
-      if (!place || trackAt(*place).points.empty()) return ToolReply::Ignored;  // the camera's
-      m_chosen = place;
-      look();
-      return ToolReply::Used;
-    }
+    case PointerEvent::Kind::Press:
+      return press(event);
     case PointerEvent::Kind::Drag:
+      return drag(event);
     case PointerEvent::Kind::Release:
       return m_chosen ? ToolReply::Used : ToolReply::Ignored;
     case PointerEvent::Kind::DoubleClick:
@@ -82,27 +111,79 @@ ToolReply ProcessTool::pointer(const PointerEvent& event) {
   return ToolReply::Ignored;
 }
 
+ToolReply ProcessTool::press(const PointerEvent& event) {
+  const auto place = event.button == PointerButton::First ? placeAt(event) : std::nullopt;
+  if (!place) return ToolReply::Ignored;  // the camera's
+  if (isDrawing() && m_chosen) {
+    m_hovered.reset();
+    drawTo(*place);
+  } else if (isDrawing() || !trackAt(*place).points.empty()) {
+    m_chosen = place;
+    beginDrawing();
+  } else {
+    return ToolReply::Ignored;
+  }
+  look();
+  return ToolReply::Used;
+}
+
+ToolReply ProcessTool::drag(const PointerEvent& event) {
+  if (!m_chosen) return ToolReply::Ignored;
+  const auto place = isDrawing() ? placeAt(event) : std::nullopt;
+  const Vec3& last = m_through.empty() ? m_chosen->point : m_through.back();
+  if (place && (place->point - last).norm() >= kDrawnStep * event.pixel && drawTo(*place)) look();
+  return ToolReply::Used;
+}
+
 ToolReply ProcessTool::perform(std::string_view action) {
   if (action == "revert") {
     if (!m_chosen) return ToolReply::Finished;
     m_chosen.reset();
+    beginDrawing();
     look();
     return ToolReply::Used;
   }
+  if (action == "removeLast") {
+    if (m_through.empty()) return ToolReply::Ignored;
+    m_through.pop_back();
+    m_drawn.pop_back();
+    look();
+    return ToolReply::Used;
+  }
+  m_hovered.reset();
+  look();
   if (action != "commit" || !m_chosen || m_track.points.empty()) return ToolReply::Ignored;
   OperationValues values = m_values;
   values.setValid("part", std::to_string(m_chosen->body));
   const Vec3& at = m_chosen->point;
   values.setValid("near", std::vector<double>{at.x(), at.y(), at.z()});
+  if (isDrawing()) {
+    std::string through;
+    for (const Vec3& place : m_through) {
+      through += through.empty() ? "" : ";";
+      through += shortestText(place.x()) + "," + shortestText(place.y()) + "," + shortestText(place.z());
+    }
+    values.setValid("through", through);
+  }
   m_services.plan(values);
   return ToolReply::Used;
 }
 
 std::vector<ToolAction> ProcessTool::actions() const {
   const bool isChosen = m_chosen && !m_track.points.empty();
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a curve on a part")},
-          actionOf(kProcessKeys, "commit", isChosen),
-          actionOf(kProcessKeys, "revert", true, m_chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
+  std::vector<ToolAction> all;
+  if (isDrawing()) {
+    all.push_back({"", QT_TRANSLATE_NOOP("ToolInput", "Click"),
+                   m_chosen ? QT_TRANSLATE_NOOP("Tool", "draw the curve to there")
+                            : QT_TRANSLATE_NOOP("Tool", "begin a curve on a part")});
+    all.push_back({"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "draw in one go")});
+  } else {
+    all.push_back({"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a curve on a part")});
+  }
+  all.push_back(actionOf(kProcessKeys, "commit", isChosen));
+  if (isDrawing()) all.push_back(actionOf(kProcessKeys, "removeLast", !m_through.empty()));
+  all.push_back(actionOf(kProcessKeys, "revert", true, m_chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")));
+  return all;
 }
 
 // The curve, and how the tool is held at points of it.
@@ -160,7 +241,9 @@ void ProcessTool::setSetting(std::string_view id, const PropertyValue& value) {
     else
       m_values.setValid(id, index == 1 ? "here" : names[index - 2]);
   } else {
+    const bool wasDrawing = isDrawing();
     takeSetting(m_values, id, value);
+    if (isDrawing() != wasDrawing) beginDrawing();
   }
   look();
 }
@@ -168,6 +251,7 @@ void ProcessTool::setSetting(std::string_view id, const PropertyValue& value) {
 void ProcessTool::documentChanged() {
   if (m_chosen && !m_document.bodies().withId(m_chosen->body)) m_chosen.reset();
   m_hovered.reset();
+  if (!m_chosen || m_document.bodies().withId(m_chosen->body) != m_drawnOn) beginDrawing();
   look();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/cell/RobotCellDocument.h"
+#include "planning/DrawnCurve.h"
 #include "tools/cell/JointDragTool.h"
 #include "tools/cell/ProcessOperation.h"
 
@@ -18,7 +19,8 @@ struct ProcessServices {
 };
 
 // Tool that chooses an edge or a section of a part for the robot's tool to work along. The curve under the pointer is
-// shown, a click takes it, and the settings say how the tool is held; "commit" plans the path.
+// shown, a click takes it, and the settings say how the tool is held; "commit" plans the path. A curve can be drawn,
+// too: by clicks on the part, or in one go.
 class ProcessTool : public Tool {
  public:
   ProcessTool(const RobotCellDocument& document, ProcessServices services);
@@ -44,6 +46,13 @@ class ProcessTool : public Tool {
   };
   std::optional<Place> placeAt(const PointerEvent& event) const;
   SurfaceTrack trackAt(const Place& place) const;
+  bool isDrawing() const { return m_values.whole("along") == kAlongDrawn; }
+  // Begins the curve at the chosen place, without any other.
+  void beginDrawing();
+  bool drawTo(const Place& place);
+  SurfaceTrack drawnTrack() const;
+  ToolReply press(const PointerEvent& event);
+  ToolReply drag(const PointerEvent& event);
   std::vector<std::string> ends() const;  // names of configurations
   void look();
 
@@ -52,6 +61,11 @@ class ProcessTool : public Tool {
   OperationValues m_values;
   std::optional<Place> m_hovered, m_chosen;
   SurfaceTrack m_track;  // that is shown
+  // Of a drawn curve: where it goes on to from the chosen place, in the frame of the base; the curve before each of
+  // these and after the last, in that of the body, as it is then.
+  std::vector<Vec3> m_through;
+  std::vector<DrawnCurve> m_drawn;
+  BodyPointer m_drawnOn;
 };
 
 }  // namespace handwheel
