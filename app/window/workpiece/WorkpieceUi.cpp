@@ -7,7 +7,6 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
-#include "machining/force/ForceFidelity.h"
 #include "theme/Theme.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
@@ -149,9 +148,7 @@ std::unique_ptr<Tool> WorkpieceUi::turnTool() {
 
 std::unique_ptr<Tool> WorkpieceUi::latheTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  const FidelityValues& values = parts().fidelity.values();
-  return m_lathe.make(workpiece, values.of(turnSpacingSetting()),
-                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))));
+  return m_lathe.make(workpiece);
 }
 
 // The part is felt through the simulation of the tool, as long as there is one.

@@ -43,6 +43,9 @@ struct LatheSolid {
   RoundedSection section;
 };
 
+// The largest outer, or least inner, radius of a part between the jaws, mm.
+double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck);
+
 // The sections of what stands or turns around the axis: chuck, jaws, and the tailstock with its quill. gripped: mm,
 // radius that the jaws are closed on. They are drawn from these sections, too. drill: of the tailstock; null: none.
 std::vector<LatheSolid> chuckSolids(const LatheChuck& chuck, double gripped);

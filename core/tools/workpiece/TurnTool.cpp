@@ -152,7 +152,7 @@ ToolReply TurnTool::release() {
   auto passes = std::move(before.passes);
   passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
   auto turned = std::make_shared<const TurnedPart>(
-      TurnedPart{cut->profile, cut->surface, std::move(passes), before.crashes, cut->finish});
+      TurnedPart{cut->profile, cut->surface, std::move(passes), cut->finish});
   const QString text = passText(*turned, removed);
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;

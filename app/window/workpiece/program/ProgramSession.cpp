@@ -6,8 +6,8 @@
 #include "window/workpiece/program/ProgramSession.h"
 
 #include "controls/program/ProgramEditor.h"
-#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramCheck.h"
 #include "machining/program/ProgramErrors.h"
 #include "panels/MessageBar.h"
@@ -148,7 +148,7 @@ const WorkpieceDocument& ProgramSession::workpiece() const {
 
 ProgramSetup ProgramSession::setup() const {
   const WorkpieceSnapshot& work = workpiece().workpiece();
-  ProgramSetup setup = usualSetup(m_panel->dialect(), work.stock, latheOf(work).chuck.grip, m_panel->nose());
+  ProgramSetup setup = programSetupFor(work, shippedLatheTools(), m_panel->dialect(), m_panel->nose());
   setup.tools = m_tools;
   return setup;
 }

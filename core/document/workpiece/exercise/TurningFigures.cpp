@@ -173,7 +173,7 @@ const std::vector<FigureType>& turningFigureTypes() {
 
 MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress)
     : m_task(task), m_profile(partOf(workpiece, turnSpacingSetting().standard).profile) {
-  m_crashes = allCrashes(workpiece);
+  m_crashes = workpiece.crashes;
   if (workpiece.part) {
     for (const auto& pass : workpiece.part->passes) m_passes.push_back(pass);
     m_threads = workpiece.part->threads();
