@@ -60,7 +60,7 @@ FidelitySetting turnStepSetting() {
   s.least = 1.0;
   s.largest = 32.0;
   s.standard = 2.0;
-  s.presets = {2.0, 2.0, 1.0};
+  s.presets = {24.0, 7.6, 1.3};
   s.error = {translatable("Fidelity", "largest distance of the profile from the exact shape"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a second of cutting"), "ms"};
   s.budget = FidelityBudget::None;  // a few hundredths of a core of its own

@@ -72,6 +72,7 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   state.threads = before.threads();
   ProgramSimulation simulation(before.profile, m_path, m_setup, model, state);
   m_versions.push_back({0, before.profile, state});
+  m_before = before.passes.size();
   while (simulation.step()) {
     const std::size_t done = simulation.done();
     if (done % stride == 0) m_versions.push_back({done, simulation.part(), simulation.state()});
@@ -102,7 +103,10 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
 
 std::vector<LatheCollision> ProgramTrial::crashes() const {
   std::vector<LatheCollision> crashes;
-  for (const ProgramCollision& each : m_collisions) crashes.push_back(crashOf(each));
+  for (const ProgramCollision& each : m_collisions) {
+    crashes.push_back(crashOf(each));
+    crashes.back().passes = static_cast<double>(m_before + each.passes);
+  }
   return crashes;
 }
 

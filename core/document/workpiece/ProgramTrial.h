@@ -60,6 +60,7 @@ class ProgramTrial {
   ProgramSteps m_steps;
   std::vector<Version> m_versions;  // ascending; they share their pages
   std::shared_ptr<const TurnedPart> m_part;
+  std::size_t m_before = 0;  // passes
   std::vector<ToolPath::Note> m_notes;
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;

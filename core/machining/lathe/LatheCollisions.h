@@ -33,6 +33,7 @@ struct LatheCollision {
   double depth = 0.0;            // mm: how far they would have been in each other; 0 where that is not known
   double time = 0.0;             // s, of the machine
   std::string tool;              // id of the tool that was in use
+  double passes = -1.0;          // that the part had by then, the one under way included; below 0: not known
 
   bool operator==(const LatheCollision&) const = default;
 };

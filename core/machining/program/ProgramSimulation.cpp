@@ -105,6 +105,7 @@ bool ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& mov
   m_lastCollision = move.line;
   if (++m_collisionCount > kMostCollisions) return false;
   m_collisions.push_back({kind, move.line, move.to, place, m_time});
+  m_collisions.back().passes = m_passes.size();
   return true;
 }
 

@@ -31,6 +31,7 @@ struct ProgramCollision {
   double time = 0.0;                          // s, of the program, at the end of the move
   LathePart moving = LathePart::CuttingEdge;  // of a contact
   LathePart struck = LathePart::Work;
+  std::size_t passes = 0;  // of the program by then
 };
 
 // A thread that was just cut: the spindle goes on turning while threads follow one another.

@@ -9,6 +9,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/TurningFidelity.h"
 #include "machining/lathe/LatheJson.h"
+#include "machining/lathe/LatheMounting.h"
 #include "machining/program/BoreCuts.h"
 #include "machining/program/CycleProgram.h"
 #include "panels/LogModel.h"
@@ -16,6 +17,7 @@
 #include "window/fidelity/FidelityChoice.h"
 #include "window/workpiece/program/NumbersDialog.h"
 #include "window/workpiece/program/ProgramSession.h"
+#include "window/workpiece/program/ToolTableDialog.h"
 
 namespace handwheel {
 
@@ -99,6 +101,26 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
     return [this, made = *program] { offer(made.text, made.tools); };
   };
   m_runs.start(std::move(job));
+}
+
+// The tools that an exercise does not provide are not offered.
+void ProgramSession::askForTools() {
+  const LatheTools shipped = shippedLatheTools();
+  const LatheSetup lathe = latheOf(workpiece().workpiece());
+  LatheTools bodies, post;
+  for (const auto& tool : shipped)
+    if (isAllowed(lathe, tool->id) && !tool->isAbrasive()) bodies.push_back(tool);
+  for (const LatheSlot& slot : lathe.stations)
+    if (auto tool = toolNamed(bodies, slot.tool)) post.push_back(std::move(tool));
+  ProgramTools tools = m_tools;
+  for (auto& [number, tool] : tools)
+    if (tool.body) tool.body = toolNamed(bodies, tool.body->id);
+  auto* dialog = new ToolTableDialog(tools, std::move(bodies), std::move(post), m_panel->dialect(), m_parts.window);
+  connect(dialog, &ToolTableDialog::chosen, this, [this](const ProgramTools& chosen) {
+    setTools(chosen, true);
+    textChanged();
+  });
+  dialog->open();
 }
 
 // It has no file yet: that of the text before stays as it is.

@@ -27,7 +27,7 @@ struct BodyTrial {
     setup.lathe->chuck.grip = 20.0;
   }
   std::vector<ProgramCollision> run(const std::string& cuts) const {
-    const auto path = runProgram("G7 G21 G97 S600 M3\nT1 M6 G43\n" + cuts + "\nM2\n", setup);
+    const auto path = runProgram("G7 G21 T1 M6 G43\nG97 S600 M3\n" + cuts + "\nM2\n", setup);
     if (!path) qFatal("%s", path.error().arguments.empty() ? "?" : path.error().arguments.back().c_str());
     ProgramSimulation simulation(TurnedProfile(bar, 0.02), *path, setup);
     simulation.run({});
@@ -77,14 +77,16 @@ class ProgramObstaclesTest : public QObject {
     QVERIFY(isContact(trial.run("G0 X14 Z-66\nG1 X10 F60\nG0 X14"), LathePart::Slide, LathePart::Chuck, 3));
   }
 
-  // The centre stands in the end of the bar; its quill is 30 mm behind, 20 mm in radius. The holder reaches 23 mm
-  // beyond the tip.
+  // The centre stands in the end of the bar; its quill is 30 mm behind, 20 mm in radius. The holder of the roughing tool
+  // has a corner 8 mm out and 15 mm beyond the tip.
   void theHolderMeetsTheQuill() {
-    BodyTrial trial(12.0, "right-finishing");
+    BodyTrial trial(12.0, "right-roughing");
     trial.setup.lathe->tailstock.fitting = LatheFitting::Centre;
     trial.setup.lathe->tailstock.place = 100.0;
-    QVERIFY(trial.run("G0 X14 Z6\nG1 X10 F60\nG1 Z-10").empty());
-    QVERIFY(isContact(trial.run("G0 X60 Z8\nG0 X12\nG1 X60 F60"), LathePart::Holder, LathePart::Fitting, 4));
+    QVERIFY(trial.run("G0 X60 Z10\nG0 X22\nG1 X60 F60").empty());
+    QVERIFY(isContact(trial.run("G0 X60 Z16\nG0 X22\nG1 X60 F60"), LathePart::Holder, LathePart::Fitting, 4));
+    trial.setup.lathe->tailstock.fitting = LatheFitting::None;
+    QVERIFY(trial.run("G0 X60 Z16\nG0 X22\nG1 X60 F60").empty());
   }
 
   // A table as text gives the same tools again, bodies included; what a line does not say follows from its body.
