@@ -193,6 +193,7 @@ void ReplayDock::prepare() {
   const auto part = work.part;
   emit partShown(nullptr);
   m_played.reset();
+  m_other.reset();
   m_replayed = part;
   m_line->setRecordings({});
   m_line->setEnabled(false);

@@ -77,8 +77,8 @@ class ProgramObstaclesTest : public QObject {
     QVERIFY(isContact(trial.run("G0 X14 Z-66\nG1 X10 F60\nG0 X14"), LathePart::Slide, LathePart::Chuck, 3));
   }
 
-  // The centre stands in the end of the bar; its quill is 30 mm behind, 20 mm in radius. The holder of the roughing tool
-  // has a corner 8 mm out and 15 mm beyond the tip.
+  // The centre stands in the end of the bar; its quill is 30 mm behind, 20 mm in radius. The holder of the roughing
+  // tool has a corner 8 mm out and 15 mm beyond the tip.
   void theHolderMeetsTheQuill() {
     BodyTrial trial(12.0, "right-roughing");
     trial.setup.lathe->tailstock.fitting = LatheFitting::Centre;
