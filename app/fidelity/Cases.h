@@ -61,6 +61,9 @@ std::vector<FidelityCase> turnSpacingCases();
 std::vector<FidelityCase> turnMethodCases();
 std::vector<FidelityCase> turnResolutionCases();
 
+// turn.step: a lathe whose lever is thrown, and whose tool a hand leads.
+std::vector<FidelityCase> turnStepCases();
+
 // view.block_faces: display blocks that are rebuilt after an edit of one face.
 FidelitySetting blockFacesSetting();
 std::vector<FidelityCase> blockFacesCases();

@@ -26,6 +26,7 @@ FidelityRegistry measuredSettings() {
   registry.add(turnSpacingSetting(), turnSpacingCases());
   registry.add(turnMethodSetting(), turnMethodCases());
   registry.add(turnResolutionSetting(), turnResolutionCases());
+  registry.add(turnStepSetting(), turnStepCases());
   registry.add(forceModelSetting(), forceModelCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());

@@ -99,6 +99,7 @@ void MainWindow::connectMessages() {
 }
 
 void MainWindow::connectTools() {
+  m_autosave.watch(*m_tools);
   connect(m_tools, &ToolHost::updated, this, &MainWindow::updateHints);
   connect(m_tools, &ToolHost::previewed, this, [this](const ToolPreview& preview) {
     if (m_shown) m_shown->ui.showPreview(preview);

@@ -51,4 +51,20 @@ FidelitySetting turnResolutionSetting() {
   return s;
 }
 
+FidelitySetting turnStepSetting() {
+  FidelitySetting s;
+  s.id = "turn.step";
+  s.label = translatable("Fidelity", "Step of the simulation of a lathe");
+  s.unit = "ms";
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 1.0;
+  s.largest = 32.0;
+  s.standard = 2.0;
+  s.presets = {24.0, 7.6, 1.3};
+  s.error = {translatable("Fidelity", "largest distance of the profile from the exact shape"), "mm"};
+  s.cost = {translatable("Fidelity", "CPU time of a second of cutting"), "ms"};
+  s.budget = FidelityBudget::None;  // a few hundredths of a core of its own
+  return s;
+}
+
 }  // namespace handwheel

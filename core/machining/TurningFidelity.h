@@ -16,4 +16,7 @@ FidelitySetting turnMethodSetting();
 // The setting turn.resolution: distance of the control points where these are moved, mm (TurningPass::resolution).
 FidelitySetting turnResolutionSetting();
 
+// The setting turn.step: length of a step of the lathe's simulation, ms. Levers and wheels take effect with the next.
+FidelitySetting turnStepSetting();
+
 }  // namespace handwheel

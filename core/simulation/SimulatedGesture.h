@@ -39,6 +39,8 @@ class SimulatedGesture {
   void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period);
   // Ends it, and gives the simulation after all that has arrived. restart() is to follow. Throws what a step throws.
   std::unique_ptr<Simulation> end();
+  // Looks at the simulation between two of its steps; the gesture goes on. Throws what a step throws.
+  void look(const std::function<void(Simulation&)>& at) { m_loop.look(at); }
   // Drops what was begun, and simulates from the present state on.
   void restart();
 

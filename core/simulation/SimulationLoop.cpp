@@ -58,6 +58,12 @@ void SimulationLoop::replace(std::unique_ptr<Simulation> simulation) {
   m_states.write(m_simulation->state());
 }
 
+void SimulationLoop::look(const std::function<void(Simulation&)>& at) {
+  rethrow();
+  const std::unique_lock lock = own();
+  at(*m_simulation);
+}
+
 void SimulationLoop::rethrow() const {
   if (m_hasFailed) std::rethrow_exception(m_failure);
 }

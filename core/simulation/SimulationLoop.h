@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -50,6 +51,8 @@ class SimulationLoop {
   std::unique_ptr<Simulation> take();
   // Runs another simulation from the next step on. state() is that of it already.
   void replace(std::unique_ptr<Simulation> simulation);
+  // Looks at the simulation between two of its steps, which goes on afterwards. Throws what a step has thrown.
+  void look(const std::function<void(Simulation&)>& at);
   // Throws what a step on the loop's thread has thrown, if one did: the simulation has ended with it.
   void rethrow() const;
 

@@ -9,6 +9,8 @@
 #include <QTest>
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
 
 using namespace handwheel;
 
@@ -139,7 +141,8 @@ class CalibrationTest : public QObject {
     for (const FidelityRegistry::Entry& entry : registry.entries()) {
       const std::string& unit = entry.setting.cost.unit;
       const std::string& id = entry.setting.id;
-      const bool isFree = id == "turn.method" || id == "turn.resolution" || id == "turn.force_model";
+      const std::set<std::string> free{"turn.method", "turn.resolution", "turn.step", "turn.force_model"};
+      const bool isFree = free.count(id) > 0;
       const bool isTime = (unit == "us" || unit == "us/s" || unit == "ms") && !isFree;
       QCOMPARE(std::count(entries.begin(), entries.end(), &entry), isTime ? 1 : 0);
     }

@@ -11,7 +11,8 @@
 #include "document/AtomicFile.h"
 #include "document/workpiece/PassesProgram.h"
 #include "machining/TurningFidelity.h"
-#include "machining/lathe/LatheSetup.h"
+#include "machining/lathe/LatheJson.h"
+#include "machining/program/BoreCuts.h"
 #include "machining/program/CycleProgram.h"
 
 #include <cmath>
@@ -21,10 +22,11 @@ namespace handwheel {
 namespace {
 
 struct ProgramRequest {
-  std::string from, output;
+  std::string from, output, tools;
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   std::optional<StockCylinder> stock;  // of cycles for a target
   CycleSettings cycles;
+  bool choosesDrill = false;
   PassProgram passes;
 };
 
@@ -38,6 +40,8 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
   request.from = arguments.operands[0];
   request.output = arguments.valueOf("output");
   if (request.output.empty()) return "The option -o P.ngc is missing.";
+  request.tools = arguments.valueOf("write-tools");
+  request.choosesDrill = arguments.has("drill") && arguments.valueOf("drill") == "auto";
   const std::string dialect = arguments.has("dialect") ? arguments.valueOf("dialect") : "linuxcnc";
   if (dialect != "linuxcnc" && dialect != "fanuc") return "--dialect is linuxcnc or fanuc.";
   request.dialect = dialect == "fanuc" ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
@@ -55,9 +59,10 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
                                   {"finish-feed", &c.finishFeed, 1e-3, 10.0},
                                   {"speed", &c.speed, 1.0, 5000.0},
                                   {"max-rpm", &c.mostSpindle, 1.0, kMostSpindle},
+                                  {"drill", &c.drill, 0.0, 100.0},
                                   {"spindle", &request.passes.spindle, 1.0, kMostSpindle}};
   for (const NumberOption& option : numbers) {
-    if (!arguments.has(option.name)) continue;
+    if (!arguments.has(option.name) || (option.value == &c.drill && request.choosesDrill)) continue;
     const bool isGood = readNumber(arguments.valueOf(option.name), *option.value) && *option.value >= option.least &&
                         *option.value <= option.largest;
     if (!isGood)
@@ -70,17 +75,24 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
 struct Written {
   std::string text, problem;
   std::optional<Error> error;
+  std::string tools = {};  // as a table
 };
 
 Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
   const Result<TargetProfile> target = readTarget(request.from, kinds, progress.part(0.0, 0.2));
   if (!target) return {{}, {}, target.error()};
   const TurnedProfile bar(*request.stock, turnSpacingSetting().standard);
-  const CycleTask task{*target, *request.stock, bar, target->upperEnd() - bar.length(),
-                       defaultLatheSetup(*request.stock).chuck.grip};
-  auto text = cycleProgram(task, request.dialect, request.cycles, progress.part(0.2, 1.0));
-  if (!text) return {{}, {}, text.error()};
-  return {std::move(text.value()), {}, {}};
+  const LatheSetup lathe = defaultLatheSetup(*request.stock);
+  const LatheTools tools = shippedLatheTools();
+  CycleTask task{*target, *request.stock, bar, target->upperEnd() - bar.length(), lathe.chuck.grip, tools};
+  task.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, nullptr};
+  CycleSettings cycles = request.cycles;
+  if (request.choosesDrill) cycles.drill = drillFor(*target, tools);
+  if (request.choosesDrill && cycles.drill == 0.0)
+    return {{}, "There is no bore in it that a drill fits, and a bar.", {}};
+  auto program = cycleProgram(task, request.dialect, cycles, progress.part(0.2, 1.0));
+  if (!program) return {{}, {}, program.error()};
+  return {std::move(program->text), {}, {}, toolTableText(program->tools)};
 }
 
 Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
@@ -90,7 +102,7 @@ Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, 
   if (!workpiece) return {{}, request.from + " is not a workpiece. With --stock cycles are made for a drawing.", {}};
   const auto program = passesProgram(*workpiece, request.dialect, request.passes);
   if (!program) return {{}, {}, program.error()};
-  return {program->text, {}, {}};
+  return {program->text, {}, {}, toolTableText(program->tools)};
 }
 
 int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
@@ -99,6 +111,10 @@ int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
     return failUsage(problem, "program");
   if (const std::string refusal = refusalOfData("-o", request.output, {request.from}, kinds); !refusal.empty())
     return refuse(refusal);
+  if (!request.tools.empty()) {
+    const std::string refusal = refusalOfData("--write-tools", request.tools, {request.from, request.output}, kinds);
+    if (!refusal.empty()) return refuse(refusal);
+  }
   Written written;
   runInterruptible("Writing", [&](CommandJob& job) {
     written = request.stock ? cyclesFor(request, kinds, job.progress()) : passesOfFile(request, kinds, job.progress());
@@ -109,34 +125,38 @@ int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   if (!written.problem.empty()) return refuse(written.problem);
   if (const Status saved = writeFileAtomically(request.output, written.text); !saved) return fail(saved.error());
+  if (!request.tools.empty()) {
+    if (const Status saved = writeFileAtomically(request.tools, written.tools); !saved) return fail(saved.error());
+  }
   return print("Wrote " + request.output + ".\n");
 }
 
 }  // namespace
 
 Command programCommand() {
-  return {
-      {"program",
-       "FROM",
-       "Writes a program for a lathe: the passes of a workpiece or, with --stock, cycles that rough and finish the\n"
-       "outside of a target (.dxf, .svg or a workpiece). The cycles are simulated first, and refused where they\n"
-       "collide or cut into the target. The right end of the part is Z 0; X is a diameter.",
-       {
-           {"output", 'o', "P.ngc", "The program to write"},
-           {"dialect", 0, "NAME", "linuxcnc (default) or fanuc, system A"},
-           {"stock", 0, "cylinder:DxL", "The bar that the target is made of"},
-           {"depth", 0, "MM", "Of a roughing cut, on the radius (default 1.5)"},
-           {"allowance", 0, "MM", "Left for finishing (default 0.3)"},
-           {"nose", 0, "MM", "Nose radius of the tools of cycles (default 0.4)"},
-           {"rough-feed", 0, "MM", "Per revolution (default 0.25)"},
-           {"finish-feed", 0, "MM", "Per revolution (default 0.08)"},
-           {"speed", 0, "M/MIN", "Of the surface, in cycles (default 150)"},
-           {"max-rpm", 0, "RPM", "Greatest speed of the spindle in cycles (default 2000)"},
-           {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default 500)"},
-           {"help", 'h', "", "Show this help"},
-       },
-       "FROM -o P.ngc [--dialect NAME] [--stock cylinder:DxL [--depth MM] [--nose MM] ...]"},
-      runProgramCommand};
+  return {{"program",
+           "FROM",
+           "Writes a program for a lathe: the passes of a workpiece or, with --stock, cycles that rough and finish a\n"
+           "target (.dxf, .svg or a workpiece). The cycles are simulated first, and refused where they\n"
+           "collide or cut into the target. The right end of the part is Z 0; X is a diameter.",
+           {
+               {"output", 'o', "P.ngc", "The program to write"},
+               {"dialect", 0, "NAME", "linuxcnc (default) or fanuc, system A"},
+               {"stock", 0, "cylinder:DxL", "The bar that the target is made of"},
+               {"depth", 0, "MM", "Of a roughing cut, on the radius (default 1.5)"},
+               {"allowance", 0, "MM", "Left for finishing (default 0.3)"},
+               {"nose", 0, "MM", "Nose radius of the tools of cycles (default 0.4)"},
+               {"rough-feed", 0, "MM", "Per revolution (default 0.25)"},
+               {"finish-feed", 0, "MM", "Per revolution (default 0.08)"},
+               {"speed", 0, "M/MIN", "Of the surface, in cycles (default 150)"},
+               {"max-rpm", 0, "RPM", "Greatest speed of the spindle in cycles (default 2000)"},
+               {"drill", 0, "MM|auto", "Also drill and bore a bore that goes through, from a hole of this diameter"},
+               {"write-tools", 0, "P.tbl", "Also write the tools of the program, for turn --tools"},
+               {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default 500)"},
+               {"help", 'h', "", "Show this help"},
+           },
+           "FROM -o P.ngc [--dialect NAME] [--stock cylinder:DxL [--depth MM] [--nose MM] ...]"},
+          runProgramCommand};
 }
 
 }  // namespace handwheel

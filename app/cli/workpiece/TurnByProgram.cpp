@@ -3,21 +3,21 @@
 #include "cli/workpiece/TurnByProgram.h"
 
 #include "document/FileBytes.h"
-#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/ProgramTrial.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/lathe/LatheJson.h"
 
 namespace handwheel {
 
 namespace {
 
 Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot& workpiece) {
-  const double grip = latheOf(workpiece).chuck.grip;
-  ProgramSetup setup = usualSetup(request.dialect, workpiece.stock, grip, request.noseRadius.value_or(0.0));
+  const LatheTools bodies = shippedLatheTools();
+  ProgramSetup setup = programSetupFor(workpiece, bodies, request.dialect, request.noseRadius.value_or(0.0));
   if (request.tools.empty()) return setup;
   const Result<std::string> text = readFileBytes(request.tools);
   if (!text) return text.error();
-  Result<std::map<int, ProgramTool>> tools = readToolTable(*text);
+  Result<ProgramTools> tools = readToolTable(*text, bodies, request.dialect);
   if (!tools) {
     Error error = tools.error();
     error.subject = request.tools.string();
@@ -27,8 +27,10 @@ Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot
   return setup;
 }
 
-const char* collisionSentence(ProgramCollision::Kind kind) {
-  switch (kind) {
+std::string collisionSentence(const ProgramCollision& collision) {
+  switch (collision.kind) {
+    case ProgramCollision::Kind::Contact:
+      return std::string("collision: ") + titleOf(collision.moving) + " meets " + titleOf(collision.struck) + ".";
     case ProgramCollision::Kind::Chuck:
       return "collision with the chuck.";
     case ProgramCollision::Kind::SpindleAtRest:
@@ -71,8 +73,9 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   for (const ToolPath::Note& note : tried.notes())
     remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
   for (const ProgramCollision& collision : tried.collisions())
-    remarks.push_back("line " + std::to_string(collision.line) + ": " + collisionSentence(collision.kind));
+    remarks.push_back("line " + std::to_string(collision.line) + ": " + collisionSentence(collision));
   if (tried.part()) workpiece.part = tried.part();
+  addCrashes(workpiece, tried.crashes());
   return workpiece;
 }
 

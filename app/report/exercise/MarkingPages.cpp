@@ -12,6 +12,7 @@
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
+#include <algorithm>
 #include <functional>
 
 namespace handwheel {
@@ -82,11 +83,14 @@ std::string classTable(const ClassReport& report) {
   return html + "</ol>\n";
 }
 
+std::string nameOf(const ReportedWork& work) {
+  return work.row.attempt.student.empty() ? work.row.file : work.row.attempt.student;
+}
+
 std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
                         const ImageElement& image) {
   const ClassRow& row = work.row;
-  const std::string heading = row.attempt.student.empty() ? row.file : row.attempt.student;
-  std::string html = "<h2>" + escaped(heading) + "</h2>\n<p>File: " + escaped(row.file);
+  std::string html = "<h2>" + escaped(nameOf(work)) + "</h2>\n<p>File: " + escaped(row.file);
   if (row.attempt.isHandedIn()) html += "<br/>Handed in: " + escaped(row.attempt.handedIn);
   html += "</p>\n";
   for (const std::string& remark : row.remarks) html += "<p><b>" + escaped(remark) + "</b></p>\n";
@@ -116,6 +120,34 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
   return html;
 }
 
+// Two works over the same time: each curve of the one with that of the other, and what happened when.
+std::string sideBySide(const ReportedWork& first, const ReportedWork& second, const ImageElement& image) {
+  std::string html = "<h2>Side by side: " + escaped(nameOf(first)) + ", " + escaped(nameOf(second)) + "</h2>\n";
+  html += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n" +
+          cellsOf({"", nameOf(first), nameOf(second)}, "th") +
+          cellsOf({"Points", pointsText(first.row.marking), pointsText(second.row.marking)}, "td") +
+          cellsOf({"Recorded", minutesText(first.details.seconds), minutesText(second.details.seconds)}, "td") +
+          cellsOf({"Events", std::to_string(first.details.events.size()), std::to_string(second.details.events.size())},
+                  "td") +
+          "</table>\n";
+  int number = 0;
+  for (const ReportCurve& curve : first.details.curves) {
+    const auto& others = second.details.curves;
+    const auto other = std::find_if(others.begin(), others.end(), [&](const ReportCurve& each) {
+      return each.title == curve.title && each.xUnit == curve.xUnit && each.yUnit == curve.yUnit;
+    });
+    if (curve.xUnit != "s" || other == others.end() || curve.series.empty() || other->series.empty()) continue;
+    ReportCurve both = curve;
+    both.series = {curve.series.front(), other->series.front()};
+    both.series[0].name = nameOf(first);
+    both.series[1].name = nameOf(second);
+    const Plot plot = plotOf(both);
+    const QImage drawn = plotImage({&plot, 1}, {kPlotWidth, kPlotHeight}, ThemeKind::Light, kSharpness);
+    html += "<p>" + image(drawn, "both-" + std::to_string(number++)) + "</p>\n";
+  }
+  return html;
+}
+
 // The lines of a text, as they are.
 std::string linesOf(const std::string& text) {
   std::string html = escaped(text);
@@ -128,6 +160,9 @@ std::string bodyOf(const ClassReport& report, const ImageElement& image, Progres
   std::string html = "<h1>" + escaped(report.exercise.title) + "</h1>\n";
   if (!report.exercise.text.empty()) html += "<p>" + linesOf(report.exercise.text) + "</p>\n";
   if (report.works.size() > 1) html += classTable(report);
+  const bool areTwo =
+      report.works.size() == 2 && report.works[0].row.problem.empty() && report.works[1].row.problem.empty();
+  if (areTwo) html += sideBySide(report.works[0], report.works[1], image);
   for (std::size_t i = 0; i < report.works.size() && !progress.cancelled(); ++i) {
     html += workSection(report, report.works[i], "work" + std::to_string(i), image);
     progress.set(static_cast<double>(i + 1) / static_cast<double>(report.works.size()));

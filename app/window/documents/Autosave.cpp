@@ -5,10 +5,12 @@
 #include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
+#include "tools/WorkUnderWay.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileLoader.h"
+#include "window/tools/ToolHost.h"
 
 #include <QFile>
 
@@ -55,14 +57,39 @@ void Autosave::changed() {
   if (!m_timer.isActive()) m_timer.start();
 }
 
+void Autosave::watch(ToolHost& tools) {
+  m_tools = &tools;
+  connect(&tools, &ToolHost::updated, this, [this] {
+    if (work() && m_tools->runner().tool()->isLive()) changed();
+  });
+}
+
+// Of the tool that runs; null: it has none.
+WorkUnderWay* Autosave::work() const {
+  if (!m_tools) return nullptr;
+  return const_cast<WorkUnderWay*>(dynamic_cast<const WorkUnderWay*>(m_tools->runner().tool()));
+}
+
+// Null: nothing is under way in this document.
+SnapshotPointer Autosave::workOn(const DocumentTab& document) const {
+  WorkUnderWay* const under = work();
+  if (!under || m_tools->runner().document() != &document.document) return nullptr;
+  SnapshotPointer value;
+  m_tools->runner().deliver([&] { value = under->withWork(); });
+  return value;
+}
+
 void Autosave::saveAll() {
   m_need = ServiceHandle();
   for (const auto& each : m_tabs.all()) {
-    if (each->document.isModified() && each->autosaved != each->document.revision()) save(each.get());
+    const SnapshotPointer value = workOn(*each);
+    const bool isOther = each->document.isModified() && each->autosaved != each->document.revision();
+    if (value || isOther) save(each.get(), value ? value : each->document.snapshot());
   }
+  if (work() && m_tools->runner().tool()->isLive()) changed();  // what goes on
 }
 
-void Autosave::save(DocumentTab* document) {
+void Autosave::save(DocumentTab* document, SnapshotPointer content) {
   const std::uint64_t revision = document->document.revision(), key = m_keys[document];
   AutosaveInfo info;
   info.documentId = document->document.file().id;
@@ -78,7 +105,7 @@ void Autosave::save(DocumentTab* document) {
   job.failed = failed;
   job.work = [this, document, failed, key, info, session = m_session, &service = m_services.autosave(),
               &kind = document->document.kind(), file = document->document.file(),
-              content = document->document.snapshot()](Progress progress) -> Job::Finish {
+              content = std::move(content)](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     const Result<std::string> bytes = containerBytes(kind, file, *content, info.path, Compression::None, progress);
     const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());

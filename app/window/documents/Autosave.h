@@ -5,6 +5,7 @@
 #include "base/Service.h"
 #include "document/OrphanedAutosaves.h"
 #include "document/Recovery.h"
+#include "document/Snapshot.h"
 #include "panels/MessageBar.h"
 #include "window/JobRunner.h"
 
@@ -20,11 +21,14 @@ namespace handwheel {
 class DocumentTabs;
 class FileLoader;
 class LogModel;
+class ToolHost;
 class WindowServices;
+class WorkUnderWay;
 struct DocumentTab;
 
 // Saves modified documents to the recovery folder at intervals. The file is removed when its document is saved or
-// closed. The files of a session that was killed are offered at the next start, until they are recovered or discarded.
+// closed. What a tool has under way is saved with its document. The files of a session that was killed are offered at
+// the next start, until they are recovered or discarded.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -32,6 +36,8 @@ class Autosave : public QObject {
   Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
 
   void setInterval(int seconds);  // 0: never
+  // Saves what the tools of a window have under way, too.
+  void watch(ToolHost& tools);
   void offerRecovery();
 
  signals:
@@ -41,7 +47,9 @@ class Autosave : public QObject {
   void follow(DocumentTab* document);
   void changed();
   void saveAll();
-  void save(DocumentTab* document);
+  WorkUnderWay* work() const;
+  SnapshotPointer workOn(const DocumentTab& document) const;
+  void save(DocumentTab* document, SnapshotPointer content);
   void reportFailure(DocumentTab* document, const QString& name, const Error& error);
   void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans);
   void offer(const std::shared_ptr<const OrphanedAutosaves>& orphans);
@@ -53,6 +61,7 @@ class Autosave : public QObject {
   FileLoader& m_loader;
   LogModel& m_log;
   WindowServices& m_services;
+  ToolHost* m_tools = nullptr;
   QThreadPool m_pool;  // its own, so that long jobs do not delay it
   JobRunner m_jobs;
   QTimer m_timer;        // started by the first change after an autosave

@@ -83,6 +83,8 @@ ClassView::ClassView(QWidget* parent)
   mark->setToolTip(tr("Mark files that students have handed in"));
   m_writeReport = button(tr("&Report…"), "classReport");
   m_writeTable = button(tr("&Table…"), "classTable");
+  m_compare = button(tr("&Compare…"), "classCompare");
+  m_compare->setToolTip(tr("Write a report of the two selected works side by side (Ctrl+click selects a second one)"));
   m_table->setObjectName(QStringLiteral("classRows"));
   m_table->setAccessibleName(tr("Submissions"));
   column->addLayout(buttons);
@@ -91,6 +93,7 @@ ClassView::ClassView(QWidget* parent)
   connect(mark, &QPushButton::clicked, this, &ClassView::markingRequested);
   connect(m_writeReport, &QPushButton::clicked, this, &ClassView::reportRequested);
   connect(m_writeTable, &QPushButton::clicked, this, &ClassView::tableRequested);
+  connect(m_compare, &QPushButton::clicked, this, &ClassView::comparisonRequested);
   connect(m_table, &ResultTable::rowActivated, this, &ClassView::openRequested);
   connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ClassView::showRecordings);
   setReport({});
@@ -123,15 +126,26 @@ ClassReport ClassView::shownReport() const {
   return shown;
 }
 
-void ClassView::showRecordings() {
+std::vector<std::size_t> ClassView::selected() const {
   const auto* model = static_cast<const ResultModel*>(m_table->model());
-  std::vector<TimeLineRecording> recordings;
+  std::vector<std::size_t> works;
   for (const QModelIndex& row : m_table->selectionModel()->selectedRows()) {
     const std::size_t source = model->source(row.row());
-    if (source >= m_report.works.size()) continue;
-    const ReportedWork& work = m_report.works[source];
-    if (work.row.problem.empty()) recordings.push_back(recordingOf(work));
+    if (source < m_report.works.size() && m_report.works[source].row.problem.empty()) works.push_back(source);
   }
+  return works;
+}
+
+ClassReport ClassView::comparedReport() const {
+  ClassReport compared{m_report.exercise, m_report.figures, {}};
+  for (const std::size_t work : selected()) compared.works.push_back(m_report.works[work]);
+  return compared;
+}
+
+void ClassView::showRecordings() {
+  std::vector<TimeLineRecording> recordings;
+  for (const std::size_t work : selected()) recordings.push_back(recordingOf(m_report.works[work]));
+  m_compare->setEnabled(recordings.size() == 2);
   m_recordings->setVisible(!recordings.empty());
   m_recordings->setRecordings(std::move(recordings));
 }

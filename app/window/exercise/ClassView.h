@@ -24,20 +24,25 @@ class ClassView : public QWidget {
   void setReport(ClassReport report);
   // The report with the works in the order in which the table shows them.
   ClassReport shownReport() const;
+  // The same with the two selected works alone.
+  ClassReport comparedReport() const;
 
  signals:
   void markingRequested();
   void reportRequested();
+  void comparisonRequested();
   void tableRequested();
   void openRequested(std::size_t work);  // of the report
 
  private:
   void showRecordings();
+  std::vector<std::size_t> selected() const;  // works that were marked, of the report
 
   ClassReport m_report;
   ResultTable* m_table;
   QPushButton* m_writeReport;
   QPushButton* m_writeTable;
+  QPushButton* m_compare;
   TimeLinePanel* m_recordings;
 };
 

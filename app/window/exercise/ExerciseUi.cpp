@@ -38,8 +38,9 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
   connect(m_student, &ExerciseLesson::begun, m_begin, &QAction::trigger);
   ClassView* const table = m_editor->classView();
   connect(table, &ClassView::markingRequested, m_mark, &QAction::trigger);
-  connect(table, &ClassView::reportRequested, this, [this] { writeClass(false); });
-  connect(table, &ClassView::tableRequested, this, [this] { writeClass(true); });
+  connect(table, &ClassView::reportRequested, this, [this] { writeClass(ClassFile::Report); });
+  connect(table, &ClassView::tableRequested, this, [this] { writeClass(ClassFile::Table); });
+  connect(table, &ClassView::comparisonRequested, this, [this] { writeClass(ClassFile::Comparison); });
   connect(table, &ClassView::openRequested, this, [this](std::size_t work) {
     const QStringList paths = m_classes[document()].paths;
     if (const auto i = static_cast<qsizetype>(work); i < paths.size()) parts().openFile(paths[i]);

@@ -55,8 +55,9 @@ class ExerciseUi : public RigidPartsUi {
   void mark(const QStringList& paths);
   void chooseFile(const QString& title, const QString& filter, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);
-  void writeClass(bool asTable);
-  void startWriting(bool asTable, const QString& path);
+  enum class ClassFile { Report, Table, Comparison };
+  void writeClass(ClassFile what);
+  void startWriting(ClassFile what, const QString& path);
   void report(const QString& title, const Error& error);
 
   QStackedWidget* m_pages;

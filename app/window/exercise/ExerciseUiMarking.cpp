@@ -72,7 +72,7 @@ void ExerciseUi::chooseFile(const QString& title, const QString& filter, const Q
 }
 
 // Plots and pages of a class take seconds.
-void ExerciseUi::startWriting(bool asTable, const QString& path) {
+void ExerciseUi::startWriting(ClassFile what, const QString& path) {
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(path).fileName());
   job.owner = document();
@@ -81,8 +81,10 @@ void ExerciseUi::startWriting(bool asTable, const QString& path) {
     if (error.code != ErrorCode::Cancelled) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
   };
   job.failed = failed;
-  job.work = [this, asTable, path, failed,
-              marked = m_editor->classView()->shownReport()](Progress progress) -> Job::Finish {
+  const ClassView& view = *m_editor->classView();
+  job.work = [this, asTable = what == ClassFile::Table, path, failed,
+              marked = what == ClassFile::Comparison ? view.comparedReport()
+                                                     : view.shownReport()](Progress progress) -> Job::Finish {
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     ClassTable table(marked.exercise);
     for (const ReportedWork& work : marked.works) table.add(work.row);
@@ -94,13 +96,13 @@ void ExerciseUi::startWriting(bool asTable, const QString& path) {
   parts().jobs.start(std::move(job));
 }
 
-void ExerciseUi::writeClass(bool asTable) {
-  const auto write = [this, asTable](const QString& path) { startWriting(asTable, path); };
-  if (asTable) {
+void ExerciseUi::writeClass(ClassFile what) {
+  const auto write = [this, what](const QString& path) { startWriting(what, path); };
+  if (what == ClassFile::Table) {
     chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), QStringLiteral("csv"), write);
   } else {
-    chooseFile(tr("Save the report"), tr("Report (%1)").arg(QStringLiteral("*.html *.pdf")), QStringLiteral("html"),
-               write);
+    chooseFile(what == ClassFile::Report ? tr("Save the report") : tr("Save the comparison"),
+               tr("Report (%1)").arg(QStringLiteral("*.html *.pdf")), QStringLiteral("html"), write);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "tools/workpiece/TurnTool.h"
 #include "viewport/Viewport.h"
 #include "window/WindowServices.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolHost.h"
@@ -48,9 +49,13 @@ LatheView::~LatheView() {
   m_window.spaceMouse.setTaker({});
 }
 
-std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double spacing, ForceLaw law) {
+std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
-  return std::make_unique<ManualLatheTool>(document, services, spacing, shippedLatheTools(), law);
+  const FidelityValues& values = m_window.fidelity.values();
+  const ManualLatheTool::Start start{values.of(turnSpacingSetting()),
+                                     static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))),
+                                     values.of(turnStepSetting())};
+  return std::make_unique<ManualLatheTool>(document, services, shippedLatheTools(), start);
 }
 
 // As a turner stands before it: the axis from left to right, the chuck on the left, the tool on this side. Who has

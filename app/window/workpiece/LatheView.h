@@ -28,7 +28,7 @@ class LatheView : public QObject {
   ~LatheView() override;
 
   // The tool for a document; called when the user chooses it.
-  std::unique_ptr<Tool> make(WorkpieceDocument& document, double spacing, ForceLaw law);
+  std::unique_ptr<Tool> make(WorkpieceDocument& document);
   // Whether the tool of the lathe runs.
   bool isOn() const { return tool() != nullptr; }
 

@@ -7,7 +7,9 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/lathe/LatheJson.h"
 #include "panels/DockTitle.h"
+#include "panels/MessageBar.h"
 #include "panels/time/TimeLinePanel.h"
+#include "text/ErrorText.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
@@ -15,8 +17,13 @@
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -58,14 +65,20 @@ void ReplayDock::makeDock() {
   m_text->setTextFormat(Qt::PlainText);
   m_line = new TimeLinePanel(page);
   m_line->setObjectName(QStringLiteral("replayTimeLine"));
+  m_compare = new QPushButton(page);
+  m_compare->setObjectName(QStringLiteral("replayCompare"));
+  auto* const row = new QHBoxLayout;
+  row->addWidget(m_text, 1);
+  row->addWidget(m_compare);
   auto* const column = new QVBoxLayout(page);
-  column->addWidget(m_text);
+  column->addLayout(row);
   column->addWidget(m_line, 1);
   m_dock->setWidget(page);
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   if (auto* lathe = window->findChild<QDockWidget*>(QStringLiteral("latheDock")))
     window->tabifyDockWidget(lathe, m_dock);
   connect(m_line, &TimeLinePanel::timeChanged, this, &ReplayDock::show);
+  connect(m_compare, &QPushButton::clicked, this, [this] { m_other ? dropOther() : askForOther(); });
   connect(m_dock, &QDockWidget::visibilityChanged, this, [this] {
     m_toggle.setChecked(!m_dock->isHidden());
     if (m_isOpen && m_document && m_dock->isHidden()) open(false);
@@ -76,7 +89,8 @@ void ReplayDock::setDocument(DocumentTab* document) {
   open(false);
   if (m_document) m_document->document.disconnect(this);
   m_document = document;
-  m_replay.reset();
+  m_played.reset();
+  m_other.reset();
   m_replayed.reset();
   if (!document) return;
   connect(&document->document, &Document::changed, this, [this] {
@@ -105,37 +119,106 @@ void ReplayDock::followTool() {
   if (!std::exchange(m_wasLive, isLive) && isLive && m_isOpen) open(false);
 }
 
+namespace {
+
+// The recording of a workpiece; none: nothing was cut, or it was cancelled.
+std::shared_ptr<const ReplayTrack> trackOf(const WorkpieceSnapshot& work, Progress progress) {
+  auto track = work.part ? replayTrack(work, progress) : std::nullopt;
+  return track ? std::make_shared<const ReplayTrack>(std::move(*track)) : nullptr;
+}
+
+QString crashText(const LatheCollision& crash) {
+  const auto words = [](const char* text) { return QCoreApplication::translate("LathePart", text); };
+  if (crash.cause != CrashCause::Contact) return words(sentenceOf(crash.cause));
+  return ReplayDock::tr("Crash: %1, %2").arg(words(titleOf(crash.moving)), words(titleOf(crash.struck)));
+}
+
+// Where the tool was, and how far it had gone by then.
+void addPath(TimeLineRecording& recording, const PassesReplay& replay) {
+  TimeLineCurve across{ReplayDock::tr("Distance from the axis"), ReplayDock::tr("mm"), {}};
+  TimeLineCurve along{ReplayDock::tr("Z"), ReplayDock::tr("mm"), {}};
+  double way = 0.0;
+  for (std::size_t i = 0; i < replay.passes().size(); ++i) {
+    const TurningPass& pass = *replay.passes()[i];
+    recording.markers.push_back({replay.begin(i), ReplayDock::tr("Pass %1: %2").arg(i + 1).arg(toolText(pass)),
+                                 TimeLineMarker::Severity::Note});
+    for (std::size_t k = 0; k < std::min(pass.path.size(), pass.times.size()); ++k) {
+      const double seconds = replay.begin(i) + pass.times[k];
+      if (k > 0) way += (pass.path[k] - pass.path[k - 1]).norm();
+      across.points.emplace_back(seconds, pass.path[k].x());
+      along.points.emplace_back(seconds, pass.path[k].y());
+      recording.distance.emplace_back(seconds, way);
+    }
+  }
+  recording.curves = {std::move(across), std::move(along)};
+}
+
+TimeLineRecording recordingOf(const QString& name, const ReplayTrack& track) {
+  constexpr std::size_t kMostPoints = 2000;
+  TimeLineRecording recording;
+  recording.name = name;
+  recording.duration = track.replay->duration();
+  TimeLineCurve force{ReplayDock::tr("Cutting force"), ReplayDock::tr("N"), {}};
+  TimeLineCurve power{ReplayDock::tr("Power"), ReplayDock::tr("kW"), {}};
+  for (const CutLoad& load : track.loads) {
+    force.points.emplace_back(load.time, load.force);
+    power.points.emplace_back(load.time, load.power);
+  }
+  addPath(recording, *track.replay);
+  recording.curves.insert(recording.curves.begin(), {std::move(force), std::move(power)});
+  if (track.deviation) {
+    TimeLineCurve left{ReplayDock::tr("Material left over the target"), ReplayDock::tr("mm"), {}};
+    TimeLineCurve deep{ReplayDock::tr("Cut too deep"), ReplayDock::tr("mm"), {}};
+    for (const auto& [seconds, mm] : track.deviation->left) left.points.emplace_back(seconds, mm);
+    for (const auto& [seconds, mm] : track.deviation->deep) deep.points.emplace_back(seconds, mm);
+    recording.curves.push_back(std::move(left));
+    recording.curves.push_back(std::move(deep));
+  }
+  for (TimeLineCurve& curve : recording.curves) curve.points = thinnedCurve(curve.points, kMostPoints);
+  for (const ReplayTrack::Crash& crash : track.crashes)
+    recording.markers.push_back({crash.seconds, crashText(crash.collision), TimeLineMarker::Severity::Error});
+  std::stable_sort(recording.markers.begin(), recording.markers.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
+  return recording;
+}
+
+DisplayModel modelAt(const WorkpieceSnapshot& work, const PassesReplay::Moment& moment) {
+  return displayOf(TurnedSurface(moment.profile, work.chord, moment.threads), work.stock.position);
+}
+
+}  // namespace
+
 void ReplayDock::prepare() {
   const WorkpieceSnapshot& work = workpiece().workpiece();
   const auto part = work.part;
   emit partShown(nullptr);
-  m_replay.reset();
+  m_played.reset();
+  m_other.reset();
   m_replayed = part;
   m_line->setRecordings({});
   m_line->setEnabled(false);
+  m_compare->setEnabled(false);
+  m_compare->setText(tr("&Compare with…"));
   m_text->setText(part ? QString() : tr("Nothing was cut yet. What you cut can be played here."));
   if (!part) return;
-  const TurnedProfile bar(work.stock, part->profile.spacing());
   Job job;
   job.name = tr("Preparing the replay");
   job.owner = this;
-  job.work = [this, bar, part](Progress progress) -> Job::Finish {
-    auto made = PassesReplay::make(bar, part->passes, progress);
-    auto replay = made ? std::make_shared<const PassesReplay>(std::move(*made)) : nullptr;
-    return [this, part, replay] {
-      if (replay && m_isOpen && m_document && workpiece().workpiece().part == part) begin(replay);
+  job.work = [this, work, name = m_document->document.name()](Progress progress) -> Job::Finish {
+    const Played played{name, work, trackOf(work, progress)};
+    return [this, played] {
+      if (played.track && m_isOpen && m_document && workpiece().workpiece().part == played.work.part) begin(played);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-void ReplayDock::begin(const std::shared_ptr<const PassesReplay>& replay) {
-  m_replay = replay;
-  const WorkpieceSnapshot& work = workpiece().workpiece();
-  LatheSetup setup = latheOf(work);
+void ReplayDock::begin(const Played& played) {
+  m_played = played;
+  LatheSetup setup = latheOf(played.work);
   LatheTools tools = shippedLatheTools();
   setup.stations.clear();
-  for (const auto& pass : replay->passes()) {
+  for (const auto& pass : played.track->replay->passes()) {
     if (!pass->tool) continue;
     std::erase_if(tools, [&](const auto& each) { return each->id == pass->tool->id; });
     tools.push_back(pass->tool);
@@ -143,45 +226,77 @@ void ReplayDock::begin(const std::shared_ptr<const PassesReplay>& replay) {
                      [&](const LatheSlot& slot) { return slot.tool == pass->tool->id; }))
       setup.stations.push_back({pass->tool->id});
   }
-  m_lathe = std::make_unique<LatheDisplay>(setup, tools, 0.5 * work.stock.diameter, work.stock.position);
+  const StockCylinder& stock = played.work.stock;
+  m_lathe = std::make_unique<LatheDisplay>(setup, tools, 0.5 * stock.diameter, stock.position);
   m_line->setEnabled(true);
-  m_line->setRecordings({recordingOf(*replay)});
-  m_line->setTime(replay->duration());
-  show(replay->duration());
+  m_compare->setEnabled(true);
+  showRecordings();
 }
 
-TimeLineRecording ReplayDock::recordingOf(const PassesReplay& replay) const {
-  constexpr std::size_t kMostPoints = 2000;
-  TimeLineRecording recording;
-  recording.name = m_document->document.name();
-  recording.duration = replay.duration();
-  TimeLineCurve across{tr("Distance from the axis"), tr("mm"), {}}, along{tr("Z"), tr("mm"), {}};
-  for (std::size_t i = 0; i < replay.passes().size(); ++i) {
-    const TurningPass& pass = *replay.passes()[i];
-    recording.markers.push_back(
-        {replay.begin(i), tr("Pass %1: %2").arg(i + 1).arg(toolText(pass)), TimeLineMarker::Severity::Note});
-    for (std::size_t k = 0; k < std::min(pass.path.size(), pass.times.size()); ++k) {
-      across.points.emplace_back(replay.begin(i) + pass.times[k], pass.path[k].x());
-      along.points.emplace_back(replay.begin(i) + pass.times[k], pass.path[k].y());
-    }
-  }
-  for (TimeLineCurve* const curve : {&across, &along}) {
-    curve->points = thinnedCurve(curve->points, kMostPoints);
-    recording.curves.push_back(std::move(*curve));
-  }
-  return recording;
+void ReplayDock::askForOther() {
+  auto* dialog = new QFileDialog(m_parts.window, tr("Compare with"), QFileInfo(m_document->document.path()).path(),
+                                 tr("Workpieces (%1)").arg(QStringLiteral("*.handwheel")));
+  dialog->setObjectName(QStringLiteral("replayCompareDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &ReplayDock::compareWith);
+  dialog->open();
+}
+
+void ReplayDock::compareWith(const QString& path) {
+  if (!m_played) return;
+  const QString name = QFileInfo(path).fileName();
+  Job job;
+  job.name = tr("Preparing the replay");
+  job.owner = this;
+  const auto failed = [this, name](const QString& reason) {
+    emit message({Message::Weight::Error, tr("%1 cannot be compared").arg(name), reason});
+  };
+  job.work = [this, path, name, failed, &kinds = m_parts.kinds, first = m_replayed](Progress progress) -> Job::Finish {
+    const Result<OpenedFile> opened = kinds.open(QFile::encodeName(path).toStdString(), {}, progress.part(0.0, 0.3));
+    if (!opened) return [failed, reason = errorSentence(opened.error())] { failed(reason); };
+    const auto* const work = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
+    if (!work || !work->part) return [failed] { failed(tr("It is no workpiece that something was cut from.")); };
+    const Played other{name, *work, trackOf(*work, progress.part(0.3, 1.0))};
+    return [this, other, first] {
+      if (other.track && m_isOpen && m_played && m_replayed == first) beginOther(other);
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void ReplayDock::beginOther(const Played& other) {
+  m_other = other;
+  m_compare->setText(tr("&Leave %1").arg(other.name));
+  showRecordings();
+}
+
+void ReplayDock::dropOther() {
+  m_other.reset();
+  m_compare->setText(tr("&Compare with…"));
+  showRecordings();
+}
+
+// From the end, where the work is done.
+void ReplayDock::showRecordings() {
+  std::vector<TimeLineRecording> recordings{recordingOf(m_played->name, *m_played->track)};
+  if (m_other) recordings.push_back(recordingOf(m_other->name, *m_other->track));
+  m_line->setRecordings(std::move(recordings));
+  const double end = m_played->track->replay->duration();
+  m_line->setTime(end);
+  show(end);
 }
 
 void ReplayDock::show(double seconds) {
-  if (!m_replay || !m_isOpen) return;
-  const WorkpieceSnapshot& work = workpiece().workpiece();
-  const PassesReplay::Moment moment = m_replay->at(seconds);
-  const TurnedSurface surface(moment.profile, work.chord, moment.threads);
-  auto model = std::make_shared<DisplayModel>(displayOf(surface, work.stock.position));
+  if (!m_played || !m_isOpen) return;
+  const WorkpieceSnapshot& work = m_played->work;
+  const PassesReplay& replay = *m_played->track->replay;
+  const PassesReplay::Moment moment = replay.at(seconds);
+  auto model = std::make_shared<DisplayModel>(modelAt(work, moment));
   if (moment.pass) {
     m_text->setText(tr("Pass %1 of %2: %3, at R %4 mm, Z %5 mm")
                         .arg(moment.number + 1)
-                        .arg(m_replay->passes().size())
+                        .arg(replay.passes().size())
                         .arg(toolText(*moment.pass), QLocale().toString(moment.place.x(), 'f', 2),
                              QLocale().toString(moment.place.y(), 'f', 2)));
     const LatheTool* const tool = moment.pass->tool.get();
@@ -189,6 +304,17 @@ void ReplayDock::show(double seconds) {
     const std::vector<DisplayPart> parts = m_lathe->parts(0.0, moment.place, isDrill ? nullptr : tool,
                                                           isDrill ? moment.place.y() : latheOf(work).tailstock.place);
     model->parts.insert(model->parts.end(), parts.begin(), parts.end());
+  }
+  if (m_other) {
+    // Below the first, as one stands at the lathe: up is against y.
+    const double beside =
+        0.75 * (work.stock.diameter + m_other->work.stock.diameter) + latheOf(work).chuck.diameter / 2;
+    for (DisplayPart& part : modelAt(m_other->work, m_other->track->replay->at(m_line->timeOf(1))).parts) {
+      part.name = "other." + part.name;
+      part.group = "other";
+      part.pose.translation() += Vec3(0.0, beside, work.stock.position - m_other->work.stock.position);
+      model->parts.push_back(std::move(part));
+    }
   }
   emit partShown(model);
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/workpiece/LatheDisplay.h"
-#include "machining/PassesReplay.h"
+#include "document/workpiece/ReplayTrack.h"
 #include "window/kinds/KindUi.h"
 
 #include <QAction>
@@ -12,16 +12,17 @@
 
 class QDockWidget;
 class QLabel;
+class QPushButton;
 
 namespace handwheel {
 
 class TimeLinePanel;
 class WorkpieceDocument;
-struct TimeLineRecording;
 struct TurnedPart;
 
-// The dock “Replay”: plays and scrubs the passes that cut a part on a time line. As long as it is open the view shows
-// the part as it was; closed, or when a tool begins to work, it shows the present again. Window thread.
+// The dock “Replay”: plays and scrubs the passes that cut a part on a time line, with forces, deviation and crashes;
+// those of another workpiece, too, which the view shows below the first. As long as it is open the view shows the part
+// as it was; closed, or when a tool begins to work, it shows the present again. Window thread.
 class ReplayDock : public QObject {
   Q_OBJECT
 
@@ -32,6 +33,7 @@ class ReplayDock : public QObject {
   void setDocument(DocumentTab* document);
 
  signals:
+  void message(const handwheel::Message& message);
   // What the view is to show before all else; null: nothing.
   void partShown(const std::shared_ptr<const handwheel::DisplayModel>& part);
 
@@ -40,10 +42,20 @@ class ReplayDock : public QObject {
   void makeDock();
   void open(bool isOpen);
   void prepare();
-  void begin(const std::shared_ptr<const PassesReplay>& replay);
+  // A workpiece with its recording.
+  struct Played {
+    QString name;
+    WorkpieceSnapshot work;
+    std::shared_ptr<const ReplayTrack> track;
+  };
+  void begin(const Played& played);
+  void askForOther();
+  void compareWith(const QString& path);
+  void beginOther(const Played& other);
+  void dropOther();
+  void showRecordings();
   void show(double seconds);
   void followTool();
-  TimeLineRecording recordingOf(const PassesReplay& replay) const;
 
   WindowContext m_parts;
   QAction m_toggle;
@@ -53,9 +65,10 @@ class ReplayDock : public QObject {
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;
   DocumentTab* m_document = nullptr;
-  std::shared_ptr<const PassesReplay> m_replay;  // null: none is shown
-  std::shared_ptr<const TurnedPart> m_replayed;  // the part that m_replay is of
-  std::unique_ptr<LatheDisplay> m_lathe;         // with the tools of m_replay
+  QPointer<QPushButton> m_compare;
+  std::optional<Played> m_played, m_other;       // none: none is shown
+  std::shared_ptr<const TurnedPart> m_replayed;  // the part that m_played is, or will be, of
+  std::unique_ptr<LatheDisplay> m_lathe;         // with the tools of m_played
 };
 
 }  // namespace handwheel

@@ -83,7 +83,8 @@ TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
   }
   column->addWidget(measured);
   column->addWidget(m_dimensions, 1);
-  setLegend({}, LengthUnit::Millimetre);
+  m_ends->setWordWrap(true);
+  setLegend({}, {});
 }
 
 void TargetPanel::show(const PartMeasurement& measurement, const QString& target, LengthUnit unit) {
@@ -101,13 +102,16 @@ void TargetPanel::show(const PartMeasurement& measurement, const QString& target
     m_dimensions->addItem(dimensionText(feature, unit, locale));
 }
 
-void TargetPanel::setLegend(const std::optional<ColourScale>& scale, LengthUnit unit) {
+void TargetPanel::setLegend(const std::optional<ColourScale>& scale, const QString& ends) {
   for (QLabel* label : {m_legend, m_ends}) label->setVisible(scale.has_value());
   if (!scale) return;
   m_legend->setPixmap(legendPicture(*scale));
-  const QString range = lengthText(scale->range, unit, QLocale());
-  m_ends->setText(tr("blue: %1 too small, red: %1 too large").arg(range));
-  m_legend->setAccessibleName(m_ends->text());
+  m_ends->setText(ends);
+  m_legend->setAccessibleName(ends);
+}
+
+QString TargetPanel::deviationLegend(double range, LengthUnit unit) {
+  return tr("blue: %1 too small, red: %1 too large").arg(lengthText(range, unit, QLocale()));
 }
 
 }  // namespace handwheel

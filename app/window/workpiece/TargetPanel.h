@@ -36,8 +36,9 @@ class TargetPanel : public QWidget {
 
   // target: its name; empty for none.
   void show(const PartMeasurement& measurement, const QString& target, LengthUnit unit);
-  // The scale of the colours in the view; none while they are not shown.
-  void setLegend(const std::optional<ColourScale>& scale, LengthUnit unit);
+  // The scale of the colours in the view, and what its ends mean; none while they are not shown.
+  void setLegend(const std::optional<ColourScale>& scale, const QString& ends);
+  static QString deviationLegend(double range, LengthUnit unit);  // range: mm
 
  private:
   QLabel* m_target;

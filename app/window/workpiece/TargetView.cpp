@@ -18,6 +18,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -32,6 +33,28 @@ PartMeasurement measure(const WorkpieceSnapshot& workpiece, Progress progress) {
   return found;
 }
 
+// Grades of roughness double from one to the next (ISO 1302, N4 to N10): 1.6 µm is the middle, usual for turning.
+constexpr double kMiddleRoughness = 1.6, kFinishSteps = 3.0;  // µm; doublings to both ends
+
+std::array<float, 3> componentsOf(const QColor& colour) {
+  return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};
+}
+
+std::array<float, 3> finishColour(std::optional<double> roughness) {
+  constexpr std::array<float, 3> kUnknown{0.45f, 0.45f, 0.47f};
+  if (!roughness) return kUnknown;
+  const double doublings = std::log2(std::max(*roughness, 1e-3) / kMiddleRoughness);
+  return componentsOf(ColourScale{kFinishSteps}.at(std::clamp(doublings, -kFinishSteps, kFinishSteps)));
+}
+
+QString finishLegend() {
+  const QLocale locale;
+  const double most = std::exp2(kFinishSteps);
+  return TargetView::tr("blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told")
+      .arg(locale.toString(kMiddleRoughness / most), locale.toString(kMiddleRoughness),
+           locale.toString(kMiddleRoughness * most));
+}
+
 }  // namespace
 
 TargetView::TargetView(const WindowContext& parts, QObject* parent)
@@ -40,22 +63,31 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
       m_import(tr("Import &target…"), this),
       m_remove(tr("&Remove target"), this),
       m_colours(tr("&Deviation in colours"), this),
-      m_panel(new TargetPanel({&m_import, &m_remove, &m_colours}, parts.window)),
+      m_roughness(tr("Rou&ghness in colours"), this),
+      m_panel(new TargetPanel(actions(), parts.window)),
       m_measuring(JobRunner::Policy::Latest, parts.pool) {
   m_import.setObjectName(QStringLiteral("importTarget"));
   m_remove.setObjectName(QStringLiteral("removeTarget"));
   m_colours.setObjectName(QStringLiteral("targetDeviation"));
   m_colours.setCheckable(true);
+  m_roughness.setObjectName(QStringLiteral("finishColours"));
+  m_roughness.setCheckable(true);
+  setActionToolTip(m_roughness, tr("Show how rough the part is, from feed and nose of its last cuts"));
   setActionToolTip(m_import, tr("Read what the part is to become, from STEP, DXF, SVG or a workpiece"));
   setActionToolTip(m_remove, tr("Compare the part with nothing"));
   setActionToolTip(m_colours, tr("Show where the part is larger or smaller than the target"));
   connect(&m_import, &QAction::triggered, this, &TargetView::askForFile);
   connect(&m_remove, &QAction::triggered, this,
           [this] { m_document->document.commit(tr("Remove target"), std::make_unique<TargetEdit>(nullptr)); });
-  connect(&m_colours, &QAction::toggled, this, [this] {
-    refresh();
-    emit shownChanged();
-  });
+  connect(&m_colours, &QAction::toggled, this, [this] { choose(m_colours, m_roughness); });
+  connect(&m_roughness, &QAction::toggled, this, [this] { choose(m_roughness, m_colours); });
+}
+
+// One of the two is shown at a time.
+void TargetView::choose(const QAction& shown, QAction& other) {
+  if (shown.isChecked()) other.setChecked(false);
+  refresh();
+  emit shownChanged();
 }
 
 const WorkpieceDocument* TargetView::workpiece() const {
@@ -95,16 +127,19 @@ void TargetView::measured(const PartMeasurement& measurement) {
   const LengthUnit unit = m_document->document.displayUnit();
   m_panel->show(measurement, target ? QString::fromStdString(target->source) : QString(), unit);
   const bool isShown = m_colours.isChecked() && target;
-  m_panel->setLegend(isShown ? std::optional(ColourScale{m_range}) : std::nullopt, unit);
+  if (m_roughness.isChecked())
+    m_panel->setLegend(ColourScale{kFinishSteps}, finishLegend());
+  else if (isShown)
+    m_panel->setLegend(ColourScale{m_range}, m_panel->deviationLegend(m_range, unit));
+  else
+    m_panel->setLegend({}, {});
 }
 
 std::optional<DisplayModel> TargetView::display(const WorkpieceSnapshot& workpiece) const {
+  if (m_roughness.isChecked()) return finishDisplay(workpiece, finishColour);
   if (!m_colours.isChecked() || !workpiece.target) return std::nullopt;
-  return deviationDisplay(workpiece, [scale = ColourScale{m_range}](double distance) {
-    const QColor colour = scale.at(distance);
-    return std::array<float, 3>{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
-                                static_cast<float>(colour.blueF())};
-  });
+  return deviationDisplay(workpiece,
+                          [scale = ColourScale{m_range}](double distance) { return componentsOf(scale.at(distance)); });
 }
 
 void TargetView::askForFile() {

@@ -24,9 +24,9 @@ class TargetView : public QObject {
   TargetView(const WindowContext& parts, QObject* parent);
 
   void setDocument(DocumentTab* document);
-  QList<QAction*> actions() { return {&m_import, &m_remove, &m_colours}; }
+  QList<QAction*> actions() { return {&m_import, &m_remove, &m_colours, &m_roughness}; }
   QWidget* panel() { return m_panel; }
-  // The workpiece in the colours of its deviation; none where they are not shown.
+  // The workpiece in the colours of its deviation or its roughness; none where they are not shown.
   std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
   bool isSettled() const { return m_measuring.isIdle(); }
 
@@ -43,9 +43,10 @@ class TargetView : public QObject {
   void take(DocumentTab* document, const ImportedTarget& imported, const QString& path);
   void refresh();
   void measured(const PartMeasurement& measurement);
+  void choose(const QAction& shown, QAction& other);
 
   WindowContext m_parts;
-  QAction m_import, m_remove, m_colours;
+  QAction m_import, m_remove, m_colours, m_roughness;
   QPointer<TargetPanel> m_panel;
   DocumentTab* m_document = nullptr;
   JobRunner m_measuring;

@@ -7,7 +7,6 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
-#include "machining/force/ForceFidelity.h"
 #include "theme/Theme.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
@@ -57,6 +56,7 @@ bool isInView(const Viewport& view, const StockCylinder& stock) {
 WorkpieceUi::WorkpieceUi(const WindowContext& window)
     : RigidPartsUi(window, {"Stock"}, StandardView::Lathe),
       m_target(window, this),
+      m_dimensions(window, this),
       m_lathe(window, this),
       m_thread(window, this),
       m_program(window, this),
@@ -69,6 +69,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
   connect(&m_lathe, &LatheView::message, this, &KindUi::message);
   connect(&m_program, &ProgramDock::message, this, &KindUi::message);
   connect(&m_program, &ProgramDock::partShown, this, &WorkpieceUi::showInstead);
+  connect(&m_replay, &ReplayDock::message, this, &KindUi::message);
   connect(&m_replay, &ReplayDock::partShown, this, &WorkpieceUi::showPast);
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
   // When the tool shows the change, too, and it is in the history.
@@ -90,6 +91,7 @@ QWidget* WorkpieceUi::makePanel() {
 void WorkpieceUi::setDocument(DocumentTab* document) {
   m_replay.setDocument(document);
   m_target.setDocument(document);
+  m_dimensions.setDocument(document);
   m_thread.setDocument(document);
   RigidPartsUi::setDocument(document);
   m_program.setDocument(document);
@@ -98,6 +100,7 @@ void WorkpieceUi::setDocument(DocumentTab* document) {
 void WorkpieceUi::refreshVisibility() {
   RigidPartsUi::refreshVisibility();
   m_program.setVisible(document() && document()->visible);
+  m_dimensions.setVisible(document() && document()->visible);
 }
 
 void WorkpieceUi::forget(DocumentTab* document) {
@@ -149,9 +152,7 @@ std::unique_ptr<Tool> WorkpieceUi::turnTool() {
 
 std::unique_ptr<Tool> WorkpieceUi::latheTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  const FidelityValues& values = parts().fidelity.values();
-  return m_lathe.make(workpiece, values.of(turnSpacingSetting()),
-                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))));
+  return m_lathe.make(workpiece);
 }
 
 // The part is felt through the simulation of the tool, as long as there is one.

@@ -4,6 +4,7 @@
 
 #include "simulation/turning/TurningForce.h"
 #include "window/kinds/RigidPartsUi.h"
+#include "window/workpiece/DimensionsView.h"
 #include "window/workpiece/LatheView.h"
 #include "window/workpiece/ReplayDock.h"
 #include "window/workpiece/TargetView.h"
@@ -26,9 +27,11 @@ class WorkpieceUi : public RigidPartsUi {
   QWidget* panel() override { return m_panel; }
   QList<QAction*> menu() override {
     return QList<QAction*>{m_thread.action()} + m_target.actions() +
-           QList<QAction*>{m_program.action(), m_replay.action()};
+           QList<QAction*>{m_dimensions.action(), m_program.action(), m_replay.action()};
   }
-  bool isSettled() const override { return RigidPartsUi::isSettled() && m_target.isSettled() && m_program.isSettled(); }
+  bool isSettled() const override {
+    return RigidPartsUi::isSettled() && m_target.isSettled() && m_dimensions.isSettled() && m_program.isSettled();
+  }
   void refreshVisibility() override;
   bool take(const QString& path) override { return m_program.take(path); }
   QString unsavedBeside(const DocumentTab& document) const override { return m_program.unsavedOf(document); }
@@ -57,6 +60,7 @@ class WorkpieceUi : public RigidPartsUi {
   void explainLocks();
 
   TargetView m_target;
+  DimensionsView m_dimensions;
   LatheView m_lathe;
   ThreadView m_thread;
   ProgramDock m_program;

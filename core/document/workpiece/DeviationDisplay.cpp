@@ -40,8 +40,12 @@ class Bands {
   TriangleSoup& m_soup;
 };
 
-// The surface between two samples, and the flat ends of the part where they are.
-std::shared_ptr<const TriangleSoup> surfaceBetween(const TurnedProfile& part, const std::vector<std::size_t>& samples) {
+enum class Surface { Both, Outer, Inner };
+
+// The surface between two samples, and the flat ends of the part where they are: these are of the outside.
+std::shared_ptr<const TriangleSoup> surfaceBetween(const TurnedProfile& part, const std::vector<std::size_t>& samples,
+                                                   Surface which = Surface::Both) {
+  const bool isOuter = which != Surface::Inner, isInner = which != Surface::Outer && part.isBored();
   auto soup = std::make_shared<TriangleSoup>();
   Bands bands(*soup);
   std::uint32_t outer = 0, inner = 0;
@@ -50,15 +54,49 @@ std::shared_ptr<const TriangleSoup> surfaceBetween(const TurnedProfile& part, co
     const std::uint32_t nextOuter = bands.ring(part.radius(s), part.z(s));
     const std::uint32_t nextInner = bands.ring(part.inner(s), part.z(s));
     if (i > 0) {
-      bands.band(outer, nextOuter);
-      if (part.isBored()) bands.band(nextInner, inner);
+      if (isOuter) bands.band(outer, nextOuter);
+      if (isInner) bands.band(nextInner, inner);
     }
-    if (s == 0) bands.band(nextInner, nextOuter);
-    if (s + 1 == part.size()) bands.band(nextOuter, nextInner);
+    if (isOuter && s == 0) bands.band(nextInner, nextOuter);
+    if (isOuter && s + 1 == part.size()) bands.band(nextOuter, nextInner);
     outer = nextOuter;
     inner = nextInner;
   }
   return soup;
+}
+
+// The part, or the bar that it is to become.
+TurnedProfile shownProfile(const WorkpieceSnapshot& workpiece) {
+  const StockCylinder& stock = workpiece.stock;
+  if (workpiece.part) return workpiece.part->profile;
+  return TurnedProfile(stock, stock.length / static_cast<double>(kBands));
+}
+
+// The samples of each band, the first of which is the last of the one before.
+std::vector<std::vector<std::size_t>> bandsOf(const TurnedProfile& part) {
+  std::vector<std::size_t> rings;
+  const std::size_t stride = part.size() / kRings + 1;
+  for (std::size_t i = 0; i + 1 < part.size(); i += stride) rings.push_back(i);
+  rings.push_back(part.size() - 1);
+  std::vector<std::vector<std::size_t>> bands;
+  const std::size_t perBand = rings.size() / kBands + 1;
+  for (std::size_t first = 0; first + 1 < rings.size(); first += perBand) {
+    const std::size_t last = std::min(first + perBand, rings.size() - 1);
+    bands.emplace_back(rings.begin() + static_cast<std::ptrdiff_t>(first),
+                       rings.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  }
+  return bands;
+}
+
+void addBand(DisplayModel& model, const char* name, std::shared_ptr<const TriangleSoup> soup,
+             const std::array<float, 3>& colour, double base) {
+  DisplayPart band;
+  band.name = name + std::to_string(model.parts.size());
+  band.group = kStockGroup;
+  band.soup = std::move(soup);
+  band.colour = colour;
+  band.pose.translation().z() = base;
+  model.parts.push_back(std::move(band));
 }
 
 double worse(double a, double b) {
@@ -69,33 +107,38 @@ double worse(double a, double b) {
 
 DisplayModel deviationDisplay(const WorkpieceSnapshot& workpiece, const DeviationColour& colour) {
   const TargetProfile& target = workpiece.target->profile;
-  const StockCylinder& stock = workpiece.stock;
-  const TurnedProfile bar(stock, stock.length / static_cast<double>(kBands));
-  const TurnedProfile& part = workpiece.part ? workpiece.part->profile : bar;
-  std::vector<std::size_t> rings;
-  const std::size_t stride = part.size() / kRings + 1;
-  for (std::size_t i = 0; i + 1 < part.size(); i += stride) rings.push_back(i);
-  rings.push_back(part.size() - 1);
+  const double base = workpiece.stock.position;
+  const TurnedProfile part = shownProfile(workpiece);
   const auto distanceAt = [&](std::size_t i) {
-    const double z = stock.position + part.z(i);
+    const double z = base + part.z(i);
     const double outside = target.distance({part.radius(i), z});
     return part.inner(i) > 0.0 ? worse(outside, target.distance({part.inner(i), z})) : outside;
   };
   DisplayModel model;
-  const std::size_t perBand = rings.size() / kBands + 1;
-  for (std::size_t first = 0; first + 1 < rings.size(); first += perBand) {
-    const std::size_t last = std::min(first + perBand, rings.size() - 1);
-    const std::vector<std::size_t> samples(rings.begin() + static_cast<std::ptrdiff_t>(first),
-                                           rings.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  for (const std::vector<std::size_t>& samples : bandsOf(part)) {
     double largest = 0.0;
     for (const std::size_t s : samples) largest = worse(largest, distanceAt(s));
-    DisplayPart band;
-    band.name = "deviation." + std::to_string(model.parts.size());
-    band.group = kStockGroup;
-    band.soup = surfaceBetween(part, samples);
-    band.colour = colour(largest);
-    band.pose.translation().z() = stock.position;
-    model.parts.push_back(std::move(band));
+    addBand(model, "deviation.", surfaceBetween(part, samples), colour(largest), base);
+  }
+  return model;
+}
+
+// Between its rings a band has more samples, each of which counts.
+DisplayModel finishDisplay(const WorkpieceSnapshot& workpiece, const FinishColour& colour) {
+  const TurnedProfile part = shownProfile(workpiece);
+  const SurfaceFinish finish = workpiece.part ? workpiece.part->finish : SurfaceFinish();
+  DisplayModel model;
+  for (const std::vector<std::size_t>& samples : bandsOf(part)) {
+    for (const Surface which : {Surface::Outer, Surface::Inner}) {
+      const bool isBore = which == Surface::Inner;
+      if (isBore && !part.isBored()) continue;
+      std::optional<double> roughest;
+      for (std::size_t i = samples.front(); i <= samples.back() && i < finish.size(); ++i) {
+        const FinishMark mark = finish.at(isBore ? TurningSide::Bore : TurningSide::Outside, i);
+        if (mark.isKnown()) roughest = std::max(roughest.value_or(0.0), static_cast<double>(mark.roughness));
+      }
+      addBand(model, "finish.", surfaceBetween(part, samples, which), colour(roughest), workpiece.stock.position);
+    }
   }
   return model;
 }

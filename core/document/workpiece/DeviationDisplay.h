@@ -6,6 +6,7 @@
 #include "document/workpiece/WorkpieceSnapshot.h"
 
 #include <functional>
+#include <optional>
 
 namespace handwheel {
 
@@ -16,5 +17,12 @@ using DeviationColour = std::function<std::array<float, 3>(double)>;
 // bands along the axis, each with the colour of its largest distance, inside and outside alike. It costs the same
 // whatever the number of samples: some milliseconds.
 DisplayModel deviationDisplay(const WorkpieceSnapshot& workpiece, const DeviationColour& colour);
+
+// The colour for a roughness Ra (µm; infinite: ridges that are not told); none: it is not known, as of a bar.
+using FinishColour = std::function<std::array<float, 3>(std::optional<double>)>;
+
+// A workpiece in the colours of its roughness, in the same bands; each has that of its roughest place, the outside and
+// the bore apart.
+DisplayModel finishDisplay(const WorkpieceSnapshot& workpiece, const FinishColour& colour);
 
 }  // namespace handwheel

@@ -19,7 +19,7 @@ Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramD
   std::vector<std::string> comments;
   for (const PassTool& tool : toolsOf(passes)) {
     comments.push_back(descriptionOf(tool, dialect));
-    program.tools[tool.number] = {tool.noseRadius, tool.orientationIn(dialect), {0.0, 0.0}};
+    program.tools[tool.number] = {tool.noseRadius, tool.orientationIn(dialect), {0.0, 0.0}, tool.tool};
   }
   const StockCylinder& stock = workpiece.stock;
   const auto moves = movesOf(passes, 0.5 * stock.diameter, stock.length, how);

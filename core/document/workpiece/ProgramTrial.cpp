@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/ProgramTrial.h"
 
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/finish/FinishMeter.h"
-#include "machining/lathe/LatheRun.h"
 #include "machining/program/ProgramInterpreter.h"
 
 #include <algorithm>
@@ -34,22 +34,24 @@ LatheCollision crashOf(const ProgramCollision& collision) {
     case ProgramCollision::Kind::SpindleReversed:
       crash.cause = CrashCause::Reversed;
       break;
+    case ProgramCollision::Kind::Contact:
+      crash.moving = collision.moving;
+      crash.struck = collision.struck;
+      break;
   }
   return crash;
 }
 
-// Those of the part, and behind them what the program did.
-std::shared_ptr<const std::vector<LatheCollision>> crashesWith(const TurnedPart& before,
-                                                               const std::vector<ProgramCollision>& collisions) {
-  if (collisions.empty()) return before.crashes;
-  auto all = before.crashes ? std::make_shared<std::vector<LatheCollision>>(*before.crashes)
-                            : std::make_shared<std::vector<LatheCollision>>();
-  for (const ProgramCollision& each : collisions)
-    if (all->size() < LatheRun::kMostCollisions) all->push_back(crashOf(each));
-  return all;
-}
-
 }  // namespace
+
+ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
+                             double nose) {
+  const LatheSetup lathe = latheOf(workpiece);
+  ProgramSetup setup = usualSetup(dialect, workpiece.stock, lathe.chuck.grip, nose);
+  const bool drills = lathe.tailstock.fitting == LatheFitting::Drill;
+  setup.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, drills ? toolNamed(tools, lathe.tailstock.drill) : nullptr};
+  return setup;
+}
 
 Result<ProgramTrial::Pointer> ProgramTrial::run(const WorkpieceSnapshot& workpiece, std::string_view text,
                                                 ProgramSetup setup, double spacing, const CuttingForceModel* model,
@@ -70,6 +72,7 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   state.threads = before.threads();
   ProgramSimulation simulation(before.profile, m_path, m_setup, model, state);
   m_versions.push_back({0, before.profile, state});
+  m_before = before.passes.size();
   while (simulation.step()) {
     const std::size_t done = simulation.done();
     if (done % stride == 0) m_versions.push_back({done, simulation.part(), simulation.state()});
@@ -93,10 +96,18 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
     all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   }
   TurnedPart part = TurnedPart::of(simulation.part(), std::move(all), workpiece.chord);
-  part.crashes = crashesWith(before, m_collisions);
   part.finish = meter.finish();
   m_part = std::make_shared<const TurnedPart>(std::move(part));
   return true;
+}
+
+std::vector<LatheCollision> ProgramTrial::crashes() const {
+  std::vector<LatheCollision> crashes;
+  for (const ProgramCollision& each : m_collisions) {
+    crashes.push_back(crashOf(each));
+    crashes.back().passes = static_cast<double>(m_before + each.passes);
+  }
+  return crashes;
 }
 
 std::optional<TurnedProfile> ProgramTrial::profileAt(const ProgramPosition& position, Progress progress) const {

@@ -10,6 +10,11 @@
 
 namespace handwheel {
 
+// The machine for a workpiece, in its lathe as it was set up, with no tools but the standard one (usualSetup()). tools:
+// those of the lathe.
+ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
+                             double nose);
+
 // A program that was tried on a workpiece: its tool path, what it makes of the part, and the part after any of its
 // moves. Nothing of the document changes by it. Immutable; any thread.
 class ProgramTrial {
@@ -26,11 +31,12 @@ class ProgramTrial {
   const ToolPath& path() const { return m_path; }
   const ProgramSteps& steps() const { return m_steps; }
   const ProgramSetup& setup() const { return m_setup; }
-  // The part with the passes of the program behind its own, and its collisions behind the crashes of those; null where
-  // the program touches nothing.
+  // The part with the passes of the program behind its own; null where the program touches nothing.
   const std::shared_ptr<const TurnedPart>& part() const { return m_part; }
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }  // of the simulation
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
+  // The same as the manual lathe records them. Who cuts the part for good adds them to the workpiece.
+  std::vector<LatheCollision> crashes() const;
   std::size_t collisionCount() const { return m_collisionCount; }
   const ForcePeaks& peaks() const { return m_peaks; }
   double removed() const { return m_removed; }  // mm³
@@ -54,6 +60,7 @@ class ProgramTrial {
   ProgramSteps m_steps;
   std::vector<Version> m_versions;  // ascending; they share their pages
   std::shared_ptr<const TurnedPart> m_part;
+  std::size_t m_before = 0;  // passes
   std::vector<ToolPath::Note> m_notes;
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;

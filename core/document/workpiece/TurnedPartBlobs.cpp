@@ -6,7 +6,6 @@
 #include "document/container/Blobs.h"
 #include "document/workpiece/FinishBlobs.h"
 #include "document/workpiece/PassBlobs.h"
-#include "machining/lathe/LatheCrashJson.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -20,7 +19,7 @@ constexpr const char* kRadii = "workpiece/radii";
 constexpr const char* kInner = "workpiece/inner";
 // Keys of a turned part.
 constexpr const char *kTurned = "turned", *kSamples = "samples", *kBored = "bored", *kPasses = "passes",
-                     *kCrashes = "crashes", *kFinish = "finish";
+                     *kFinish = "finish";
 Error lost(const char* what, std::uint64_t expected, std::uint64_t found) {
   return {ErrorCode::DataTruncated, {what, std::to_string(expected), std::to_string(found)}, {}, {}};
 }
@@ -73,8 +72,6 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
     writeFinish(workpiece.part->finish, profile, container);
     turned[kFinish] = true;
   }
-  if (const auto& crashes = workpiece.part->crashes; crashes && !crashes->empty())
-    turned[kCrashes] = crashesToJson(*crashes);
 }
 
 Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& document,
@@ -117,8 +114,6 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
   // Where passes are lost the others have other numbers.
   if (turned->value(kFinish, nlohmann::json()) == true && hasAllPasses)
     part.finish = readFinish(container, part.profile, part.passes.size());
-  std::vector<LatheCollision> crashes = crashesFrom(turned->value(kCrashes, nlohmann::json()));
-  if (!crashes.empty()) part.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(crashes));
   return std::make_shared<const TurnedPart>(std::move(part));
 }
 

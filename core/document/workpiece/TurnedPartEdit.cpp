@@ -88,7 +88,6 @@ std::shared_ptr<const TurnedPart> withPasses(const WorkpieceSnapshot& workpiece,
     if (isCut) part.passes.push_back(std::make_shared<const TurningPass>(std::move(passes[i])));
   }
   TurnedPart made = TurnedPart::of(std::move(part.profile), std::move(part.passes), workpiece.chord);
-  made.crashes = part.crashes;
   made.finish = meter.finish();
   return std::make_shared<const TurnedPart>(std::move(made));
 }

@@ -4,9 +4,6 @@
 
 #include "document/workpiece/WorkpieceEdit.h"
 #include "document/workpiece/WorkpieceErrors.h"
-#include "machining/lathe/LatheRun.h"
-
-#include <algorithm>
 
 namespace handwheel {
 
@@ -31,14 +28,8 @@ Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string&
 }
 
 void WorkpieceDocument::addCrashes(std::span<const LatheCollision> crashes) {
-  const auto& before = m_workpiece->crashes;
-  auto all =
-      before ? std::make_shared<std::vector<LatheCollision>>(*before) : std::make_shared<std::vector<LatheCollision>>();
-  const std::size_t count = std::min(crashes.size(), LatheRun::kMostCollisions - all->size());
-  if (count == 0) return;
-  all->insert(all->end(), crashes.begin(), crashes.begin() + static_cast<std::ptrdiff_t>(count));
   WorkpieceSnapshot workpiece = *m_workpiece;
-  workpiece.crashes = std::move(all);
+  if (!handwheel::addCrashes(workpiece, crashes)) return;
   m_workpiece = std::make_shared<const WorkpieceSnapshot>(std::move(workpiece));
   wasRecorded();
 }

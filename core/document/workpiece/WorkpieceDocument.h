@@ -19,7 +19,7 @@ class WorkpieceDocument : public Document {
 
   const WorkpieceSnapshot& workpiece() const { return *m_workpiece; }
 
-  // Adds crashes of the manual lathe. No undo step: what was struck stays struck.
+  // Adds crashes of the manual lathe or of a program. No undo step: what was struck stays struck.
   void addCrashes(std::span<const LatheCollision> crashes);
 
   SnapshotPointer snapshot() const override { return m_workpiece; }

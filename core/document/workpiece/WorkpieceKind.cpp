@@ -158,8 +158,10 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
   if (!part) return part.error();
   workpiece.part = std::move(part.value());
   workpiece.target = readTarget(*found, container, damage);
-  if (auto crashes = crashesFrom(found->value("crashes", nlohmann::json())); !crashes.empty())
-    workpiece.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(crashes));
+  addCrashes(workpiece, crashesFrom(found->value("crashes", nlohmann::json())));
+  // Where an older program kept those of programs.
+  if (const auto turned = found->find("turned"); turned != found->end() && turned->is_object())
+    addCrashes(workpiece, crashesFrom(turned->value("crashes", nlohmann::json())));
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(workpiece)));
 }
 

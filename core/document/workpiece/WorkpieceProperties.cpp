@@ -122,7 +122,6 @@ WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, c
   if (workpiece.part && field == WorkpieceField::Chord) {
     const TurnedPart& part = *workpiece.part;
     TurnedPart meshed = TurnedPart::of(part.profile, part.passes, workpiece.chord);
-    meshed.crashes = part.crashes;
     meshed.finish = part.finish;
     workpiece.part = std::make_shared<const TurnedPart>(std::move(meshed));
   }

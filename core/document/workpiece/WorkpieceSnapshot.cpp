@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceSnapshot.h"
 
+#include "machining/lathe/LatheRun.h"
+
+#include <algorithm>
+#include <utility>
+
 namespace handwheel {
 
 TurnedPart TurnedPart::of(TurnedProfile profile, TurningPasses passes, double chord) {
@@ -13,12 +18,14 @@ double TurnedPart::volume() const {
   return profile.volume() - (threads() ? threads()->volume(profile) : 0.0);
 }
 
-std::shared_ptr<const std::vector<LatheCollision>> allCrashes(const WorkpieceSnapshot& workpiece) {
-  const auto ofPasses = workpiece.part ? workpiece.part->crashes : nullptr;
-  if (!ofPasses || !workpiece.crashes) return ofPasses ? ofPasses : workpiece.crashes;
-  auto all = std::make_shared<std::vector<LatheCollision>>(*workpiece.crashes);
-  all->insert(all->end(), ofPasses->begin(), ofPasses->end());
-  return all;
+bool addCrashes(WorkpieceSnapshot& workpiece, std::span<const LatheCollision> crashes) {
+  auto all = workpiece.crashes ? std::make_shared<std::vector<LatheCollision>>(*workpiece.crashes)
+                               : std::make_shared<std::vector<LatheCollision>>();
+  const std::size_t count = std::min(crashes.size(), LatheRun::kMostCollisions - all->size());
+  if (count == 0) return false;
+  all->insert(all->end(), crashes.begin(), crashes.begin() + static_cast<std::ptrdiff_t>(count));
+  workpiece.crashes = std::move(all);
+  return true;
 }
 
 }  // namespace handwheel

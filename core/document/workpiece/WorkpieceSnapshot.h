@@ -11,6 +11,7 @@
 #include "machining/lathe/LatheSetup.h"
 #include "machining/target/TargetProfile.h"
 
+#include <span>
 #include <string>
 
 namespace handwheel {
@@ -20,8 +21,6 @@ struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
   TurningPasses passes;
-  // That came with these passes, and go with them by undo; null: none.
-  std::shared_ptr<const std::vector<LatheCollision>> crashes = {};
   SurfaceFinish finish = SurfaceFinish();  // of the profile; of no samples where nothing is known
 
   // With its triangles and threads. chord: mm.
@@ -51,11 +50,12 @@ struct WorkpieceSnapshot : Snapshot {
   std::shared_ptr<const TurnedPart> part;         // null: nothing was cut yet
   std::shared_ptr<const LatheSetup> lathe;        // null: the usual one
   std::shared_ptr<const WorkpieceTarget> target;  // null: none is given
-  // Of the manual lathe, in order, at most LatheRun::kMostCollisions; no undo takes them back. Null: none.
+  // Of the manual lathe and of programs that cut the part, in order, at most LatheRun::kMostCollisions. What was struck
+  // stays struck: undo takes back what was cut, and no crash. Null: none.
   std::shared_ptr<const std::vector<LatheCollision>> crashes;
 };
 
-// The crashes of the lathe and of the passes of a part; null: none.
-std::shared_ptr<const std::vector<LatheCollision>> allCrashes(const WorkpieceSnapshot& workpiece);
+// Adds crashes, as many as there is room for. Returns whether there were any.
+bool addCrashes(WorkpieceSnapshot& workpiece, std::span<const LatheCollision> crashes);
 
 }  // namespace handwheel

@@ -154,9 +154,10 @@ bool hasSmall(const TargetProfile& part, double tolerance, double least) {
                      [&](const ProfileFeature& f) { return (f.high - f.low).norm() < least; });
 }
 
-}  // namespace
-
-Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title) {
+// Calls `use` with the part as it is measured, its dimensions, and what was left out (mm; 0: nothing), leaving out more
+// until it returns true. Returns whether it did.
+template <class Use>
+bool tryDimensions(const TargetProfile& part, const DrawingTitle& title, Use use) {
   double least = std::min(kLeastDrawn, kLeastDrawnShare * std::max(part.length(), 2.0 * part.largestRadius()));
   bool isWhole = !hasSmall(part, title.tolerance, least);
   for (int i = 0; i < kDoublings; ++i, least *= 2.0, isWhole = false) {
@@ -165,12 +166,35 @@ Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title) {
     const TargetProfile& measured = smooth ? *smooth : part;
     const double tolerance = smooth ? std::max(title.tolerance, 0.5 * least) : title.tolerance;
     const PartDimensions dimensions = dimensionsOf(measured, title, tolerance, least, smooth.has_value());
-    if (dimensions.count() > kMost) continue;
-    if (auto sheet = sheetOf({part, measured, dimensions, title}, isWhole ? 0.0 : least)) return std::move(*sheet);
+    if (dimensions.count() <= kMost && use(measured, dimensions, isWhole ? 0.0 : least)) return true;
   }
+  return false;
+}
+
+}  // namespace
+
+Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title) {
+  std::optional<Sheet> sheet;
+  const auto draw = [&](const TargetProfile& measured, const PartDimensions& dimensions, double leftOut) {
+    sheet = sheetOf({part, measured, dimensions, title}, leftOut);
+    return sheet.has_value();
+  };
+  if (tryDimensions(part, title, draw)) return std::move(*sheet);
   Sheet empty;  // of a part beyond the least scale
   addTitleBlock(empty, title.name, title.material, nextScale(0.0));
   return empty;
+}
+
+Sheet dimensionSheet(const TargetProfile& part, const DrawingTitle& title, const DrawingPlace& place) {
+  Sheet sheet;
+  const double lowest = -part.largestRadius();
+  sheet.line(place.at(lowest, part.lowerEnd()), place.at(lowest, part.upperEnd()));  // below it dimensions begin
+  tryDimensions(part, title, [&](const TargetProfile& measured, const PartDimensions& dimensions, double) {
+    DimensionLines(sheet, place, measured, title).add(dimensions);
+    return true;
+  });
+  sheet.strokes.erase(sheet.strokes.begin());
+  return sheet;
 }
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "machining/drawing/DrawingScale.h"
 #include "machining/drawing/Sheet.h"
 #include "machining/target/TargetProfile.h"
 
@@ -56,5 +57,8 @@ inline constexpr double kLeastDrawn = 0.05, kLeastDrawnShare = 1.0 / 400.0;
 // sheet has no room for all dimensions, those of the smallest features are left out, which the sheet says. O(segments ·
 // log segments).
 Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title);
+
+// The dimensions of such a drawing without the part, for one that is shown otherwise at this place. The same cost.
+Sheet dimensionSheet(const TargetProfile& part, const DrawingTitle& title, const DrawingPlace& place);
 
 }  // namespace handwheel

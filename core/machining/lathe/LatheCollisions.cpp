@@ -70,6 +70,14 @@ const char* sentenceOf(CrashCause cause) {
   return "";
 }
 
+double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck) {
+  const TurnedProfile::Range held = samplesWithin(profile, 0.0, chuck.grip);
+  double radius = chuck.gripsInside ? profile.radius(0) : 0.0;
+  for (std::size_t i = held.first; i < held.last; ++i)
+    radius = chuck.gripsInside ? std::min(radius, profile.inner(i)) : std::max(radius, profile.radius(i));
+  return radius;
+}
+
 std::vector<LatheSolid> chuckSolids(const LatheChuck& chuck, double gripped) {
   const double face = chuck.grip - chuck.jawLength;
   const double inner = chuck.gripsInside ? std::max(0.0, gripped - chuck.jawHeight) : gripped;

@@ -33,6 +33,7 @@ struct LatheCollision {
   double depth = 0.0;            // mm: how far they would have been in each other; 0 where that is not known
   double time = 0.0;             // s, of the machine
   std::string tool;              // id of the tool that was in use
+  double passes = -1.0;          // that the part had by then, the one under way included; below 0: not known
 
   bool operator==(const LatheCollision&) const = default;
 };
@@ -42,6 +43,9 @@ struct LatheSolid {
   LathePart part = LathePart::Chuck;
   RoundedSection section;
 };
+
+// The largest outer, or least inner, radius of a part between the jaws, mm.
+double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck);
 
 // The sections of what stands or turns around the axis: chuck, jaws, and the tailstock with its quill. gripped: mm,
 // radius that the jaws are closed on. They are drawn from these sections, too. drill: of the tailstock; null: none.

@@ -35,6 +35,7 @@ void visitCrash(Crash& crash, const auto& visit) {
   visit("depth", crash.depth);
   visit("time", crash.time);
   visit("tool", crash.tool);
+  visit("passes", crash.passes);
 }
 constexpr const char *kMoving = "moving", *kStruck = "struck", *kCause = "cause";
 
@@ -64,7 +65,8 @@ std::vector<LatheCollision> crashesFrom(const nlohmann::json& json) {
     const auto cause = valueNamed<CrashCause>(kCauseIds, stringAt(each, kCause));
     LatheCollision crash;
     visitCrash(crash, JsonFieldReader(each));
-    const bool isFinite = crash.place.allFinite() && std::isfinite(crash.depth) && std::isfinite(crash.time);
+    const bool isFinite = crash.place.allFinite() && std::isfinite(crash.depth) && std::isfinite(crash.time) &&
+                          std::isfinite(crash.passes);
     if (!moving || !struck || !cause || !isFinite || crash.tool.size() > kLongestId) continue;
     crash.moving = *moving;
     crash.struck = *struck;

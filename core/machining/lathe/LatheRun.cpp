@@ -9,15 +9,6 @@ namespace handwheel {
 
 namespace {
 
-// The largest outer, or least inner, radius between the jaws.
-double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck) {
-  const TurnedProfile::Range held = samplesWithin(profile, 0.0, chuck.grip);
-  double radius = chuck.gripsInside ? profile.radius(0) : 0.0;
-  for (std::size_t i = held.first; i < held.last; ++i)
-    radius = chuck.gripsInside ? std::min(radius, profile.inner(i)) : std::max(radius, profile.radius(i));
-  return radius;
-}
-
 double largestRadius(const TurnedProfile& profile) {
   double largest = 0.0;
   for (std::size_t i = 0; i < profile.size(); ++i) largest = std::max(largest, profile.radius(i));

@@ -80,6 +80,14 @@ double LatheTool::width() const {
   return largest - least;
 }
 
+double LatheTool::reach() const {
+  double largest = 0.0;
+  for (const RoundedSection& section : cutting) {
+    for (const ProfilePoint& p : section.corners()) largest = std::max(largest, p.x() + section.radius());
+  }
+  return largest;
+}
+
 std::shared_ptr<const LatheTool> toolNamed(const LatheTools& tools, std::string_view id) {
   const auto found = std::find_if(tools.begin(), tools.end(), [&](const auto& tool) { return tool->id == id; });
   return found == tools.end() ? nullptr : *found;

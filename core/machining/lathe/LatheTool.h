@@ -64,6 +64,7 @@ struct LatheTool {
   // the one balances the other: a blade that plunges is pushed back only, by the feed force. A way of no length: none.
   ProfilePoint passiveWay(const ProfilePoint& way) const;
   double width() const;  // mm, of the cutting part along z
+  double reach() const;  // mm, of the cutting part beyond its tip in r: of a drill its radius
 
   bool operator==(const LatheTool&) const = default;
 };

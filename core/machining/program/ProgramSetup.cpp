@@ -29,8 +29,19 @@ bool nextWord(std::string_view line, std::size_t& at, char& letter, double& numb
   return true;
 }
 
-void readToolLine(std::string_view line, std::uint32_t number, std::map<int, ProgramTool>& tools) {
+// The body that the comment of a line names; null: none.
+std::shared_ptr<const LatheTool> bodyIn(std::string_view line, const LatheTools& bodies) {
+  const std::size_t mark = line.find(';');
+  if (mark == std::string_view::npos) return nullptr;
+  std::string_view comment = line.substr(mark + 1);
+  comment.remove_prefix(std::min(comment.find_first_not_of(" \t"), comment.size()));
+  return toolNamed(bodies, comment.substr(0, comment.find_first_of(" \t\r")));
+}
+
+void readToolLine(std::string_view line, std::uint32_t number, ProgramTools& tools, const LatheTools& bodies,
+                  ProgramDialect dialect) {
   ProgramTool tool;
+  if (auto body = bodyIn(line, bodies)) tool = programToolOf(std::move(body), dialect);
   int name = -1;
   std::size_t at = 0;
   char letter = 0;
@@ -85,6 +96,22 @@ int outsideOrientation(ProgramDialect dialect) {
   return dialect == ProgramDialect::Fanuc ? 3 : 2;
 }
 
+// Tools have the numbers of ISO, which are those of Fanuc.
+int orientationOf(const LatheTool& tool, ProgramDialect dialect) {
+  const ProfilePoint way = tipDirection(ProgramDialect::Fanuc, tool.orientation);
+  for (int i = 1; i <= 9; ++i)
+    if (tipDirection(dialect, i) == way) return i;
+  return 0;
+}
+
+ProgramTool programToolOf(std::shared_ptr<const LatheTool> tool, ProgramDialect dialect) {
+  ProgramTool made;
+  made.noseRadius = tool->kind == LatheToolKind::Drill ? tool->reach() : tool->noseRadius;
+  made.orientation = orientationOf(*tool, dialect);
+  made.body = std::move(tool);
+  return made;
+}
+
 ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose) {
   constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
   ProgramSetup setup;
@@ -100,18 +127,30 @@ const ProgramTool& ProgramSetup::tool(int number) const {
   return found == tools.end() ? standard : found->second;
 }
 
-Result<std::map<int, ProgramTool>> readToolTable(std::string_view text) {
-  std::map<int, ProgramTool> tools;
+Result<ProgramTools> readToolTable(std::string_view text, const LatheTools& bodies, ProgramDialect dialect) {
+  ProgramTools tools;
   try {
     for (std::uint32_t line = 1; !text.empty(); ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      readToolLine(text.substr(0, end), line, tools);
+      readToolLine(text.substr(0, end), line, tools, bodies, dialect);
       text.remove_prefix(std::min(end + 1, text.size()));
     }
   } catch (const ProgramRefusal& refusal) {
     return refusal.error;
   }
   return tools;
+}
+
+std::string toolTableText(const ProgramTools& tools) {
+  std::string text;
+  for (const auto& [number, tool] : tools) {
+    const std::string name = std::to_string(number);
+    text += "T" + name + " P" + name + " X" + shortestText(tool.offset.x()) + " Z" + shortestText(tool.offset.y()) +
+            " D" + shortestText(2.0 * tool.noseRadius) + " Q" + std::to_string(tool.orientation);
+    if (tool.body) text += " ;" + tool.body->id;
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace handwheel

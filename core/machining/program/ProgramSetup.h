@@ -3,11 +3,15 @@
 #pragma once
 
 #include "base/Result.h"
+#include "machining/lathe/LatheSetup.h"
 #include "machining/program/ToolPath.h"
 #include "nurbs/BezierArc.h"
 #include "nurbs/StockCylinder.h"
 
 #include <map>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace handwheel {
@@ -19,6 +23,16 @@ struct ProgramTool {
   double noseRadius = 0.0;    // mm; 0: an ideal point
   int orientation = 0;        // 0…9, in the numbers of the dialect
   ProfilePoint offset{0, 0};  // mm, (r, z), of the tip
+  // The tool of the lathe that it is: its holder, the post and the slide behind it must meet nothing. Null: it is not
+  // known, and only its tip is looked at. It cuts with its nose either way.
+  std::shared_ptr<const LatheTool> body = {};
+};
+
+// What a body of a tool may meet besides the work. Places are from the lower end of the part.
+struct ProgramLathe {
+  LatheChuck chuck;
+  LatheTailstock tailstock;
+  std::shared_ptr<const LatheTool> drill;  // in the tailstock; null: none
 };
 
 // From the centre of the nose to the point that a program controls, in radii of the nose: (r, z), each -1, 0 or 1.
@@ -26,6 +40,10 @@ struct ProgramTool {
 ProfilePoint tipDirection(ProgramDialect dialect, int orientation);
 // The orientation of a tool that turns the outside towards the chuck.
 int outsideOrientation(ProgramDialect dialect);
+// That of a tool of the lathe.
+int orientationOf(const LatheTool& tool, ProgramDialect dialect);
+// A tool of the lathe as the table of a machine has it; of a drill the nose has its diameter.
+ProgramTool programToolOf(std::shared_ptr<const LatheTool> tool, ProgramDialect dialect);
 
 using ProgramTools = std::map<int, ProgramTool>;  // by number
 
@@ -33,11 +51,12 @@ using ProgramTools = std::map<int, ProgramTool>;  // by number
 struct ProgramSetup {
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   ProgramTools tools;
-  ProgramTool standard;          // what any other number has
-  ProfilePoint reference{0, 0};  // mm, (r, z): machine zero, in the coordinates of the part
-  double grip = 0.0;             // mm of the part, from its lower end, that the chuck holds
-  double rapidSpeed = 5000.0;    // mm/min
-  double toolChange = 2.0;       // s
+  ProgramTool standard;                    // what any other number has
+  ProfilePoint reference{0, 0};            // mm, (r, z): machine zero, in the coordinates of the part
+  double grip = 0.0;                       // mm of the part, from its lower end, that the chuck holds
+  std::optional<ProgramLathe> lathe = {};  // for the bodies of tools; none: they meet the work alone
+  double rapidSpeed = 5000.0;              // mm/min
+  double toolChange = 2.0;                 // s
   std::uint64_t mostBlocks = 5'000'000;
   std::size_t mostMoves = 2'000'000;
   bool skipsMarked = false;  // blocks that begin with '/'
@@ -50,7 +69,12 @@ struct ProgramSetup {
 // turns the outside with this nose (mm; 0: an ideal point), and machine zero is 100 mm above and beside the bar.
 ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose);
 
-// The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Error: Refused.
-Result<std::map<int, ProgramTool>> readToolTable(std::string_view text);
+// The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Where the comment of
+// a line begins with the id of one of the bodies, ";right-roughing", the tool has it, and its nose and orientation
+// where the line does not say them. Error: Refused.
+Result<ProgramTools> readToolTable(std::string_view text, const LatheTools& bodies = {},
+                                   ProgramDialect dialect = ProgramDialect::LinuxCnc);
+// The same as text.
+std::string toolTableText(const ProgramTools& tools);
 
 }  // namespace handwheel

@@ -17,7 +17,7 @@ constexpr int kMostArcPieces = 4096;  // of an arc
 constexpr std::size_t kPassPoints = 100'000;
 constexpr std::size_t kMostRemarks = 100;
 
-int piecesOf(const ToolMove& move) {
+int cutsOf(const ToolMove& move) {
   if (move.turn == 0) return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), 1, kMostPieces);
   const double radius = std::max((move.from - move.centre).norm(), 1e-9);
   const double step = 2.0 * std::acos(std::max(0.0, 1.0 - ProgramSimulation::kChord / radius));
@@ -28,7 +28,13 @@ int piecesOf(const ToolMove& move) {
 
 ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
                                      const CuttingForceModel* model, const ProgramState& before)
-    : m_part(std::move(part)), m_path(path), m_setup(setup), m_model(model), m_largest(0.0), m_state(before) {
+    : m_part(std::move(part)),
+      m_path(path),
+      m_setup(setup),
+      m_model(model),
+      m_largest(0.0),
+      m_state(before),
+      m_obstacles(setup, m_part) {
   for (std::size_t i = 0; i < m_part.size(); ++i) m_largest = std::max(m_largest, m_part.radius(i));
 }
 
@@ -93,10 +99,14 @@ void ProgramSimulation::meetChuck(const ToolMove& move, double nose, TurningSide
   m_isInChuck = isInChuck(move.to + toLow, side);
 }
 
-void ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place) {
-  if (m_collisionCount > 0 && m_lastCollision == move.line) return;  // of one line one
+// Returns whether it is a new one that is kept.
+bool ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place) {
+  if (m_collisionCount > 0 && m_lastCollision == move.line) return false;  // of one line one
   m_lastCollision = move.line;
-  if (++m_collisionCount <= kMostCollisions) m_collisions.push_back({kind, move.line, move.to, place, m_time});
+  if (++m_collisionCount > kMostCollisions) return false;
+  m_collisions.push_back({kind, move.line, move.to, place, m_time});
+  m_collisions.back().passes = m_passes.size();
+  return true;
 }
 
 ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape, const ProfilePoint& a,
@@ -166,21 +176,52 @@ bool ProgramSimulation::step() {
   followDrill(move);
   if (isThread(move)) {
     cutThread(move);
+    followBody(move);
     return true;
   }
   const bool isLeaving = leavesThread(move);
   m_state.lead.reset();
   const TurningPass shape = shapeOf(move);
   const Taken taken = isLeaving ? Taken{0.0, move.to + ProfilePoint(0.0, m_part.length())} : cutMove(move, shape);
+  if (isLeaving) followBody(move);
   meetChuck(move, shape.noseRadius, shape.side, taken.place);
   judge(move, taken, shape.noseRadius);
   return true;
+}
+
+// A body is looked at where it has come to by then, and finds what its nose has taken gone.
+int ProgramSimulation::piecesOf(const ToolMove& move) const {
+  const int cuts = cutsOf(move);
+  if (!m_setup.toolOf(move).body) return cuts;
+  return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), cuts, kMostArcPieces);
+}
+
+// A contact is the way in; the tool comes out again.
+void ProgramSimulation::meetBody(const ToolMove& move, const ProfilePoint& centre, double nose) {
+  const LatheTool& body = *m_setup.toolOf(move).body;
+  const auto contact = m_obstacles.contact(body, bodyTipFrom(body, centre, nose), m_part);
+  if (std::exchange(m_isTouching, contact.has_value()) || !contact) return;
+  const bool isKept = collide(ProgramCollision::Kind::Contact, move, contact->place);
+  if (!isKept) return;
+  m_collisions.back().moving = contact->moving;
+  m_collisions.back().struck = contact->struck;
+}
+
+// Along a move that takes nothing of the profile.
+void ProgramSimulation::followBody(const ToolMove& move) {
+  const ProgramTool& tool = m_setup.toolOf(move);
+  if (!tool.body) return;
+  const ProfilePoint toPart = toCentre(move, tool.noseRadius) + ProfilePoint(0.0, m_part.length());
+  const int pieces = piecesOf(move);
+  for (int i = 1; i <= pieces; ++i)
+    meetBody(move, pointOn(move, static_cast<double>(i) / pieces) + toPart, tool.noseRadius);
 }
 
 ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const TurningPass& shape) {
   const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, m_part.length());
   const double reach = m_largest + shape.noseRadius;
   const int pieces = piecesOf(move);
+  const bool hasBody = m_setup.toolOf(move).body != nullptr;
   const double length = lengthOf(move) / pieces, seconds = move.time / pieces;
   Taken taken;
   std::optional<ProfilePoint> first;
@@ -198,6 +239,7 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
     }
     if (m_model) meterOf(move).add(length, seconds, removal.area, removal.radius);
     taken.deepest = std::max(taken.deepest, removal.depth);
+    if (hasBody) meetBody(move, b, shape.noseRadius);
   }
   taken.place = first.value_or(move.to + toPart);
   return taken;

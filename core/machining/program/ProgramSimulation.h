@@ -4,6 +4,7 @@
 
 #include "machining/TurningPass.h"
 #include "machining/force/ForcePeaks.h"
+#include "machining/program/ProgramObstacles.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
 #include "machining/thread/PartThreads.h"
@@ -20,12 +21,17 @@ struct ProgramCollision {
     Chuck,            // the tip beyond the face of the chuck
     SpindleAtRest,    // a feed into the part that does not turn
     SpindleReversed,  // a feed into the part that turns away from the edge (M4)
+    Contact,          // a part of the lathe met another: a holder, a slide, the tailstock
   };
   Kind kind = Kind::RapidInMaterial;
   std::uint32_t line = 0;
-  ProfilePoint at{0, 0};     // mm, (r, z) of the program, where the move ends
-  ProfilePoint place{0, 0};  // mm, (r, z) from the lower end of the part: of the nose, where it first took material
-  double time = 0.0;         // s, of the program, at the end of the move
+  ProfilePoint at{0, 0};  // mm, (r, z) of the program, where the move ends
+  // mm, (r, z) from the lower end of the part: of the nose, where it first took material; of a contact its place.
+  ProfilePoint place{0, 0};
+  double time = 0.0;                          // s, of the program, at the end of the move
+  LathePart moving = LathePart::CuttingEdge;  // of a contact
+  LathePart struck = LathePart::Work;
+  std::size_t passes = 0;  // of the program by then
 };
 
 // A thread that was just cut: the spindle goes on turning while threads follow one another.
@@ -50,8 +56,9 @@ struct ProgramState {
 // side that its shank comes from: the outside, or the axis for a tool whose tip points outwards. A feed along the axis
 // towards the chuck drills, with the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so
 // does a feed with the spindle at rest or reversed; each is a collision where it meets material. A thread is a pass of
-// its own, which leaves the profile as it is: the envelope; its flanks are at 60°. Cost: O(samples below the moves).
-// One thread.
+// its own, which leaves the profile as it is: the envelope; its flanks are at 60°. Where the body of a tool is known,
+// what its holder, its post and its slide meet is looked at once a millimetre. Cost: O(samples below the moves). One
+// thread.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
@@ -101,7 +108,7 @@ class ProgramSimulation {
   void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end,
               double speed);
   ForcePeakMeter& meterOf(const ToolMove& move);
-  void collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place);
+  bool collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place);
   static bool isThread(const ToolMove& move);
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
@@ -110,6 +117,9 @@ class ProgramSimulation {
   ProfilePoint toCentre(const ToolMove& move, double nose) const;
   bool isInChuck(const ProfilePoint& low, TurningSide side) const;
   void meetChuck(const ToolMove& move, double nose, TurningSide side, const ProfilePoint& place);
+  int piecesOf(const ToolMove& move) const;
+  void meetBody(const ToolMove& move, const ProfilePoint& centre, double nose);
+  void followBody(const ToolMove& move);
 
   TurnedProfile m_part;
   const ToolPath& m_path;
@@ -125,6 +135,8 @@ class ProgramSimulation {
   bool m_isInChuck = false;           // since the last move
   std::vector<ToolPath::Note> m_notes;
   ProgramState m_state;
+  ProgramObstacles m_obstacles;
+  bool m_isTouching = false;  // since the last move, with a body
   std::vector<TurningPass> m_passes;
   double m_passBegin = 0.0;  // s, of the program, where the last pass begins
   std::optional<ForcePeakMeter> m_meter;

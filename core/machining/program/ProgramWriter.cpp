@@ -182,12 +182,7 @@ std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint
 }  // namespace
 
 int PassTool::orientationIn(ProgramDialect dialect) const {
-  if (!tool) return outsideOrientation(dialect);
-  // Tools have the numbers of ISO, which are those of Fanuc.
-  const ProfilePoint way = tipDirection(ProgramDialect::Fanuc, tool->orientation);
-  for (int i = 1; i <= 9; ++i)
-    if (tipDirection(dialect, i) == way) return i;
-  return 0;
+  return tool ? handwheel::orientationOf(*tool, dialect) : outsideOrientation(dialect);
 }
 
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes) {

@@ -20,7 +20,8 @@ struct CycleSettings {
   double clearance = 2.0;     // between moves and material
   double overrun = 2.0;       // cut beyond the lower end of the target, for parting off, if the room allows it
   double room = 1e9;          // of the bar below the target; the chuck is beyond it
-  int roughTool = 1, finishTool = 2;
+  double drill = 0.0;         // diameter, of a hole that is bored to the bore of the target; 0: the bore is left
+  int roughTool = 1, finishTool = 2, drillTool = 3, boreTool = 4;
 };
 
 // The path of the tip that makes the outside of a target from a bar: levels from the bar inward, pockets by going down

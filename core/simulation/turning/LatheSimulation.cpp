@@ -171,8 +171,14 @@ void LatheSimulation::publish() {
   m_now.tip = m_run.machine().tip();
   m_now.quillTip = m_run.machine().quillTip();
   m_now.tool = m_run.tool();
-  if (m_now.collisions->size() != m_run.collisions().size())
-    m_now.collisions = std::make_shared<const std::vector<LatheCollision>>(m_run.collisions());
+  if (m_now.collisions->size() != m_run.collisions().size()) {
+    auto all = std::make_shared<std::vector<LatheCollision>>(*m_now.collisions);
+    for (std::size_t i = all->size(); i < m_run.collisions().size(); ++i) {
+      all->push_back(m_run.collisions()[i]);
+      all->back().passes = static_cast<double>(m_passesBefore + m_passes.size());
+    }
+    m_now.collisions = std::move(all);
+  }
   if (std::exchange(m_warned, m_run.warnings().changes()) != m_run.warnings().changes())
     m_now.warnings = std::make_shared<const std::vector<LatheWarning>>(m_run.warnings().all());
   m_state = std::make_shared<const LatheMoment>(m_now);

@@ -59,17 +59,36 @@ void ManualLatheTool::settle() {
   m_gesture.restart();
 }
 
-void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
+// All that the simulation did has to be in its state: LatheSimulation::finish().
+std::shared_ptr<const TurnedPart> ManualLatheTool::partWith(const LatheSimulation& lathe) const {
   const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
-  if (!last->isCut) return;
   TurnedPart part = m_present.of(m_document.workpiece());
   part.profile = last->profile;
   part.surface = last->surface;
   part.finish = last->finish;
   for (const TurningPass& pass : lathe.passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
-  const QString text = passesText(part.passes.size(), last->removed);
+  return std::make_shared<const TurnedPart>(std::move(part));
+}
+
+SnapshotPointer ManualLatheTool::withWork() {
+  recordCrashes(*moment());
+  if (!moment()->isCut) return nullptr;
+  auto workpiece = std::make_shared<WorkpieceSnapshot>(m_document.workpiece());
+  m_gesture.look([&](Simulation& simulation) {
+    auto& lathe = static_cast<LatheSimulation&>(simulation);
+    lathe.finish();
+    workpiece->part = partWith(lathe);
+  });
+  return workpiece;
+}
+
+void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
+  const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
+  if (!last->isCut) return;
+  auto part = partWith(lathe);
+  const QString text = passesText(part->passes.size(), last->removed);
   m_isCommitting = true;
-  m_document.commit(text, std::make_unique<TurnedPartEdit>(std::make_shared<const TurnedPart>(std::move(part))));
+  m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(part)));
   m_isCommitting = false;
   m_part = m_document.workpiece().part;
   m_places.note(m_part, *m_machine);

@@ -30,16 +30,16 @@ std::shared_ptr<const LatheMaterial> materialCalled(const std::string& name, For
 
 }  // namespace
 
-ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing,
-                                 LatheTools tools, ForceLaw law)
+ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, LatheTools tools,
+                                 const Start& start)
     : m_document(document),
-      m_present(spacing),
+      m_present(start.spacing),
       m_tools(std::move(tools)),
-      m_law(law),
+      m_law(start.law),
       m_materialName(document.workpiece().material),
-      m_material(materialCalled(m_materialName, law, m_tools)),
+      m_material(materialCalled(m_materialName, m_law, m_tools)),
       m_part(document.workpiece().part),
-      m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {
+      m_gesture(services, m_channel->inputs, 1e3 / start.step, [this] { return simulation(); }) {
   showLathe(setup());
   m_places.note(m_part, moment()->machine);
 }

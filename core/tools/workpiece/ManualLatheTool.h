@@ -6,10 +6,12 @@
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "machining/TurningFidelity.h"
 #include "machining/lathe/LatheMounting.h"
 #include "simulation/SimulatedGesture.h"
 #include "simulation/turning/LatheSimulation.h"
 #include "tools/ToolKey.h"
+#include "tools/WorkUnderWay.h"
 #include "tools/workpiece/LathePlaces.h"
 
 namespace handwheel {
@@ -18,15 +20,19 @@ namespace handwheel {
 // the tool in the plane through the axis, a haptic device holds it. What is cut until the tool has been clear for
 // kIdle, or the tool ends, is one undo step; undo stops the lathe and takes its tool back, too. A crash stops the
 // lathe, is listed, and recorded in the document at once; no undo takes it back.
-class ManualLatheTool : public Tool {
+class ManualLatheTool : public Tool, public WorkUnderWay {
  public:
-  static constexpr double kRate = 500.0;  // steps of the simulation a second
-  static constexpr double kIdle = 0.8;    // s
+  static constexpr double kIdle = 0.8;  // s
 
-  // spacing: mm between the samples of a part that was not cut yet (turn.spacing). law: of the cutting forces
-  // (turn.force_model).
-  ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, double spacing, LatheTools tools,
-                  ForceLaw law);
+  // What it begins with, by the settings turn.spacing, turn.force_model and turn.step.
+  struct Start {
+    double spacing = 0.0;  // mm between the samples of a part that was not cut yet
+    ForceLaw law = ForceLaw::Kienzle;
+    double step = turnStepSetting().standard;  // ms, of the simulation
+  };
+
+  ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, LatheTools tools,
+                  const Start& start);
 
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
@@ -76,6 +82,7 @@ class ManualLatheTool : public Tool {
   void setSetting(std::string_view id, const PropertyValue& value) override;
   bool remembersSettings() const override { return false; }
   void settle() override;
+  SnapshotPointer withWork() override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
@@ -89,6 +96,7 @@ class ManualLatheTool : public Tool {
   ToolReply release(bool isDevice);
   std::unique_ptr<LatheSimulation> endSimulation();
   bool isDue(const LatheMoment& now) const;
+  std::shared_ptr<const TurnedPart> partWith(const LatheSimulation& lathe) const;
   void commitPasses(const LatheSimulation& lathe);
   void recordCrashes(const LatheMoment& moment);
   void showLathe(const LatheSetup& setup);

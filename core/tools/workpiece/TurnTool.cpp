@@ -151,8 +151,8 @@ ToolReply TurnTool::release() {
   const double removed = before.profile.volume() - cut->profile.volume();
   auto passes = std::move(before.passes);
   passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
-  auto turned = std::make_shared<const TurnedPart>(
-      TurnedPart{cut->profile, cut->surface, std::move(passes), before.crashes, cut->finish});
+  auto turned =
+      std::make_shared<const TurnedPart>(TurnedPart{cut->profile, cut->surface, std::move(passes), cut->finish});
   const QString text = passText(*turned, removed);
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;

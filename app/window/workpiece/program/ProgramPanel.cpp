@@ -157,8 +157,12 @@ QWidget* ProgramPanel::makeSetupRow() {
   layout->addWidget(m_dialect);
   layout->addWidget(new QLabel(tr("Nose"), row));
   layout->addWidget(m_nose, 1);
-  connect(m_dialect, &QComboBox::activated, this, &ProgramPanel::setupChanged);
-  connect(m_nose, &NumberField::valueEdited, this, &ProgramPanel::setupChanged);
+  m_tools = runButton({}, "programTools", tr("What the tool numbers of the program are: noses, holders, offsets"), row);
+  layout->addWidget(m_tools);
+  setToolCount(0);
+  connect(m_dialect, &QComboBox::activated, this, &ProgramPanel::dialectChanged);
+  connect(m_nose, &NumberField::valueEdited, this, &ProgramPanel::noseChanged);
+  connect(m_tools, &QPushButton::clicked, this, &ProgramPanel::toolsRequested);
   return row;
 }
 
@@ -208,6 +212,10 @@ double ProgramPanel::nose() const {
 
 void ProgramPanel::setNose(double mm) {
   m_nose->setValue(mm);
+}
+
+void ProgramPanel::setToolCount(std::size_t count) {
+  m_tools->setText(count == 0 ? tr("&Tools…") : tr("&Tools (%1)…").arg(count));
 }
 
 void ProgramPanel::setFindings(std::vector<ProgramFinding> findings) {

@@ -53,6 +53,7 @@ class ProgramPanel : public QWidget {
   void setDialect(ProgramDialect dialect);  // without a signal
   double nose() const;                      // mm
   void setNose(double mm);                  // without a signal
+  void setToolCount(std::size_t count);     // in the table
 
   // Also as marks in the editor.
   void setFindings(std::vector<ProgramFinding> findings);
@@ -63,7 +64,9 @@ class ProgramPanel : public QWidget {
   void setCuttable(bool isCuttable, const QString& why);
 
  signals:
-  void setupChanged();  // dialect or nose
+  void dialectChanged();
+  void noseChanged();
+  void toolsRequested();
   void runRequested();
   void cancelRequested();
   void cutRequested();
@@ -87,6 +90,7 @@ class ProgramPanel : public QWidget {
   QLabel* m_name;
   QComboBox* m_dialect;
   NumberField* m_nose;
+  QPushButton* m_tools;
   QPushButton* m_run;
   QPushButton* m_cancel;
   QPushButton* m_cut;

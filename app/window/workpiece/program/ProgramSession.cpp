@@ -6,8 +6,8 @@
 #include "window/workpiece/program/ProgramSession.h"
 
 #include "controls/program/ProgramEditor.h"
-#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramCheck.h"
 #include "machining/program/ProgramErrors.h"
 #include "panels/MessageBar.h"
@@ -114,10 +114,12 @@ void ProgramSession::connectPanel() {
     if (!m_trial || m_panel->player().isPlaying()) return;
     goTo(m_trial->steps().afterLine(static_cast<std::uint32_t>(line)));
   });
-  connect(m_panel, &ProgramPanel::setupChanged, this, [this] {
-    m_tools.clear();
+  connect(m_panel, &ProgramPanel::dialectChanged, this, &ProgramSession::dialectChanged);
+  connect(m_panel, &ProgramPanel::noseChanged, this, [this] {
+    if (!m_hasOwnTools) setTools({}, false);
     textChanged();
   });
+  connect(m_panel, &ProgramPanel::toolsRequested, this, &ProgramSession::askForTools);
   connect(m_panel, &ProgramPanel::runRequested, this, &ProgramSession::run);
   connect(m_panel, &ProgramPanel::cancelRequested, &m_runs, &JobRunner::cancelAll);
   connect(m_panel, &ProgramPanel::cutRequested, this, &ProgramSession::cut);
@@ -148,9 +150,27 @@ const WorkpieceDocument& ProgramSession::workpiece() const {
 
 ProgramSetup ProgramSession::setup() const {
   const WorkpieceSnapshot& work = workpiece().workpiece();
-  ProgramSetup setup = usualSetup(m_panel->dialect(), work.stock, latheOf(work).chuck.grip, m_panel->nose());
+  ProgramSetup setup = programSetupFor(work, shippedLatheTools(), m_panel->dialect(), m_panel->nose());
   setup.tools = m_tools;
   return setup;
+}
+
+void ProgramSession::setTools(ProgramTools tools, bool isOwn) {
+  m_tools = std::move(tools);
+  m_hasOwnTools = isOwn && !m_tools.empty();
+  m_panel->setToolCount(m_tools.size());
+}
+
+// The tools point where they did, in the numbers of the other dialect.
+void ProgramSession::dialectChanged() {
+  const ProgramDialect now = m_panel->dialect();
+  const ProgramDialect before = now == ProgramDialect::Fanuc ? ProgramDialect::LinuxCnc : ProgramDialect::Fanuc;
+  for (auto& [number, tool] : m_tools) {
+    const ProfilePoint way = tipDirection(before, tool.orientation);
+    for (int i = 1; i <= 9 && !way.isZero(); ++i)
+      if (tipDirection(now, i) == way) tool.orientation = i;
+  }
+  textChanged();
 }
 
 bool ProgramSession::isSettled() const {

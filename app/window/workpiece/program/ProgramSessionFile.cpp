@@ -61,8 +61,12 @@ void ProgramSession::taken(const QString& path, const ProgramFile& file) {
 
 // By the cursor, so that the editor can undo it.
 void ProgramSession::setText(const QString& text, ProgramTools tools) {
-  m_tools = std::move(tools);
-  if (!m_tools.empty()) m_panel->setNose(m_tools.begin()->second.noseRadius);
+  if (!tools.empty()) {
+    m_panel->setNose(tools.begin()->second.noseRadius);
+    setTools(std::move(tools), false);
+  } else if (!m_hasOwnTools) {
+    setTools({}, false);
+  }
   QTextCursor all(m_panel->editor().document());
   all.select(QTextCursor::Document);
   all.insertText(text);

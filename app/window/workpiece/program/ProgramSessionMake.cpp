@@ -8,12 +8,16 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/TurningFidelity.h"
+#include "machining/lathe/LatheJson.h"
+#include "machining/lathe/LatheMounting.h"
+#include "machining/program/BoreCuts.h"
 #include "machining/program/CycleProgram.h"
 #include "panels/LogModel.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/workpiece/program/NumbersDialog.h"
 #include "window/workpiece/program/ProgramSession.h"
+#include "window/workpiece/program/ToolTableDialog.h"
 
 namespace handwheel {
 
@@ -47,10 +51,12 @@ void ProgramSession::writePasses(double spindle) {
 
 void ProgramSession::askForCycles() {
   const CycleSettings usual;
+  const auto& target = workpiece().workpiece().target;
+  const double drill = target ? drillFor(target->profile, shippedLatheTools()) : 0.0;
   auto* dialog = new NumbersDialog(
       tr("Rough and finish"),
-      tr("Writes a program that makes the outside of the target from this part. It is simulated first, and refused "
-         "where it collides or cuts into the target."),
+      tr("Writes a program that makes the target from this part, a bore that goes through included. It is simulated "
+         "first, and refused where it collides or cuts into the target."),
       tr("&Write"),
       {{"cyclesDepth", tr("Depth of cut"), tr("mm"), usual.depth, 0.02, 100.0, tr("Of a roughing cut, on the radius")},
        {"cyclesAllowance", tr("Allowance"), tr("mm"), usual.allowance, 0.0, 10.0, tr("Left for the finishing cut")},
@@ -58,7 +64,10 @@ void ProgramSession::askForCycles() {
        {"cyclesRoughFeed", tr("Feed of roughing"), tr("mm/rev"), usual.roughFeed, 1e-3, 10.0},
        {"cyclesFinishFeed", tr("Feed of finishing"), tr("mm/rev"), usual.finishFeed, 1e-3, 10.0},
        {"cyclesSpeed", tr("Surface speed"), tr("m/min"), usual.speed, 1.0, 5000.0},
-       {"cyclesMostSpindle", tr("Greatest spindle speed"), tr("r/min"), usual.mostSpindle, 1.0, kMostSpindle}},
+       {"cyclesMostSpindle", tr("Greatest spindle speed"), tr("r/min"), usual.mostSpindle, 1.0, kMostSpindle},
+       {"cyclesDrill", tr("Drill for the bore"), tr("mm"), drill, 0.0, 100.0,
+        tr("Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it "
+           "is.")}},
       m_parts.window);
   dialog->setObjectName(QStringLiteral("cyclesDialog"));
   connect(dialog, &NumbersDialog::chosen, this, &ProgramSession::writeCycles);
@@ -67,8 +76,8 @@ void ProgramSession::askForCycles() {
 
 void ProgramSession::writeCycles(const std::vector<double>& numbers) {
   CycleSettings settings;
-  double* const places[] = {&settings.depth,      &settings.allowance, &settings.nose,       &settings.roughFeed,
-                            &settings.finishFeed, &settings.speed,     &settings.mostSpindle};
+  double* const places[] = {&settings.depth,      &settings.allowance, &settings.nose,        &settings.roughFeed,
+                            &settings.finishFeed, &settings.speed,     &settings.mostSpindle, &settings.drill};
   std::size_t next = 0;
   for (double* place : places) *place = numbers[next++];
   const double spacing = m_parts.fidelity.values().of(turnSpacingSetting());
@@ -79,13 +88,39 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
               failed = job.failed](Progress progress) -> Job::Finish {
     if (!start.target) return {};
     const TurnedProfile part = partOf(start, spacing).profile;
-    const CycleTask task{start.target->profile, start.stock, part, start.stock.position, latheOf(start).chuck.grip};
-    const Result<std::string> text = cycleProgram(task, dialect, settings, progress);
-    if (!text) return [failed, error = text.error()] { failed(error); };
-    const ProgramTool tool{settings.nose, outsideOrientation(dialect), {0.0, 0.0}};
-    return [this, made = *text, tool] { offer(made, {{1, tool}}); };
+    const LatheTools tools = shippedLatheTools();
+    const CycleTask task{start.target->profile,
+                         start.stock,
+                         part,
+                         start.stock.position,
+                         latheOf(start).chuck.grip,
+                         tools,
+                         programSetupFor(start, tools, dialect, settings.nose).lathe};
+    const Result<CycleProgram> program = cycleProgram(task, dialect, settings, progress);
+    if (!program) return [failed, error = program.error()] { failed(error); };
+    return [this, made = *program] { offer(made.text, made.tools); };
   };
   m_runs.start(std::move(job));
+}
+
+// The tools that an exercise does not provide are not offered.
+void ProgramSession::askForTools() {
+  const LatheTools shipped = shippedLatheTools();
+  const LatheSetup lathe = latheOf(workpiece().workpiece());
+  LatheTools bodies, post;
+  for (const auto& tool : shipped)
+    if (isAllowed(lathe, tool->id) && !tool->isAbrasive()) bodies.push_back(tool);
+  for (const LatheSlot& slot : lathe.stations)
+    if (auto tool = toolNamed(bodies, slot.tool)) post.push_back(std::move(tool));
+  ProgramTools tools = m_tools;
+  for (auto& [number, tool] : tools)
+    if (tool.body) tool.body = toolNamed(bodies, tool.body->id);
+  auto* dialog = new ToolTableDialog(tools, std::move(bodies), std::move(post), m_panel->dialect(), m_parts.window);
+  connect(dialog, &ToolTableDialog::chosen, this, [this](const ProgramTools& chosen) {
+    setTools(chosen, true);
+    textChanged();
+  });
+  dialog->open();
 }
 
 // It has no file yet: that of the text before stays as it is.

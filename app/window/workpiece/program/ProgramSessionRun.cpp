@@ -19,6 +19,7 @@
 #include "window/workpiece/program/ProgramSession.h"
 #include "window/workpiece/program/ToolPathLines.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -45,8 +46,12 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
 }
 
 // With the place as %1 and %2.
-QString collisionText(ProgramCollision::Kind kind) {
-  switch (kind) {
+QString collisionText(const ProgramCollision& collision) {
+  const auto title = [](LathePart part) { return QCoreApplication::translate("LathePart", titleOf(part)); };
+  switch (collision.kind) {
+    case ProgramCollision::Kind::Contact:
+      return ProgramSession::tr("collision: %3 meets %4, on the way to ⌀ %1, Z %2.")
+          .arg(QStringLiteral("%1"), QStringLiteral("%2"), title(collision.moving), title(collision.struck));
     case ProgramCollision::Kind::Chuck:
       return ProgramSession::tr("collision: the tip is beyond the face of the chuck, at ⌀ %1, Z %2.");
     case ProgramCollision::Kind::RapidInMaterial:
@@ -81,7 +86,8 @@ void ProgramSession::documentChanged() {
   const StockCylinder &a = m_start.stock, &b = now.stock;
   const bool isSame = m_start.part == now.part && m_start.chord == now.chord && a.diameter == b.diameter &&
                       a.length == b.length && a.position == b.position &&
-                      latheOf(m_start).chuck.grip == latheOf(now).chuck.grip;
+                      latheOf(m_start).chuck == latheOf(now).chuck &&
+                      latheOf(m_start).tailstock == latheOf(now).tailstock;
   if (m_trial && !isSame) forgetRun();
 }
 
@@ -115,9 +121,12 @@ void ProgramSession::ran(ProgramTrial::Pointer trial, PathLayer::Lines lines) {
   m_trial = std::move(trial);
   m_panel->setFindings(findingsOf(*m_trial));
   m_panel->setSummary(summaryOf(*m_trial));
-  m_panel->setCuttable(m_trial->part() != nullptr, m_trial->part()
-                                                       ? tr("Cut the part as the program does: one step of the history")
-                                                       : tr("The program does not touch the part."));
+  const QString cutting = m_trial->collisionCount() == 0
+                              ? tr("Cut the part as the program does: one step of the history")
+                              : tr("Cut the part as the program does. Its collisions are recorded, as on the machine: "
+                                   "undo does not take them back.");
+  m_panel->setCuttable(m_trial->part() != nullptr,
+                       m_trial->part() ? cutting : tr("The program does not touch the part."));
   m_panel->player().setDuration(m_trial->steps().duration());
   m_picture.lines = std::move(lines);
   m_shown = {};
@@ -132,7 +141,7 @@ std::vector<ProgramFinding> ProgramSession::findingsOf(const ProgramTrial& trial
       return quantityText(std::round(mm * 1e3) / 1e3, Quantity::Length, unit, QLocale());
     };
     findings.push_back({ProgramFinding::Weight::Error, static_cast<int>(each.line), 0,
-                        collisionText(each.kind).arg(length(2.0 * each.at.x()), length(each.at.y())),
+                        collisionText(each).arg(length(2.0 * each.at.x()), length(each.at.y())),
                         moveOf(each, trial.path())});
   }
   for (const auto* notes : {&trial.path().notes, &trial.notes()}) {
@@ -154,10 +163,12 @@ QString ProgramSession::summaryOf(const ProgramTrial& trial) const {
 void ProgramSession::cut() {
   if (!m_trial || !m_trial->part()) return;
   const QString text = m_path.isEmpty() ? tr("Run program") : tr("Run %1").arg(fileName());
-  const auto part = m_trial->part();
-  const QString done =
-      tr("Cut: %1 mm³ removed. Undo brings them back.").arg(QLocale().toString(m_trial->removed(), 'f', 0));
-  m_document.document.commit(text, std::make_unique<TurnedPartEdit>(part));
+  const ProgramTrial::Pointer trial = m_trial;  // the commit lets go of it
+  QString done = tr("Cut: %1 mm³ removed. Undo brings them back.").arg(QLocale().toString(trial->removed(), 'f', 0));
+  if (const auto count = static_cast<int>(trial->collisionCount()); count > 0)
+    done += QLatin1Char(' ') + tr("%n collision(s) recorded, which undo does not take back.", nullptr, count);
+  static_cast<WorkpieceDocument&>(m_document.document).addCrashes(trial->crashes());
+  m_document.document.commit(text, std::make_unique<TurnedPartEdit>(trial->part()));
   m_panel->setSummary(done);
 }
 

@@ -101,6 +101,21 @@ ReportCurve loadCurve(const char* title, const char* unit, const std::vector<Mea
   return curve;
 }
 
+// How the part came near to its target, at moments of the work. The bar is that of the work.
+void addDeviations(ReportDetails& details, const TurningTask& task, const WorkpieceSnapshot& work, Progress progress) {
+  constexpr int kMoments = 40;
+  const TurnedProfile bar(work.stock, work.part->profile.spacing());
+  const auto replay = PassesReplay::make(bar, work.part->passes, progress.part(0.0, 0.5));
+  if (!replay) return;
+  const DeviationTrack track = deviationTrack(*replay, *task.target, 0.0, {task.lathe.chuckHeight, task.stock.length},
+                                              kMoments, progress.part(0.5, 1.0));
+  const auto add = [&](const char* title, const DeviationTrack::Curve& points) {
+    details.curves.push_back({title, QT_TRANSLATE_NOOP("Figure", "Time"), "s", title, "mm", {{title, points}}});
+  };
+  add(QT_TRANSLATE_NOOP("Figure", "Material left over the target"), track.left);
+  add(QT_TRANSLATE_NOOP("Figure", "Cut too deep"), track.deep);
+}
+
 ReportEvent eventOf(const CrashMoment& crash) {
   const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
   if (crash.what == CrashMoment::What::Chuck)
@@ -157,6 +172,7 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   details.curves.push_back(
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
   details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
+  if (task.target) addDeviations(details, task, work, progress);
   for (const CrashMoment& crash : part.unrecordedCrashes()) details.events.push_back(eventOf(crash));
   for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash));
   details.seconds = part.review()->seconds();

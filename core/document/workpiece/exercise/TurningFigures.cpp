@@ -173,7 +173,7 @@ const std::vector<FigureType>& turningFigureTypes() {
 
 MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress)
     : m_task(task), m_profile(partOf(workpiece, turnSpacingSetting().standard).profile) {
-  m_crashes = allCrashes(workpiece);
+  m_crashes = workpiece.crashes;
   if (workpiece.part) {
     for (const auto& pass : workpiece.part->passes) m_passes.push_back(pass);
     m_threads = workpiece.part->threads();
@@ -228,17 +228,9 @@ std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
 }
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
-  std::vector<Load> loads;
   const WorkMaterials& kMaterials = WorkMaterials::standard();
   const WorkMaterial* material = kMaterials.find(m_task.material);
-  if (!material || !m_review) return loads;
-  const auto model = kienzleModel(*material, CuttingEdge());
-  for (const CutMoment& moment : m_review->moments()) {
-    const CutConditions cut{moment.depth, moment.feed, moment.speed};
-    const CutForces forces = model->at(cut);
-    loads.push_back({moment.time, forces.cutting, cuttingPower(forces, cut)});
-  }
-  return loads;
+  return material && m_review ? cutLoads(*m_review, *material) : std::vector<Load>();
 }
 
 Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const {

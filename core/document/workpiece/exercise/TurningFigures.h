@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/exercise/ExerciseSnapshot.h"
+#include "document/workpiece/ReplayTrack.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "machining/finish/FinishReading.h"
@@ -30,9 +31,7 @@ class MeasuredPart {
   // Whether the passes give this part, sample by sample, and its finish. Else somebody has changed the file.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
   // The cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
-  struct Load {
-    double time, force, power;
-  };
+  using Load = CutLoad;
   std::vector<Load> loads() const;
   // The roughness of a side along a range: that which is kept along the part; where it is not kept all the way, as in
   // files of older programs, that of the passes at the speed of the task. None where it is not cut all the way.

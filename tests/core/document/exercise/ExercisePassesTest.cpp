@@ -50,6 +50,7 @@ class ExercisePassesTest : public QObject {
         ProgramTrial::run(work, program.toStdString(), setup, turnSpacingSetting().standard, nullptr, {});
     QVERIFY(trial && trial.value()->part());
     work.part = trial.value()->part();
+    addCrashes(work, trial.value()->crashes());
     const Marking marking = markWork(*shoulderTask(), work, {"Bob", {}, {}, 300.0, {}, {}});
     QCOMPARE(marking.find("crash")->points, points);
     const ReportDetails details = shoulderTask()->subject->details(*shoulderTask()->task, work, {});

@@ -233,19 +233,16 @@ class TurningExerciseTest : public QObject {
   // What the lathe itself has seen counts besides what the passes show.
   void crashesOfTheManualLathe() {
     WorkpieceSnapshot work = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork()));
-    TurnedPart part = *work.part;
     LatheCollision crash;
     crash.cause = CrashCause::SpindleAtRest;
     crash.place = {20.0, 80.0};
-    part.crashes = std::make_shared<const std::vector<LatheCollision>>(std::vector{crash});
-    work.part = std::make_shared<const TurnedPart>(part);
+    QVERIFY(addCrashes(work, std::vector{crash}));
     const Marking marking = markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}});
     QCOMPARE(lostIn(marking), Names{"crash"});
     QCOMPARE(marking.find("crash")->points, 2.0);  // one of two that cost all
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, work, {});
     QVERIFY(details.events.size() == 1 && details.events[0].text.inEnglish().find("at rest") != std::string::npos);
-    // Those of the document, which no undo takes back, count with those of its passes.
-    work.crashes = part.crashes;
+    QVERIFY(addCrashes(work, std::vector{crash}));
     QCOMPARE(markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}}).find("crash")->points, 0.0);
   }
 

@@ -117,7 +117,7 @@ void WorkpieceKindTest::containerOnDisk() {
   QVERIFY(same(valueOf(opened->content), valueOf(document->snapshot())));
 }
 
-// Also of a bar that was not cut; and whoever reads the file has those of the passes besides.
+// Also of a bar that was not cut; and where an older program kept those of programs.
 void WorkpieceKindTest::crashesAreKept() {
   WorkpieceSnapshot value = workpiece({40.0, 100.0, 0.0});
   LatheCollision crash;
@@ -132,6 +132,10 @@ void WorkpieceKindTest::crashesAreKept() {
   QVERIFY(loaded.hasValue() && damage.empty());
   QVERIFY(valueOf(*loaded).crashes && *valueOf(*loaded).crashes == *value.crashes);
   QVERIFY(!valueOf(*loaded).part);
+  (*container.manifest)["document"]["turned"] = {{"crashes", (*container.manifest)["document"]["crashes"]}};
+  const Result<SnapshotPointer> older = m_kind.load(container, damage, {});
+  QVERIFY(older.hasValue() && valueOf(*older).crashes->size() == 4);
+  (*container.manifest)["document"].erase("turned");
   (*container.manifest)["document"]["crashes"] = json::array({3, {{"cause", "bad luck"}}});
   const Result<SnapshotPointer> hostile = m_kind.load(container, damage, {});
   QVERIFY(hostile.hasValue() && !valueOf(*hostile).crashes);

@@ -75,6 +75,21 @@ class PartDrawingTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // Without the part there are the same dimensions, where the part is shown otherwise: none within its outline at the
+  // bottom, all texts apart.
+  void dimensionsAlone() {
+    const DrawingTitle title{"Bolt", "C45", {}, 1e-3, {}, {}};
+    DrawingPlace place;
+    place.scale = 1.6;
+    const Sheet whole = drawingSheet(part(), title), alone = dimensionSheet(part(), title, place);
+    for (const char* const text : {"Ø40", "Ø24", "Ø20", "Ø10", "R3", "90", "30"})
+      QVERIFY2(hasText(alone, text) && hasText(whole, text), text);
+    QVERIFY(!hasText(alone, "Bolt") && overlaps(alone).isEmpty());
+    QVERIFY(alone.box().min().y() < -1.6 * 20.0 && alone.box().min().x() <= 0.0);
+    QVERIFY(std::none_of(alone.strokes.begin(), alone.strokes.end(),
+                         [](const auto& each) { return each.line == Sheet::Line::Wide; }));
+  }
+
   void hasItsDimensions() {
     const Sheet sheet = drawingSheet(part(), {"Bolt", "C45", {}, 1e-3, {}, {}});
     for (const char* text : {"Ø40", "Ø24", "Ø20", "Ø10", "R3", "2×45°", "Bolt", "C45", "A4", "mm"})

@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "machining/lathe/LatheJson.h"
+#include "machining/program/BoreCuts.h"
 #include "machining/program/CycleProgram.h"
 #include "machining/program/ProgramInterpreter.h"
 #include "machining/program/ProgramSimulation.h"
@@ -155,7 +156,7 @@ class RoughAndFinishTest : public QObject {
     }
     ProgramSetup setup = setupFor(ProgramDialect::LinuxCnc, settings.nose);
     setup.grip = grip;
-    const auto path = runProgram(*program, setup);
+    const auto path = runProgram(program->text, setup);
     QVERIFY(bool(path));
     ProgramSimulation simulation(bar, *path, setup);
     QVERIFY(simulation.run({}));
@@ -166,6 +167,85 @@ class RoughAndFinishTest : public QObject {
     };
     for (const auto& [z, r] : {std::pair(-15.0, 9.0), {-50.0, 14.0}, {-85.0, lowerRadius}})
       QVERIFY(std::abs(radiusAt(z) - r) < 1e-3);
+  }
+
+  // A stepped bore with a chamfer and a fillet, through a bush that is turned outside, too, by simulation with the
+  // bodies of drill and bar: nothing is cut too deep, and but in inner corners nothing is left.
+  void boresThrough_data() {
+    QTest::addColumn<bool>("isFanuc");
+    QTest::newRow("LinuxCNC") << false;
+    QTest::newRow("Fanuc") << true;
+  }
+  void boresThrough() {
+    QFETCH(bool, isFanuc);
+    const ProgramDialect dialect = isFanuc ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
+    const auto target =
+        TargetProfile::make({{{18, -50}, {18, 0}},
+                             {{18, 0}, {15, 0}},
+                             {{15, 0}, {14, -1}},
+                             {{14, -1}, {14, -18}},
+                             arcOf({14, -18}, {14 - 2 * (1 - std::sqrt(0.5)), -18 - 2 * std::sqrt(0.5)}, {12, -20}),
+                             {{12, -20}, {12, -50}},
+                             {{12, -50}, {18, -50}}});
+    QVERIFY(bool(target) && target->isClosed());
+    const LatheTools tools = shippedLatheTools();
+    QCOMPARE(drillFor(*target, tools), 20.0);
+    const StockCylinder stock{2.0 * kBarRadius, kBarLength, 0.0};
+    const TurnedProfile bar(stock, kFine);
+    const double base = -kBarLength;
+    const LatheSetup lathe = defaultLatheSetup(stock);
+    CycleSettings settings;
+    settings.drill = 20.0;
+    CycleTask task{*target, stock, bar, base, 20.0, tools, ProgramLathe{lathe.chuck, lathe.tailstock, nullptr}};
+    const auto program = cycleProgram(task, dialect, settings);
+    QVERIFY2(bool(program), program ? "" : program.error().arguments.front().c_str());
+    QVERIFY(program->tools.at(3).body->id == "drill-20" && program->tools.at(4).body->id == "boring-12");
+    ProgramSetup setup = usualSetup(dialect, stock, 20.0, settings.nose);
+    setup.tools = program->tools;
+    setup.lathe = task.lathe;
+    const auto path = runProgram(program->text, setup);
+    QVERIFY(bool(path));
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    QCOMPARE(simulation.collisionCount(), std::size_t{0});
+    const TargetDeviation deviation = deviationFrom(*target, simulation.part(), base);
+    std::size_t left = 0, all = 0;
+    for (std::size_t i = 0; i < simulation.part().size(); ++i) {
+      const double z = simulation.part().z(i) + base;
+      if (z < target->lowerEnd() + 2 * kFine || z > target->upperEnd() - 2 * kFine) continue;
+      for (const double each : {deviation.inner[i], deviation.outer[i]}) {
+        QVERIFY2(each > -1e-3 && each < 0.2, qPrintable(QString("z %1: %2").arg(z).arg(each)));
+        left += each > 0.002;
+        ++all;
+      }
+    }
+    QVERIFY2(left * 50 < all, qPrintable(QString("%1 of %2").arg(left).arg(all)));
+    // The bore goes on below the target, for parting off.
+    QVERIFY(simulation.part().inner(static_cast<std::size_t>(std::lround(49.0 / kFine))) > 11.9);
+  }
+
+  void refusesWhatCannotBeBored() {
+    const LatheTools tools = shippedLatheTools();
+    const auto tube = [](double radius) {
+      return TargetProfile::make({{{18, -50}, {18, 0}},
+                                  {{18, 0}, {radius, 0}},
+                                  {{radius, 0}, {radius, -50}},
+                                  {{radius, -50}, {18, -50}}})
+          .value();
+    };
+    QVERIFY(boreTools(tube(12.0), 20.0, tools) && !boreTools(tube(12.0), 24.0, tools) &&
+            !boreTools(tube(12.0), 19.0, tools));
+    QVERIFY(!boreTools(tube(4.0), 6.0, tools));  // no bar is so thin
+    QCOMPARE(drillFor(tube(4.0), tools), 0.0);
+    const auto cup = TargetProfile::make(
+        {{{0, -50}, {18, -50}}, {{18, -50}, {18, 0}}, {{18, 0}, {12, 0}}, {{12, 0}, {12, -30}}, {{12, -30}, {0, -30}}});
+    QVERIFY(bool(cup) && !boreTools(*cup, 20.0, tools) && drillFor(*cup, tools) == 0.0);
+    const BoreTools of20 = boreTools(tube(12.0), 20.0, tools).value();
+    CycleSettings settings;
+    settings.drill = 20.0;
+    QVERIFY(drillAndBore(tube(12.0), of20, settings, 30.0));
+    const auto noRoom = drillAndBore(tube(12.0), of20, settings, 5.0);
+    QVERIFY(!noRoom && noRoom.error().arguments.back().find("longer") != std::string::npos);
   }
 
   // Arcs, threads, dwells and both feeds are read as they were written.

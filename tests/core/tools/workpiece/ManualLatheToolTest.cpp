@@ -5,6 +5,7 @@
 #include "TestClass.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "machining/finish/FinishMeter.h"
 #include "machining/lathe/LatheJson.h"
 #include "tools/ToolRunner.h"
 
@@ -34,19 +35,24 @@ class HurriedClock : public ServoClock {
 // A bar of 50 × 100 mm in the lathe, whose first tool stands 20 mm beside and before it.
 struct HandLathe {
   WorkpieceKind kind;
-  std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
-  WorkpieceDocument& document = static_cast<WorkpieceDocument&>(*made);
+  std::unique_ptr<Document> made;
+  WorkpieceDocument& document;
   HurriedClock clock;
   Service simulation{"simulation"};
   ToolRunner runner;
   ManualLatheTool* tool = nullptr;
 
-  explicit HandLathe(std::chrono::microseconds pause = std::chrono::microseconds(50)) : clock(pause) {
-    auto started = std::make_unique<ManualLatheTool>(document, SimulationServices{clock, simulation}, 0.05,
-                                                     shippedLatheTools(), ForceLaw::Kienzle);
+  explicit HandLathe(SnapshotPointer opened, std::chrono::microseconds pause = std::chrono::microseconds(50))
+      : made(kind.make({&kind, {}, std::move(opened)})),
+        document(static_cast<WorkpieceDocument&>(*made)),
+        clock(pause) {
+    auto started = std::make_unique<ManualLatheTool>(document, SimulationServices{clock, simulation},
+                                                     shippedLatheTools(), ManualLatheTool::Start{0.05});
     tool = started.get();
     runner.start(std::move(started), document);
   }
+  explicit HandLathe(std::chrono::microseconds pause = std::chrono::microseconds(50))
+      : HandLathe(WorkpieceKind().blank(), pause) {}
   LatheState machine() const { return tool->moment()->machine; }
   double slide(std::size_t axis) const { return machine().slides[axis]; }
   void send(LatheCommand::Kind what, double value, LatheAxis axis = LatheAxis::Carriage) {
@@ -296,6 +302,55 @@ class ManualLatheToolTest : public QObject {
     lathe.runner.perform("revert");
     lathe.document.settle();  // nothing is under way
     QVERIFY(lathe.document.history()->count() <= 3);
+  }
+
+  // An autosave has what the passes under way have cut, which go on; its part is that of its passes, bit for bit.
+  void anAutosaveHasThePassUnderWay() {
+    HandLathe lathe;
+    QVERIFY(!lathe.tool->withWork());
+    QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 101.0) && lathe.wind(LatheAxis::Cross, 23.0));
+    QVERIFY(!lathe.tool->withWork());
+    lathe.send(LatheCommand::Kind::Feed, -0.2);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCarriageAxis) < 95.0; }));
+    const auto kept = std::static_pointer_cast<const WorkpieceSnapshot>(lathe.tool->withWork());
+    QVERIFY(kept && kept->part && kept->part->passes.size() == 1);
+    QVERIFY(std::abs(kept->part->profile.radius(static_cast<std::size_t>(std::lround(97.0 / 0.05))) - 23.0) < 0.02);
+    TurnedProfile again(kept->stock, 0.05);
+    FinishMeter meter(again, SurfaceFinish(again.size()));
+    cut(again, *kept->part->passes.front(), 0, meter);
+    QVERIFY(again == kept->part->profile && meter.finish() == kept->part->finish);
+    // Nothing was committed, and the pass is one step when it ends.
+    QVERIFY(!lathe.document.workpiece().part && lathe.document.history()->count() == 0);
+    const double there = lathe.slide(kCarriageAxis);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCarriageAxis) < there - 2.0; }));
+    QVERIFY(lathe.endPass());
+    QCOMPARE(lathe.document.history()->count(), 1);
+    QCOMPARE(lathe.document.workpiece().part->passes.size(), std::size_t{1});
+  }
+
+  // Saved with the blade in its groove, the file opens with a lathe that stands clear of it, and nothing was struck.
+  void savedWithTheToolInAGroove() {
+    HandLathe lathe;
+    QVERIFY(!lathe.tool->mount(0, "grooving-2"));
+    QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 60.0) && lathe.wind(LatheAxis::Cross, 26.0));
+    lathe.send(LatheCommand::Kind::Feed, -0.05, LatheAxis::Cross);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCrossAxis) < 22.0; }));
+    lathe.document.settle();
+    Container container;
+    lathe.kind.save(lathe.document.workpiece(), container);
+    std::vector<Error> damage;
+    const auto loaded = lathe.kind.load(container, damage, {});
+    QVERIFY(loaded.hasValue() && damage.empty());
+    const auto opened = std::static_pointer_cast<const WorkpieceSnapshot>(*loaded);
+    QVERIFY(opened->part && !opened->crashes);
+    HandLathe other(opened);
+    QVERIFY(other.spin());
+    QVERIFY(other.wind(LatheAxis::Carriage, 90.0) && other.tool->collisions().empty());
+    // The one that was saved goes on, in and out.
+    QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCrossAxis) < 20.0; }));
+    lathe.send(LatheCommand::Kind::Feed, 0.0, LatheAxis::Cross);
+    QVERIFY(lathe.wind(LatheAxis::Cross, 30.0));
+    QVERIFY(lathe.tool->collisions().empty() && !lathe.document.workpiece().crashes);
   }
 
   void toolsAreMounted() {

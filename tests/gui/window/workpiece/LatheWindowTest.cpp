@@ -4,14 +4,19 @@
 #include "../haptics/TurningWindow.h"
 #include "controls/NumberField.h"
 #include "controls/machine/HandwheelDial.h"
+#include "document/Recovery.h"
 #include "panels/time/TimeLinePanel.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
 
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenu>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <cmath>
 #include <numbers>
 
@@ -240,6 +245,60 @@ class LatheWindowTest : public QObject {
     QVERIFY(!line->isVisible());
     QVERIFY(window.workpiece().part == part);
     QVERIFY(window.machine().slides == before.slides);
+  }
+
+  // Beside it another workpiece is played, on the same time line.
+  void replayBesideAnother() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("first.handwheel");
+    LatheWindow window;
+    QVERIFY(window.beginLathe() && window.turnEnd());
+    QTest::keyClick(window.view, Qt::Key_Escape);
+    QVERIFY(window.driver.settle());
+    window.driver.choose("saveAs");
+    QVERIFY(window.driver.enterFileName("saveDialog", path) && window.driver.settle());
+    window.driver.choose("replayDockToggle");
+    QVERIFY(window.driver.settle());
+    auto* const line = window.driver.find<TimeLinePanel>("replayTimeLine");
+    auto* const compare = window.driver.find<QPushButton>("replayCompare");
+    QTRY_VERIFY(line->isEnabled() && compare->isEnabled());
+    QCOMPARE(line->timeOf(1), 0.0);
+    window.driver.click("replayCompare");
+    QVERIFY(window.driver.enterFileName("replayCompareDialog", path) && window.driver.settle());
+    QTRY_VERIFY(compare->text().contains("first.handwheel"));
+    QVERIFY(line->time() > 1.0 && std::abs(line->timeOf(1) - line->time()) < 1e-9);
+    window.driver.click("replayCompare");
+    QVERIFY(!compare->text().contains("first.handwheel"));
+    QCOMPARE(line->timeOf(1), 0.0);
+  }
+
+  // Killed while the feed runs, the program offers what was cut up to the last autosave.
+  void aKilledPassComesBack() {
+    QStandardPaths::setTestModeEnabled(true);
+    const QString folder = QString::fromStdString(recoveryFolder().string());
+    QDir(folder).removeRecursively();
+    QSettings().setValue("autosaveSeconds", 5);
+    {
+      LatheWindow window;
+      QVERIFY(window.beginLathe() && window.turnEnd());
+      QVERIFY(!window.workpiece().part);  // nothing was committed
+      const auto isStored = [&] {
+        for (const QString& session : QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+          if (!QDir(folder + "/" + session).entryList({"*.handwheel"}, QDir::Files).isEmpty()) return true;
+        return false;
+      };
+      QVERIFY(QTest::qWaitFor(isStored, kPatienceMs));
+    }  // the window goes without asking, as in a crash
+    WindowDriver second;
+    second.window().offerRecovery();
+    second.click("messageAction");
+    QVERIFY(QTest::qWaitFor([&] { return second.tabs() == 1; }, kPatienceMs) && second.settle());
+    const auto& work =
+        static_cast<const WorkpieceDocument&>(second.window().findChild<DocumentTabs*>()->current()->document)
+            .workpiece();
+    QVERIFY(work.part && !work.crashes);
+    const TurnedProfile& profile = work.part->profile;
+    QVERIFY(std::abs(profile.radius(static_cast<std::size_t>(std::lround(99.0 / profile.spacing()))) - 23.0) < 0.02);
   }
 
   // A hand at a device holds the tool, and cuts with it.

@@ -15,6 +15,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QToolButton>
 #include <cmath>
 
@@ -219,6 +220,33 @@ class ProgramWindowTest : public QObject {
     QVERIFY(window.driver.settle());
     QCOMPARE(window.findings().count(), 0);
     QVERIFY(window.driver.find<QPushButton>("programCut")->isEnabled());
+  }
+
+  // With the tools of the post, the holder of the first of which begins 6 mm behind its tip, a plunge of 8 mm is a
+  // collision. Cut for good it is recorded, and undo takes back the groove alone.
+  void holdersOfTheToolTable() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.driver.click("programTools");
+    window.driver.click("toolTablePost");
+    const int rows = window.driver.find<QTableWidget>("toolTable")->rowCount();
+    QCOMPARE(rows, static_cast<int>(latheOf(window.document().workpiece()).stations.size()));
+    window.driver.click("toolTableAccept");
+    QTRY_VERIFY(window.driver.find<QPushButton>("programTools")->text().contains(QString::number(rows)));
+    QVERIFY(window.run("G7 G21 T1 M6 G43\nG97 S600 M3\nG0 X54 Z-50\nG1 X34 F60\nG0 X54\nM2\n"));
+    QCOMPARE(window.findings().count(), 1);
+    QVERIFY2(
+        window.findings().item(0)->text().startsWith("Line 4") && window.findings().item(0)->text().contains("meets"),
+        qPrintable(window.findings().item(0)->text()));
+    window.driver.click("programCut");
+    QVERIFY(window.driver.settle());
+    const WorkpieceDocument& document = window.document();
+    QVERIFY(document.workpiece().part && document.workpiece().crashes && document.workpiece().crashes->size() == 1);
+    window.document().history()->undo();
+    QVERIFY(window.driver.settle());
+    QVERIFY(!document.workpiece().part && document.workpiece().crashes->size() == 1);
+    window.document().history()->redo();
+    QVERIFY(document.workpiece().part && document.workpiece().crashes->size() == 1);
   }
 
   // A program without end is let go of at once.

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/DimensionsView.h"
+
+#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "machining/drawing/PartDrawing.h"
+#include "viewport/Viewport.h"
+#include "window/ActionToolTip.h"
+#include "window/documents/DocumentTab.h"
+
+#include <QFont>
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <QTransform>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kPaper = 160.0;  // mm that the part would measure on a drawing: so large are the texts
+constexpr int kPerArc = 24;       // pieces
+
+// A place of the sheet in the scene. The chuck is left, the tool on this side, so that up is against y.
+Vec3 inScene(const ProfilePoint& at, double scale) {
+  return {0.0, -at.y() / scale, at.x() / scale};
+}
+
+void addCurve(std::vector<PathLine>& lines, const ProfileSegment& curve, double scale) {
+  PathLine line;
+  const int pieces = curve.isArc() ? kPerArc : 1;
+  for (int i = 0; i <= pieces; ++i) line.points.push_back(inScene(curve.at(static_cast<double>(i) / pieces), scale));
+  lines.push_back(std::move(line));
+}
+
+// The outlines of its letters.
+void addText(std::vector<PathLine>& lines, const Sheet::Text& text, double scale) {
+  QFont font(QStringLiteral("sans-serif"));
+  font.setPixelSize(100);
+  const QFontMetricsF metrics(font);
+  const QString words = QString::fromStdString(text.text);
+  const double size = text.height / metrics.capHeight(), width = metrics.horizontalAdvance(words);
+  const double start = text.align == Sheet::Align::Left    ? 0.0
+                       : text.align == Sheet::Align::Right ? -width
+                                                           : -0.5 * width;
+  QPainterPath path;
+  path.addText(start, 0.0, font, words);
+  for (const QPolygonF& polygon : path.toSubpathPolygons(QTransform())) {
+    PathLine line;
+    for (const QPointF& p : polygon) {
+      const ProfilePoint flat(size * p.x(), -size * p.y());
+      line.points.push_back(inScene(text.at + (text.isUpwards ? ProfilePoint(-flat.y(), flat.x()) : flat), scale));
+    }
+    lines.push_back(std::move(line));
+  }
+}
+
+PathLayer::Lines linesOf(const Sheet& sheet, double scale) {
+  auto lines = std::make_shared<std::vector<PathLine>>();
+  for (const Sheet::Stroke& stroke : sheet.strokes) addCurve(*lines, stroke.curve, scale);
+  for (const Sheet::Area& area : sheet.areas)
+    for (const ProfileSegment& side : area.outline) addCurve(*lines, side, scale);
+  for (const Sheet::Text& text : sheet.texts) addText(*lines, text, scale);
+  return lines;
+}
+
+// On a worker.
+PathLayer::Lines dimensionLines(const WorkpieceSnapshot& workpiece) {
+  const Result<TargetProfile> section = sectionOf(workpiece);
+  if (!section) return nullptr;
+  DrawingPlace place;
+  place.scale = kPaper / std::max(section->length(), 2.0 * section->largestRadius());
+  DrawingTitle title;
+  title.tolerance = workpiece.chord;
+  return linesOf(dimensionSheet(*section, title, place), place.scale);
+}
+
+}  // namespace
+
+DimensionsView::DimensionsView(const WindowContext& parts, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_toggle(tr("Dimensions in the &view"), this),
+      m_layer(std::make_shared<PathLayer>()),
+      m_measuring(JobRunner::Policy::Latest, parts.pool) {
+  m_toggle.setObjectName(QStringLiteral("dimensionsInView"));
+  m_toggle.setCheckable(true);
+  setActionToolTip(m_toggle, tr("Show diameters, lengths, radii and chamfers of the part in the view"));
+  parts.viewport.addLayer(m_layer);
+  connect(&m_toggle, &QAction::toggled, this, &DimensionsView::refresh);
+}
+
+DimensionsView::~DimensionsView() {
+  m_parts.viewport.removeLayer(*m_layer);
+}
+
+void DimensionsView::setDocument(DocumentTab* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_measuring.cancelAll();
+  m_document = document;
+  m_toggle.setEnabled(document != nullptr);
+  if (document) connect(&document->document, &Document::changed, this, &DimensionsView::refresh);
+  refresh();
+}
+
+void DimensionsView::setVisible(bool isVisible) {
+  if (std::exchange(m_isVisible, isVisible) != isVisible) refresh();
+}
+
+void DimensionsView::refresh() {
+  m_measuring.cancelAll();
+  if (!m_document || !m_isVisible || !m_toggle.isChecked()) {
+    m_layer->setLines(nullptr);
+    m_parts.viewport.update();
+    return;
+  }
+  Job job;
+  job.name = tr("Measuring");
+  job.owner = m_document;
+  job.work = [this, document = m_document,
+              value =
+                  static_cast<const WorkpieceDocument&>(m_document->document).workpiece()](Progress) -> Job::Finish {
+    PathLayer::Lines lines = dimensionLines(value);
+    return [this, document, lines] {
+      if (document != m_document || !m_toggle.isChecked()) return;
+      m_layer->setLines(lines);
+      m_parts.viewport.update();
+    };
+  };
+  m_measuring.start(std::move(job));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/path/PathLayer.h"
+#include "window/JobRunner.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <memory>
+
+namespace handwheel {
+
+// Shows the dimensions of a turned part in the view, as its drawing has them, in the plane that faces who stands at the
+// lathe. Window thread.
+class DimensionsView : public QObject {
+  Q_OBJECT
+
+ public:
+  DimensionsView(const WindowContext& parts, QObject* parent);
+  ~DimensionsView() override;
+
+  QAction* action() { return &m_toggle; }
+  void setDocument(DocumentTab* document);
+  void setVisible(bool isVisible);  // with the document
+  bool isSettled() const { return m_measuring.isIdle(); }
+
+ private:
+  void refresh();
+
+  WindowContext m_parts;
+  QAction m_toggle;
+  std::shared_ptr<PathLayer> m_layer;
+  DocumentTab* m_document = nullptr;
+  bool m_isVisible = true;
+  JobRunner m_measuring;
+};
+
+}  // namespace handwheel

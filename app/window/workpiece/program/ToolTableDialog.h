@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "machining/program/ProgramSetup.h"
+
+#include <QDialog>
+
+class QTableWidget;
+
+namespace handwheel {
+
+// Changes the table of tools of a program: which number is which tool. The window stays usable meanwhile. Deleted when
+// closed.
+class ToolTableDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  // bodies: the tools of the lathe that may be chosen. post: what its post holds, from T1.
+  ToolTableDialog(const ProgramTools& tools, LatheTools bodies, LatheTools post, ProgramDialect dialect,
+                  QWidget* parent);
+
+ signals:
+  void chosen(const handwheel::ProgramTools& tools);
+
+ private:
+  void addRow(int number, const ProgramTool& tool);
+  void takeBody(int row);
+  void fromLathe();
+  int freeNumber() const;
+  ProgramTools tools() const;
+
+  LatheTools m_bodies, m_post;
+  ProgramDialect m_dialect;
+  QTableWidget* m_table;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/ReplayTrack.h"
+
+#include "document/workpiece/LatheSetupEdit.h"
+#include "machining/force/KienzleModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kDeviations = 60;  // moments at which the deviation is measured
+
+// A program strikes at a point of its path; what the manual lathe struck stopped it, so that the pass ends there.
+double secondsOf(const LatheCollision& crash, const PassesReplay& replay) {
+  const std::size_t count = replay.passes().size();
+  if (!(crash.passes >= 0.0)) return replay.duration();
+  const auto passes = static_cast<std::size_t>(std::min(crash.passes, static_cast<double>(count)));
+  for (std::size_t pass = passes == 0 ? 0 : passes - 1; pass < std::min(passes + 1, count); ++pass) {
+    const TurningPass& made = *replay.passes()[pass];
+    const auto at = std::find(made.path.begin(), made.path.end(), crash.place);
+    const auto point = static_cast<std::size_t>(at - made.path.begin());
+    if (point < made.times.size()) return replay.begin(pass) + made.times[point];
+  }
+  return passes == count ? replay.duration() : replay.begin(passes);
+}
+
+}  // namespace
+
+std::vector<CutLoad> cutLoads(const TurningReview& review, const WorkMaterial& material) {
+  const auto model = kienzleModel(material, CuttingEdge());
+  std::vector<CutLoad> loads;
+  for (const CutMoment& moment : review.moments()) {
+    const CutConditions cut{moment.depth, moment.feed, moment.speed};
+    const CutForces forces = model->at(cut);
+    loads.push_back({moment.time, forces.cutting, cuttingPower(forces, cut)});
+  }
+  return loads;
+}
+
+DeviationTrack deviationTrack(const PassesReplay& replay, const TargetProfile& target, double base, AxisRange range,
+                              int count, Progress progress) {
+  DeviationTrack track;
+  for (int i = 0; i < count && !progress.cancelled(); ++i) {
+    const double seconds = replay.duration() * i / std::max(count - 1, 1);
+    const TargetDeviation deviation = deviationFrom(target, replay.at(seconds).profile, base, {}, range);
+    track.left.emplace_back(seconds, deviation.largestOver.distance);
+    track.deep.emplace_back(seconds, -deviation.largestUnder.distance);
+    progress.set(static_cast<double>(i + 1) / count);
+  }
+  return track;
+}
+
+std::optional<ReplayTrack> replayTrack(const WorkpieceSnapshot& workpiece, Progress progress) {
+  const TurnedPart& part = *workpiece.part;
+  const TurnedProfile bar(workpiece.stock, part.profile.spacing());
+  auto replay = PassesReplay::make(bar, part.passes, progress.part(0.0, 0.3));
+  if (!replay) return std::nullopt;
+  ReplayTrack track;
+  track.replay = std::make_shared<const PassesReplay>(std::move(*replay));
+  std::vector<TurningPasses::Pass> passes;
+  for (const auto& pass : part.passes) passes.push_back(pass);
+  const LatheSetup lathe = latheOf(workpiece);
+  ReviewedLathe reviewed;
+  reviewed.spindleSpeed = lathe.spindle.speed;
+  const auto review = TurningReview::make(bar, passes, reviewed, progress.part(0.3, 0.7));
+  const WorkMaterials& materials = WorkMaterials::standard();
+  if (review) track.loads = cutLoads(*review, materials.called(workpiece.material));
+  if (workpiece.target) {
+    const AxisRange outside{lathe.chuck.grip, std::numeric_limits<double>::infinity()};
+    track.deviation = deviationTrack(*track.replay, workpiece.target->profile, workpiece.stock.position, outside,
+                                     kDeviations, progress.part(0.7, 1.0));
+  }
+  if (workpiece.crashes) {
+    for (const LatheCollision& crash : *workpiece.crashes)
+      track.crashes.push_back({secondsOf(crash, *track.replay), crash});
+  }
+  std::stable_sort(track.crashes.begin(), track.crashes.end(),
+                   [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  if (progress.cancelled()) return std::nullopt;
+  return track;
+}
+
+}  // namespace handwheel

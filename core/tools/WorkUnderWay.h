@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Snapshot.h"
+
+namespace handwheel {
+
+// A tool whose gestures take minutes, as a pass with the automatic feed does, so that an autosave must not wait for
+// their end. Window thread.
+class WorkUnderWay {
+ public:
+  virtual ~WorkUnderWay() = default;
+
+  // The value of the document as Tool::settle() would leave it. Nothing changes by it, and the work goes on. Null:
+  // nothing is under way.
+  virtual SnapshotPointer withWork() = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramObstacles.h"
+
+#include "TestClass.h"
+#include "machining/lathe/LatheJson.h"
+#include "machining/program/ProgramInterpreter.h"
+#include "machining/program/ProgramSimulation.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+const LatheTools& shipped() {
+  static const LatheTools kShipped = shippedLatheTools();
+  return kShipped;
+}
+
+// A bar in a chuck that holds 20 mm of it, T1 with a body of the lathe.
+struct BodyTrial {
+  explicit BodyTrial(double diameter, const char* tool) : bar{diameter, 100.0, 0.0} {
+    setup = usualSetup(ProgramDialect::LinuxCnc, bar, 20.0, 0.0);
+    setup.tools[1] = programToolOf(toolNamed(shipped(), tool), ProgramDialect::LinuxCnc);
+    setup.lathe.emplace();
+    setup.lathe->chuck.grip = 20.0;
+  }
+  std::vector<ProgramCollision> run(const std::string& cuts) const {
+    const auto path = runProgram("G7 G21 T1 M6 G43\nG97 S600 M3\n" + cuts + "\nM2\n", setup);
+    if (!path) qFatal("%s", path.error().arguments.empty() ? "?" : path.error().arguments.back().c_str());
+    ProgramSimulation simulation(TurnedProfile(bar, 0.02), *path, setup);
+    simulation.run({});
+    return simulation.collisions();
+  }
+  StockCylinder bar;
+  ProgramSetup setup;
+};
+
+bool isContact(const std::vector<ProgramCollision>& all, LathePart moving, LathePart struck, std::uint32_t line) {
+  return all.size() == 1 && all[0].kind == ProgramCollision::Kind::Contact && all[0].moving == moving &&
+         all[0].struck == struck && all[0].line == line;
+}
+
+}  // namespace
+
+// What programs meet with holder, post and slide. The places follow from the sections in resources/machining/tools.json
+// and LatheCollisions.
+class ProgramObstaclesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The holder of the finishing tool begins 8 mm behind its tip: a plunge may be as deep, and no deeper.
+  void theHolderMeetsTheWork() {
+    const BodyTrial trial(40.0, "right-finishing");
+    QVERIFY(trial.run("G0 X44 Z-50\nG1 X24.2 F60\nG0 X44").empty());  // 7.9 mm deep
+    QVERIFY(isContact(trial.run("G0 X44 Z-50\nG1 X23.6 F60\nG0 X44"), LathePart::Holder, LathePart::Work, 4));
+    BodyTrial bare(40.0, "right-finishing");
+    bare.setup.tools[1].body = nullptr;
+    QVERIFY(bare.run("G0 X44 Z-50\nG1 X23.6 F60\nG0 X44").empty());
+  }
+
+  // Turning along the bar the holder follows where the nose has made room; back again it would come first.
+  void theHolderFollowsTheNose() {
+    const BodyTrial trial(40.0, "right-roughing");                  // its holder begins 6 mm behind the tip
+    QVERIFY(trial.run("G0 X26 Z2\nG1 Z-60 F120\nG0 X44").empty());  // 7 mm deep
+    const auto back = trial.run("G0 X44 Z-60\nG1 X26 F60\nG1 Z2 F120");
+    QVERIFY(isContact(back, LathePart::Holder, LathePart::Work, 4));
+  }
+
+  // A large chuck reaches to the slide of a tool that faces a thin bar, whose tip is far from the jaws: the slide is 70
+  // mm out and 45 mm towards the chuck from the tip, the body of the chuck 10 mm behind the lower end.
+  void theSlideMeetsTheChuck() {
+    BodyTrial trial(12.0, "right-finishing");
+    trial.setup.lathe->chuck.diameter = 160.0;
+    QVERIFY(trial.run("G0 X14 Z-64\nG1 X10 F60\nG0 X14").empty());
+    QVERIFY(isContact(trial.run("G0 X14 Z-66\nG1 X10 F60\nG0 X14"), LathePart::Slide, LathePart::Chuck, 3));
+  }
+
+  // The centre stands in the end of the bar; its quill is 30 mm behind, 20 mm in radius. The holder of the roughing
+  // tool has a corner 8 mm out and 15 mm beyond the tip.
+  void theHolderMeetsTheQuill() {
+    BodyTrial trial(12.0, "right-roughing");
+    trial.setup.lathe->tailstock.fitting = LatheFitting::Centre;
+    trial.setup.lathe->tailstock.place = 100.0;
+    QVERIFY(trial.run("G0 X60 Z10\nG0 X22\nG1 X60 F60").empty());
+    QVERIFY(isContact(trial.run("G0 X60 Z16\nG0 X22\nG1 X60 F60"), LathePart::Holder, LathePart::Fitting, 4));
+    trial.setup.lathe->tailstock.fitting = LatheFitting::None;
+    QVERIFY(trial.run("G0 X60 Z16\nG0 X22\nG1 X60 F60").empty());
+  }
+
+  // A table as text gives the same tools again, bodies included; what a line does not say follows from its body.
+  void tablesWithBodies() {
+    for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
+      ProgramTools tools;
+      int number = 0;
+      for (const auto& tool : shipped()) tools[++number] = programToolOf(tool, dialect);
+      tools[99] = {0.8, 2, {1.5, -2.0}};
+      const auto read = readToolTable(toolTableText(tools), shipped(), dialect);
+      QVERIFY(read.hasValue() && read->size() == tools.size());
+      for (const auto& [name, tool] : tools) {
+        const ProgramTool& again = read->at(name);
+        QVERIFY(again.body == tool.body && again.noseRadius == tool.noseRadius);
+        QVERIFY(again.orientation == tool.orientation && again.offset == tool.offset);
+      }
+      const auto bare = readToolTable("T5 ; boring-12 of mine\nT6 D20 ;drill-20\nT7 ;spoon\n", shipped(), dialect);
+      QVERIFY(bare.hasValue() && bare->at(5).body->id == "boring-12" && bare->at(5).noseRadius == 0.4);
+      // Outward and towards the chuck.
+      QVERIFY(tipDirection(dialect, bare->at(5).orientation) == ProfilePoint(1, -1));
+      QVERIFY(bare->at(6).noseRadius == 10.0 && tipDirection(dialect, bare->at(6).orientation) == ProfilePoint(0, -1));
+      QVERIFY(!bare->at(7).body);
+    }
+  }
+};
+
+HANDWHEEL_TEST(ProgramObstaclesTest)
+#include "ProgramObstaclesTest.moc"
