@@ -78,6 +78,21 @@ FidelityCase coarseTrianglesCaseOn(const std::string& name, SoupSource soup);
 FidelitySetting shapeSidesSetting();
 std::vector<FidelityCase> shapeSidesCases();
 
+// ik.tolerance: poses that an arm reaches.
+std::vector<FidelityCase> ikToleranceCases();
+
+// plan.resolution: motions of an arm that keep a clearance, by little or by much.
+std::vector<FidelityCase> planResolutionCases();
+
+// verify.step: motions of an arm that collide, looked at in fixed steps.
+std::vector<FidelityCase> verifyStepCases();
+
+// plan.shortcuts: tasks of an arm among boxes.
+std::vector<FidelityCase> planShortcutsCases();
+
+// proximity.tolerance: meshes that are led past each other.
+std::vector<FidelityCase> proximityToleranceCases();
+
 // snap.radius: a scripted hand that moves to one of many points. It misses it a little and trembles.
 std::vector<FidelityCase> snapRadiusCases();
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/MeasuredSettings.h"
 
+#include "collision/ProximityFidelity.h"
 #include "document/formats/step/StepFidelity.h"
 #include "haptics/scene/TouchFidelity.h"
 #include "haptics/snap/SnapFidelity.h"
@@ -9,6 +10,8 @@
 #include "machining/force/ForceFidelity.h"
 #include "mesh/measure/MeshFidelity.h"
 #include "mesh/simplify/DecimationFidelity.h"
+#include "planning/PlanningFidelity.h"
+#include "robot/arm/IkFidelity.h"
 
 namespace handwheel {
 
@@ -32,6 +35,11 @@ FidelityRegistry measuredSettings() {
   registry.add(blockFacesSetting(), blockFacesCases());
   registry.add(coarseTrianglesSetting(), coarseTrianglesCases());
   registry.add(shapeSidesSetting(), shapeSidesCases());
+  registry.add(ikToleranceSetting(), ikToleranceCases());
+  registry.add(planResolutionSetting(), planResolutionCases());
+  registry.add(planShortcutsSetting(), planShortcutsCases());
+  registry.add(verifyStepSetting(), verifyStepCases());
+  registry.add(proximityToleranceSetting(), proximityToleranceCases());
   registry.add(snapRadiusSetting(), snapRadiusCases());
   registry.add(snapFeaturesSetting(), snapFeaturesCases());
   registry.add(proxyToleranceSetting(), proxyToleranceCases());

@@ -53,13 +53,14 @@ class PiecePair {
 
   bool isEmpty() const { return m_a.isEmpty() || m_b.isEmpty(); }
 
-  std::optional<ClosestPoints> closest(double enough, PairHint& hint) {
+  std::optional<ClosestPoints> closest(double enough, double tolerance, PairHint& hint) {
     // Boxes tell what meets far more quickly than distances do, which are zero then for very many bounds.
     if (m_walk.mayMeet()) {
       const auto meeting = m_walk.meeting(kMostMeeting, {});
       if (!meeting.empty()) return apart(meeting, hint);
     }
-    auto found = m_walk.nearest(std::max(enough, kTouching), {hint.first, hint.second});
+    auto found = m_walk.nearest(std::max(enough, kTouching), {hint.first, hint.second},
+                                -std::numeric_limits<double>::infinity(), tolerance);
     if (found && found->isMeeting) return apart({found->leaves}, hint);
     const bool isFirstWithin = isWithin(m_a, Pose::Identity(), m_second, m_pose);
     const bool isSecondWithin = !isFirstWithin && isWithin(m_b, m_pose, m_first, Pose::Identity());
@@ -153,14 +154,15 @@ class PiecePair {
 }  // namespace
 
 std::optional<ClosestPoints> closestPoints(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
-                                           const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts) {
+                                           const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts,
+                                           double tolerance) {
   ++counts.exact;
   std::optional<ClosestPoints> found = byFormula(a, poseA, b, poseB);
   if (found) {
     ++counts.pairs;
   } else {
     PiecePair pair(a, poseA, b, poseB, counts);
-    if (!pair.isEmpty()) found = pair.closest(enough, hint);
+    if (!pair.isEmpty()) found = pair.closest(enough, tolerance, hint);
   }
   return found && found->distance < enough ? found : std::nullopt;
 }

@@ -27,9 +27,11 @@ struct PairHint {
 //
 // Of what meets the depth is that of the closest way out for boxes, cylinders and spheres (by directions that are
 // tried, so never too small; exact without cylinders). Of triangles it is the least way, of some, on which those that
-// cross come apart: a bound, as meshes may be open.
+// cross come apart: a bound, as meshes may be open. tolerance: mm that the points of meshes may be further from each
+// other than the closest ones.
 std::optional<ClosestPoints> closestPoints(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
-                                           const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts);
+                                           const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts,
+                                           double tolerance = 0.0);
 
 // Whether two pieces are nearer to each other than `than`: the value is then below it, and else a lower bound of their
 // distance, which is known up to `upTo`, at least `than`. Quicker than the closest points: it stops at what tells.

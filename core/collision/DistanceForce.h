@@ -9,6 +9,7 @@ namespace handwheel {
 // How a held body is pushed away from what it comes near to.
 struct DistanceForceSettings {
   double reach = 10.0;         // mm: from this distance on; the threshold of the query
+  double tolerance = 1e-3;     // mm that a distance may be too large by: the setting proximity.tolerance
   double stiffness = 0.5;      // N/mm
   double torqueShare = 1.0;    // 0 to 1, of the torque; only 1 is conservative
   double deepest = 10.0;       // mm: what is deeper in each other pushes no harder

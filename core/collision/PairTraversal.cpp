@@ -55,7 +55,7 @@ bool PairTraversal::isSplitFirst(int a, int b) const {
 }
 
 void PairTraversal::descend(int a, int b, double bound) {
-  if (bound >= m_least || m_least <= m_stop) return;
+  if (bound >= m_least - (m_found ? m_tolerance : 0.0) || m_least <= m_stop) return;
   if (m_a.isLeaf(a) && m_b.isLeaf(b)) return look(m_a.leafOf(a), m_b.leafOf(b));
   const bool isFirst = isSplitFirst(a, b);
   const int a1 = isFirst ? m_a.left(a) : a, a2 = isFirst ? m_a.right(a) : a;
@@ -89,9 +89,11 @@ void PairTraversal::look(std::uint32_t a, std::uint32_t b) {
   m_found = {nearest.distance - m_margin, !(nearest.distance > 0.0), {a, b}, nearest.first, nearest.second};
 }
 
-std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, const Leaves& hint, double stop) {
+std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, const Leaves& hint, double stop,
+                                                             double tolerance) {
   m_least = enough + m_margin;
   m_stop = std::max(0.0, std::nextafter(stop + m_margin, 0.0));  // of the shapes, and at or below it
+  m_tolerance = tolerance;
   m_found.reset();
   if (!(m_least > 0.0)) return std::nullopt;
   const double bound = boundOf(0, 0);

@@ -24,9 +24,10 @@ class PairTraversal {
     Leaves leaves;
     Vec3 first, second;  // of the shapes within the margins
   };
-  // From the first on that is below `stop` no closer ones are looked for.
+  // From the first on that is below `stop` no closer ones are looked for, nor those closer by no more than the
+  // tolerance.
   std::optional<Nearest> nearest(double enough, const Leaves& hint,
-                                 double stop = -std::numeric_limits<double>::infinity());
+                                 double stop = -std::numeric_limits<double>::infinity(), double tolerance = 0.0);
 
   // Whether the bounds of the whole pieces do not say that they are apart.
   bool mayMeet();
@@ -50,6 +51,7 @@ class PairTraversal {
   const double m_margin;
   double m_least = 0.0;  // of the shapes
   double m_stop = 0.0;
+  double m_tolerance = 0.0;
   std::optional<Nearest> m_found;
   std::vector<Leaves> m_meeting;
   std::size_t m_most = 0;

@@ -85,9 +85,9 @@ void ProximityQuery::learn(Pieces& pieces, double bound) {
 std::optional<ClosestPoints> ProximityQuery::look(Pieces& pieces, double enough, double margin) {
   const Placed &a = m_bodies[m_pairs[pieces.pair].bodies.first], &b = m_bodies[m_pairs[pieces.pair].bodies.second];
   const CollisionPiece &first = a.body.pieces()[pieces.first], &second = b.body.pieces()[pieces.second];
-  const auto found =
-      closestPoints(first, a.pose * first.pose, second, b.pose * second.pose, enough + margin, pieces.hint, m_counts);
-  learn(pieces, found ? found->distance : enough + margin);
+  const auto found = closestPoints(first, a.pose * first.pose, second, b.pose * second.pose, enough + margin,
+                                   pieces.hint, m_counts, m_tolerance);
+  learn(pieces, found ? found->distance - m_tolerance : enough + margin);
   return found && found->distance < enough ? found : std::nullopt;
 }
 
@@ -147,7 +147,7 @@ std::optional<NearPair> ProximityQuery::closest(double enough) {
       std::find_if(m_order.begin(), m_order.end(), [&](const auto& each) { return each.second == m_last; });
   if (last != m_order.end()) std::rotate(m_order.begin(), last, last + 1);
   for (const auto& [bound, i] : m_order) {
-    if (bound >= least) continue;
+    if (bound >= least - (best ? m_tolerance : 0.0)) continue;
     const auto found = look(m_pieces[i], least, marginOf(m_pairs[m_pieces[i].pair], least));
     if (!found) continue;
     least = found->distance;
@@ -165,7 +165,7 @@ void ProximityQuery::findNear(double threshold, std::vector<NearPair>& near) {
     double least = threshold;
     std::optional<ClosestPoints> best;
     for (std::uint32_t i = pair.begin; i < pair.end; ++i) {
-      if (boundOf(m_pieces[i]) >= least) continue;
+      if (boundOf(m_pieces[i]) >= least - (best ? m_tolerance : 0.0)) continue;
       const auto found = look(m_pieces[i], least, margin);
       if (!found) continue;
       best = found;

@@ -29,6 +29,9 @@ class ProximityQuery {
   // pairs: those that count.
   ProximityQuery(std::vector<CollisionBody> bodies, const std::vector<BodyPair>& pairs);
 
+  // mm that what closest() and findNear() find of meshes may be further apart than what is nearest. 0 until it is set.
+  void setTolerance(double tolerance) { m_tolerance = tolerance; }
+
   // A body stands at the origin until it is placed. O(1).
   void place(std::uint32_t body, const Pose& pose);
 
@@ -76,6 +79,7 @@ class ProximityQuery {
   std::vector<Pair> m_pairs;
   std::vector<Pieces> m_pieces;  // pairs of pieces, by pairs of bodies
   std::vector<std::pair<double, std::uint32_t>> m_order;
+  double m_tolerance = 0.0;
   std::uint32_t m_last = 0;  // pair of pieces that was nearest
   QueryCounts m_counts;
 };

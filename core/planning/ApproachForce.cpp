@@ -25,7 +25,9 @@ Vec3 handForce(ArmJacobian jacobian, const ArmValues& torques) {
 
 ApproachForce::ApproachForce(const RobotScene& scene, const SerialArm& arm, const Pose& tool,
                              const DistanceForceSettings& settings)
-    : m_scene(scene), m_arm(arm), m_tool(tool), m_settings(settings), m_query(scene.approachQuery(m_joints)) {}
+    : m_scene(scene), m_arm(arm), m_tool(tool), m_settings(settings), m_query(scene.approachQuery(m_joints)) {
+  m_query.setTolerance(settings.tolerance);
+}
 
 ApproachForce::Felt ApproachForce::at(const ArmValues& values) {
   std::array<Pose, kMostArmJoints> poses;

@@ -14,6 +14,8 @@ struct MotionCheckSettings {
   double ownClearance = 0.0;  // mm that its links keep from each other
   // mm: what comes nearer to the clearance than this is not told apart from what does not keep it.
   double resolution = 0.05;
+
+  bool operator==(const MotionCheckSettings&) const = default;
 };
 
 // What blocks the robot at these values; no link: nothing does, and motions from there can be proven free.

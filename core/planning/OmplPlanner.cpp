@@ -120,7 +120,7 @@ ob::StateSpacePtr spaceOf(const RobotScene& scene, const OmplRun& run, const Arm
 
 ob::PlannerPtr plannerFor(std::string_view id, const ob::SpaceInformationPtr& space) {
   if (id == "rrtconnect") return std::make_shared<og::RRTConnect>(space);
-  if (id == "prm") return std::make_shared<og::PRM>(space);
+  if (id == "ompl-prm") return std::make_shared<og::PRM>(space);
   if (id == "lazyprm") return std::make_shared<og::LazyPRM>(space);
   if (id == "ompl-sbl") return std::make_shared<og::SBL>(space);
   if (id == "bitrrt") return std::make_shared<og::BiTRRT>(space);

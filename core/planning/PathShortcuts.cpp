@@ -11,15 +11,6 @@ namespace handwheel {
 
 namespace {
 
-double distance(const RobotScene& scene, const ArmValues& a, const ArmValues& b) {
-  double square = 0.0;
-  for (Eigen::Index i = 0; i < a.size(); ++i) {
-    const double way = (b[i] - a[i]) * (scene.joint(i).isPrismatic ? 1e-3 : 1.0);
-    square += way * way;
-  }
-  return std::sqrt(square);
-}
-
 bool isFree(const RobotScene& scene, const ArmValues& a, const ArmValues& b, const MotionCheckSettings& check) {
   return MotionCheck(scene, a, b, check).run() == MotionCheck::State::Free;
 }
@@ -41,9 +32,18 @@ void leaveOut(const RobotScene& scene, JointPath& path, const MotionCheckSetting
 
 }  // namespace
 
+double lengthOf(const RobotScene& scene, const ArmValues& from, const ArmValues& to) {
+  double square = 0.0;
+  for (Eigen::Index i = 0; i < from.size(); ++i) {
+    const double way = (to[i] - from[i]) * (scene.joint(i).isPrismatic ? 1e-3 : 1.0);
+    square += way * way;
+  }
+  return std::sqrt(square);
+}
+
 double lengthOf(const RobotScene& scene, const JointPath& path) {
   double length = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) length += distance(scene, path[i - 1], path[i]);
+  for (std::size_t i = 1; i < path.size(); ++i) length += lengthOf(scene, path[i - 1], path[i]);
   return length;
 }
 
@@ -62,9 +62,9 @@ JointPath shortened(const RobotScene& scene, JointPath path, const MotionCheckSe
     if (i > j) std::swap(i, j);
     const ArmValues a = path[i] + random.share() * (path[i + 1] - path[i]);
     const ArmValues b = path[j] + random.share() * (path[j + 1] - path[j]);
-    double before = distance(scene, a, path[i + 1]) + distance(scene, path[j], b);
-    for (std::size_t k = i + 1; k < j; ++k) before += distance(scene, path[k], path[k + 1]);
-    if (distance(scene, a, b) > 0.98 * before || !isFree(scene, a, b, check)) continue;
+    double before = lengthOf(scene, a, path[i + 1]) + lengthOf(scene, path[j], b);
+    for (std::size_t k = i + 1; k < j; ++k) before += lengthOf(scene, path[k], path[k + 1]);
+    if (lengthOf(scene, a, b) > 0.98 * before || !isFree(scene, a, b, check)) continue;
     // The pieces of the motions that are left are parts of what is known to be free.
     path.erase(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     path.insert(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, {a, b});

@@ -7,6 +7,8 @@
 
 namespace handwheel {
 
+// The length of a straight motion in joint space; rad, slides in metres.
+double lengthOf(const RobotScene& scene, const ArmValues& from, const ArmValues& to);
 // The sum of the lengths of its motions in joint space; rad, slides in metres.
 double lengthOf(const RobotScene& scene, const JointPath& path);
 

@@ -26,10 +26,13 @@ struct VerifiedPath {
   bool isCertified() const { return std::find(certified.begin(), certified.end(), false) == certified.end(); }
 };
 
+// rad of a joint: the setting verify.step.
+inline constexpr double kVerificationStep = 0.01;
+
 // Verifies all of a path and does not stop at what it finds: each motion is proven free (MotionCheck), or is looked at
 // every `step` (rad of a joint, slides a metre a radian) and where the proof failed; all that collides is listed, each
 // pair by itself. A path of one place counts as one motion. Incomplete once cancelled.
 VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
-                      double step = 0.01, Progress progress = {});
+                      double step = kVerificationStep, Progress progress = {});
 
 }  // namespace handwheel

@@ -6,6 +6,8 @@
 
 namespace handwheel {
 
+class Roadmap;
+
 // A path of straight motions between these values, in joint space.
 using JointPath = std::vector<ArmValues>;
 
@@ -16,6 +18,7 @@ struct PlanSettings {
   std::uint64_t seed = 1;
   double neighbourhood = 0.2;  // of the range of each joint: how far from a milestone the next one is looked for
   std::size_t mostMilestones = 100'000;
+  Roadmap* roadmap = nullptr;  // of this scene, that "prm" uses and leaves for the next plan; null: for this one only
 };
 
 // What became of it.

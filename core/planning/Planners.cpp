@@ -4,6 +4,7 @@
 
 #include "base/Translatable.h"
 #include "planning/OmplPlanner.h"
+#include "planning/Roadmap.h"
 #include "planning/SblPlanner.h"
 
 #include <algorithm>
@@ -13,8 +14,9 @@ namespace handwheel {
 
 std::span<const PlannerName> planners() {
   static constexpr PlannerName kAll[] = {{"sbl", translatable("Property", "SBL")},
+                                         {"prm", translatable("Property", "PRM, kept for the cell")},
                                          {"rrtconnect", translatable("Property", "RRTConnect (OMPL)")},
-                                         {"prm", translatable("Property", "PRM (OMPL)")},
+                                         {"ompl-prm", translatable("Property", "PRM (OMPL)")},
                                          {"lazyprm", translatable("Property", "Lazy PRM (OMPL)")},
                                          {"ompl-sbl", translatable("Property", "SBL (OMPL)")},
                                          {"bitrrt", translatable("Property", "BiTRRT (OMPL)")},
@@ -26,8 +28,12 @@ std::span<const PlannerName> planners() {
 PlanResult planPath(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                     const PlanSettings& settings, std::string_view planner, Progress progress) {
   assert(std::ranges::any_of(planners(), [&](const PlannerName& each) { return each.id == planner; }));
-  return planner == "sbl" ? planBySbl(scene, start, goal, settings, progress)
-                          : planByOmpl(scene, start, goal, settings, planner, progress);
+  if (planner == "sbl") return planBySbl(scene, start, goal, settings, progress);
+  if (planner == "prm") {
+    Roadmap once;
+    return (settings.roadmap ? *settings.roadmap : once).plan(scene, start, goal, settings, progress);
+  }
+  return planByOmpl(scene, start, goal, settings, planner, progress);
 }
 
 }  // namespace handwheel

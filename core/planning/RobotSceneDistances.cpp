@@ -8,6 +8,14 @@
 
 namespace handwheel {
 
+namespace {
+
+// mm: with no clearance to be kept, what meets is too near, and of most shapes no more is known of it than a distance
+// of 0.
+constexpr double kTouching = 1e-9;
+
+}  // namespace
+
 void RobotScene::jointPoses(const ArmValues& values, std::span<Pose> poses) const {
   assert(values.size() == size() && poses.size() == m_joints.size());
   for (std::size_t i = 0; i < m_joints.size(); ++i) {
@@ -152,8 +160,8 @@ RobotScene::Nearest RobotScene::tooNear(const ArmValues& values, double clearanc
                                         QueryCounts* counts) const {
   Places places;
   placesAt(values, places);
-  const Nearest obstacle = nearestObstacle(places, clearance, counts);
-  const Nearest links = nearestLinks(places, ownClearance, counts);
+  const Nearest obstacle = nearestObstacle(places, std::max(clearance, kTouching), counts);
+  const Nearest links = nearestLinks(places, std::max(ownClearance, kTouching), counts);
   if (links.link == kNone) return obstacle;
   if (obstacle.link == kNone) return links;
   return obstacle.distance - clearance < links.distance - ownClearance ? obstacle : links;
@@ -163,7 +171,7 @@ bool RobotScene::isFree(const ArmValues& values, double clearance, double ownCle
   Places places;
   placesAt(values, places);
   const auto isBlocked = [&](const auto& of, double distance) {
-    return nearestOf(of, places, distance, counts).link != kNone;
+    return nearestOf(of, places, std::max(distance, kTouching), counts).link != kNone;
   };
   return std::ranges::none_of(m_groups, [&](const Group& group) { return isBlocked(group, clearance); }) &&
          std::ranges::none_of(m_groupPairs, [&](const GroupPair& pair) { return isBlocked(pair, ownClearance); });

@@ -12,7 +12,7 @@ namespace handwheel {
 struct RouteSettings {
   PlanSettings plan;
   std::string planner = "sbl";  // one of planners()
-  int shortcuts = 50;           // attempts to make each leg shorter; 0: it stays as the planner made it
+  int shortcuts = 100;          // attempts to make each leg shorter; 0: it stays as the planner made it
 };
 
 // A path through places, leg by leg.

@@ -47,6 +47,7 @@ ArmValues Teleoperation::withinLimits(ArmValues to) const {
 ArmValues Teleoperation::towards(const Pose& wanted, double seconds) const {
   NumericalIkSettings ik;
   ik.mostStarts = 1;
+  ik.tolerance = m_settings.tolerance;
   const NumericalIkResult found = solvedNumerically(m_arm, wanted * m_tool.inverse(Eigen::Isometry), m_values, ik);
   const ArmValues way = found.values - m_values;
   double slower = 1.0;

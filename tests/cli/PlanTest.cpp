@@ -121,6 +121,49 @@ class PlanTest : public QObject {
     QVERIFY(first == again);
   }
 
+  // He 2008: the planner alone, with one and with two critical configurations, without and with shortcuts.
+  void comparison() {
+    const PlannedCell cell;
+    const QStringList words{"plan", "cell.handwheel", "--from", "left", "--to", "right", "--via", "up", "--compare"};
+    const Ran ran = cell.run(words + QStringList{"--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json rows = jsonOf(ran.out)["comparison"];
+    QCOMPARE(rows.size(), std::size_t{4});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      QCOMPARE(rows[i]["critical"].size(), i / 2);
+      QCOMPARE(rows[i]["optimised"].get<bool>(), i % 2 == 1);
+      QVERIFY(rows[i]["solved"].get<bool>() && rows[i]["certified"].get<bool>());
+      for (const char* key : {"length_rad", "cycle_s", "seconds", "manipulability", "security_mm"})
+        QVERIFY(rows[i][key].get<double>() > 0.0);
+      if (i % 2 == 1) QVERIFY(rows[i]["length_rad"].get<double>() <= rows[i - 1]["length_rad"].get<double>() + 1e-9);
+    }
+    const Ran table = cell.run(words);
+    QCOMPARE(table.code, 0);
+    QCOMPARE(table.out.count('\n'), 5);
+    const Ran none = cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "0 0.6 0 0 0 0", "--compare"});
+    QCOMPARE(none.code, 2);
+    QVERIFY2(none.out.contains("box"), none.out);
+    QCOMPARE(cell.run(words + QStringList{"-o", "no.json"}).code, 1);
+  }
+
+  // The places of a path in another order, into the cell under its name; the roadmap planner serves as well.
+  void optimised() {
+    const PlannedCell cell;
+    cell.put("path.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [-1, 0.5, 0, 0, 0, 0], [0.9, 0.5, 0, 0, 0, 0],
+                              [-1.2, 0.5, 0, 0, 0, 0]]})");
+    const Ran ran = cell.run({"optimise-path", "cell.handwheel", "path.json", "--name", "quick", "--planner", "prm",
+                              "-o", "quick.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json report = jsonOf(ran.out);
+    QVERIFY(report["changed"].get<bool>() && report["certified"].get<bool>());
+    QVERIFY(report["order"] == nlohmann::json({1, 3, 2, 4}));
+    QCOMPARE(report["cycle_s"].get<double>(), report["after_s"].get<double>());
+    QCOMPARE(cell.run({"verify", "quick.handwheel", "quick"}).code, 0);
+    const Ran again = cell.run({"optimise-path", "quick.handwheel", "quick", "--keep-order"});
+    QVERIFY2(again.code == 0 && again.out.contains("quick"), again.err);
+    QCOMPARE(cell.run({"optimise-path", "cell.handwheel", "none"}).code, 1);
+  }
+
   void whatCannotBePlanned_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<int>("code");

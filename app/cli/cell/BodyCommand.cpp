@@ -10,6 +10,7 @@
 #include "cli/ReportJson.h"
 #include "cli/cell/ConfigurationCommand.h"
 #include "cli/cell/IkCommand.h"
+#include "cli/cell/OptimiseCommand.h"
 #include "cli/cell/PlanCommand.h"
 #include "cli/cell/PlanningBenchmark.h"
 #include "cli/cell/PostCommand.h"
@@ -96,7 +97,7 @@ std::vector<Command> cellCommands() {
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return {{std::move(spec), runBody}, configurationCommand(), ikCommand(),   planCommand(),
           processCommand(),           verifyCommand(),        postCommand(), teleopCommand(),
-          planningBenchmarkCommand()};
+          planningBenchmarkCommand(), optimiseCommand()};
 }
 
 }  // namespace handwheel

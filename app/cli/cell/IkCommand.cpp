@@ -9,6 +9,7 @@
 #include "document/FileBytes.h"
 #include "robot/UrdfReader.h"
 #include "robot/arm/ClosedFormIk.h"
+#include "robot/arm/IkFidelity.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
 
@@ -38,6 +39,8 @@ const Operation& ikOperation() {
            .hasDefault = false},
           {.property = {.id = "all", .group = {}, .label = {}, .value = false},
            .meaning = "All ways to reach the pose, where they are known in closed form"},
+          measuredParameter("tolerance", ikToleranceSetting(), "T",
+                            "That the numerical way is to reach, in metres and rad"),
           {.property = {.id = "seed", .group = {}, .label = {}, .value = 1.0, .least = 0.0, .largest = 1e9},
            .meaning = "Of the random starts of the numerical way",
            .word = "N",
@@ -104,6 +107,7 @@ std::vector<FoundValues> solutionsFor(const SerialArm& arm, const Pose& pose, co
     return found;
   }
   NumericalIkSettings settings;
+  settings.tolerance = values.number("tolerance");
   settings.seconds = 1.0;
   settings.seed = values.whole("seed");
   const NumericalIkResult result = solvedNumerically(arm, pose, middle, settings);

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
 #include "document/cell/CellErrors.h"
+#include "planning/PlanningFidelity.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/PathExport.h"
 
@@ -68,6 +69,23 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
             share(each.to) + ": " + link + " with " + other + "\n";
   }
   return text;
+}
+
+std::string readProof(const Arguments& arguments, PathCheckSettings& settings) {
+  const std::pair<FidelitySetting, double*> all[] = {{planResolutionSetting(), &settings.resolution},
+                                                     {verifyStepSetting(), &settings.step}};
+  for (const auto& [setting, value] : all) {
+    const std::string option = setting.id.substr(setting.id.find('.') + 1);
+    if (!arguments.has(option)) continue;
+    if (!readNumber(arguments.valueOf(option), *value) || !checkValue(setting, *value))
+      return "The option --" + option + " takes a number from " + textOf(setting, setting.least) + " to " +
+             textOf(setting, setting.largest) + " " + setting.unit + ".";
+  }
+  return {};
+}
+
+OptionSpec resolutionOption() {
+  return {"resolution", 0, "MM", "What comes nearer to the clearance than this counts as a collision; 0.05"};
 }
 
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {

@@ -4,6 +4,8 @@
 
 #include "tools/cell/PathCheck.h"
 
+#include "cli/Arguments.h"
+
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -12,6 +14,10 @@ namespace handwheel {
 // manipulability, security_mm, limit_margin, cycle_s, collisions.
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
+
+// Reads how a path is verified: "resolution" and "step". Returns what is wrong, or nothing.
+std::string readProof(const Arguments& arguments, PathCheckSettings& settings);
+OptionSpec resolutionOption();
 
 // The path as a file: joints, waypoints in their order, certified, and the places in full.
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);

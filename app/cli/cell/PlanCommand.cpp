@@ -5,7 +5,11 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
+#include "cli/ReportJson.h"
+#include "cli/cell/ComparisonReport.h"
 #include "cli/cell/PlannedPathOutput.h"
+
+#include <algorithm>
 
 namespace handwheel {
 
@@ -21,6 +25,30 @@ Result<PlannedAndChecked> planned(const OperationValues& values, const CellScene
   return checkedAs(std::move(path).value(), values, scene, cell, progress.part(0.8, 1.0));
 }
 
+// The table of He 2008: without critical configurations, with one, with two and so on.
+int runComparison(const Arguments& arguments, const OperationValues& values, const CellFile& file) {
+  CollisionMeshes meshes;
+  Result<CellScene> scene = Error{};
+  Result<std::vector<PathPlace>> places = Error{};
+  std::vector<ComparedPath> paths;
+  runInterruptible("Planning", [&](CommandJob& job) {
+    scene = sceneOf(*file.cell, meshes);
+    if (scene) places = placesOf(values, *scene, *file.cell);
+    if (!places) return;
+    paths =
+        comparedPaths(*scene, *file.cell->plans, *places, routeSettingsOf(values, *file.cell->plans), job.progress());
+  });
+  if (!scene) return fail(scene.error());
+  if (!places) return fail(places.error());
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i + 1 < places->size(); ++i)
+    names.push_back((*places)[i].name.empty() ? "place " + std::to_string(i) : (*places)[i].name);
+  const int code = print(arguments.has("json") ? textOf(toJson(*scene, paths, names)) : comparisonText(paths, names));
+  const bool isWhole = std::all_of(
+      paths.begin(), paths.end(), [](const ComparedPath& each) { return each.checked && each.checked->isCertified(); });
+  return code == kExitDone && !isWhole ? kExitSomethingLeft : code;
+}
+
 int runPlan(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(planOperation());
   const std::string& id = planOperation().id;
@@ -30,6 +58,10 @@ int runPlan(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   const Result<CellFile> file = openCell(arguments.operands[0], kinds);
   if (!file) return fail(file.error());
+  if (arguments.has("compare")) {
+    if (arguments.has("output")) return failUsage("--compare cannot be combined with -o: it plans several paths.", id);
+    return runComparison(arguments, values, *file);
+  }
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   Result<PlannedAndChecked> result = Error{};
@@ -50,6 +82,9 @@ Command planCommand() {
                       "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
                       {}};
   spec.options = pathOptions(planOperation());
+  spec.options.insert(
+      spec.options.end() - 2,
+      {"compare", 0, "", "A table: with none, the first, the first two… of --via, without and with shortcuts"});
   return {std::move(spec), runPlan};
 }
 

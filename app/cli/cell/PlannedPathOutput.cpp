@@ -36,14 +36,14 @@ int writePath(const PlannedAndChecked& planned, const CellScene& scene, const Ce
 Result<PlannedAndChecked> checkedAs(PlannedPath path, const OperationValues& values, const CellScene& scene,
                                     const RobotCellSnapshot& cell, Progress progress) {
   path.path.name = values.isSet("name") ? values.text("name") : cell.plans->freePathName("path");
-  const double clearance = values.given("clearance").value_or(cell.plans->clearance);
-  Result<CheckedPath> checked = checkPath(scene, *cell.plans, path.path, clearance, progress);
+  Result<CheckedPath> checked =
+      checkPath(scene, *cell.plans, path.path, checkSettingsOf(values, *cell.plans), progress);
   if (!checked) return checked.error();
   return PlannedAndChecked{std::move(path), std::move(checked).value()};
 }
 
 int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const CellFile& file,
-               const Arguments& arguments) {
+               const Arguments& arguments, const PathRemarks& remarks) {
   for (const std::uint32_t link : scene.shapeless)
     complain("The mesh of the link " + file.cell->robot->model.links[link].name +
              " is missing: it collides with nothing.");
@@ -54,9 +54,10 @@ int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const C
   report.update(toJson(scene, planned.path.path, planned.checked));
   report["seconds"] = planned.path.seconds;
   report["checks"] = planned.path.steps;
+  report.update(remarks.json);
   const std::string text = arguments.has("json") ? textOf(report)
                                                  : textOf(scene, planned.path.path, planned.checked) + "planned in " +
-                                                       roundedText(planned.path.seconds, 3) + " s\n";
+                                                       roundedText(planned.path.seconds, 3) + " s\n" + remarks.text;
   const int code = print(text);
   return code == kExitDone && !planned.checked.isCertified() ? kExitSomethingLeft : code;
 }

@@ -7,6 +7,8 @@
 #include "tools/cell/PathCheck.h"
 #include "tools/cell/PlanOperation.h"
 
+#include <nlohmann/json.hpp>
+
 namespace handwheel {
 
 // What the commands that plan paths do with them.
@@ -22,9 +24,15 @@ struct PlannedAndChecked {
 Result<PlannedAndChecked> checkedAs(PlannedPath path, const OperationValues& values, const CellScene& scene,
                                     const RobotCellSnapshot& cell, Progress progress);
 
+// What a command says of a path beside its report.
+struct PathRemarks {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  std::string text = {};
+};
+
 // Writes the path where the arguments say, as JSON or into the cell, and prints its report. Returns the exit code.
 int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const CellFile& file,
-               const Arguments& arguments);
+               const Arguments& arguments, const PathRemarks& remarks = {});
 
 // Reports why no path was planned: as JSON, too, so that a script reads it. Returns the exit code.
 int outputUnsolved(const Error& error, const Arguments& arguments);

@@ -26,6 +26,8 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!post) return failUsage("The option --controller takes one of " + controllers() + ".", "post");
   const Result<CellFile> file = openCell(arguments.operands[0], kinds);
   if (!file) return fail(file.error());
+  PathCheckSettings check{.clearance = file->cell->plans->clearance};
+  if (const std::string problem = readProof(arguments, check); !problem.empty()) return failUsage(problem, "post");
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   Result<RobotPath> path = Error{};
@@ -33,7 +35,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
-    if (path) checked = checkPath(*scene, *file->cell->plans, *path, file->cell->plans->clearance, job.progress());
+    if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());
@@ -41,18 +43,18 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   const std::string output = arguments.valueOf("output");
   const Result<WrittenProgram> written = writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output);
   if (!written) return fail(written.error());
-  const PostCheck& check = written->check;
+  const PostCheck& readBack = written->check;
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
-                         {"motions", check.motions},
-                         {"error_mm", check.distance},
-                         {"error_deg", check.angle},
+                         {"motions", readBack.motions},
+                         {"error_mm", readBack.distance},
+                         {"error_deg", readBack.angle},
                          {"exact_stops", written->exactStops},
                          {"certified", true}}));
   }
-  std::string text = output + ": " + post->title() + ", " + std::to_string(check.motions) +
-                     " motions, read back within " + roundedText(check.distance, 2) + " mm and " +
-                     roundedText(check.angle, 2) + " degrees\n";
+  std::string text = output + ": " + post->title() + ", " + std::to_string(readBack.motions) +
+                     " motions, read back within " + roundedText(readBack.distance, 2) + " mm and " +
+                     roundedText(readBack.angle, 2) + " degrees\n";
   if (written->exactStops > 0)
     text += std::to_string(written->exactStops) + " blends became exact stops: their zones are not free everywhere\n";
   return print(text);
@@ -68,6 +70,7 @@ Command postCommand() {
       "The program is read back and compared with the path before it is written. docs/robots.md has more.",
       {}};
   spec.options.push_back({"controller", 0, "NAME", "The language: " + controllers()});
+  spec.options.push_back(resolutionOption());
   spec.options.push_back({"output", 'o', "OUT", "The file to write"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

@@ -15,9 +15,11 @@ namespace {
 int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<CellFile> file = openCell(arguments.operands[0], kinds);
   if (!file) return fail(file.error());
-  double clearance = file->cell->plans->clearance;
+  PathCheckSettings check{.clearance = file->cell->plans->clearance};
+  double& clearance = check.clearance;
   if (arguments.has("clearance") && (!readNumber(arguments.valueOf("clearance"), clearance) || !(clearance >= 0.0)))
     return failUsage("The option --clearance takes a length in mm.", "verify");
+  if (const std::string problem = readProof(arguments, check); !problem.empty()) return failUsage(problem, "verify");
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   Result<RobotPath> path = Error{};
@@ -25,7 +27,7 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
-    if (path) checked = checkPath(*scene, *file->cell->plans, *path, clearance, job.progress());
+    if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());
@@ -44,6 +46,8 @@ Command verifyCommand() {
                       "PATH is the name of a path in the cell, or a file. The program ends with 2 unless all is free.",
                       {}};
   spec.options.push_back({"clearance", 0, "MM", "That is to be kept from everything; without it that of the cell"});
+  spec.options.push_back(resolutionOption());
+  spec.options.push_back({"step", 0, "RAD", "Between the places at which what is not proven free is looked at; 0.01"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return {std::move(spec), runVerify};

@@ -4,11 +4,13 @@
 
 #include "controls/CommandModel.h"
 #include "document/cell/RobotCellDocument.h"
+#include "planning/PlanningFidelity.h"
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
+#include "window/fidelity/FidelityChoice.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -46,6 +48,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QOb
       m_import(tr("Open a robot program as a pa&th…"), this),
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
       m_remove(tr("Re&move from the plan"), this),
+      m_optimise(tr("Optimise the order and &configurations"), this),
       m_menu(new QMenu(parts.window)) {
   prepare(m_store, "storeConfiguration", "place", tr("Store where the robot stands under a name"));
   prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration or place"));
@@ -65,6 +68,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QOb
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
   prepare(m_semantics, "readSemantics", nullptr, tr("Read the pairs of links that may touch, and named states"));
   prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path or place"));
+  prepare(m_optimise, "optimisePath", nullptr,
+          tr("Visit the critical places in the order, and reach them in the configurations, that take the least time"));
   m_menu->setObjectName(QStringLiteral("planMenu"));
   m_menu->addActions(all());
   parts.viewport.addLayer(m_layer);
@@ -81,6 +86,7 @@ void CellPaths::connectActions() {
   connect(&m_go, &QAction::triggered, this, [this] { goTo(m_tree->current()); });
   connect(&m_plan, &QAction::triggered, this, &CellPaths::askForPath);
   connect(&m_again, &QAction::triggered, this, &CellPaths::planAgain);
+  connect(&m_optimise, &QAction::triggered, this, &CellPaths::optimise);
   connect(&m_insert, &QAction::triggered, this, &CellPaths::insertHere);
   connect(&m_here, &QAction::triggered, this, &CellPaths::setPlaceHere);
   connect(&m_up, &QAction::triggered, this, [this] { movePlace(-1); });
@@ -124,8 +130,8 @@ void CellPaths::connectActions() {
 }
 
 QList<QAction*> CellPaths::all() {
-  return {&m_store, &m_go,       &m_plan,   &m_again,  &m_insert, &m_here,      &m_up,
-          &m_down,  &m_straight, &m_verify, &m_export, &m_import, &m_semantics, &m_remove};
+  return {&m_store, &m_go,       &m_plan,   &m_again,  &m_optimise, &m_insert,    &m_here,  &m_up,
+          &m_down,  &m_straight, &m_verify, &m_export, &m_import,   &m_semantics, &m_remove};
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
@@ -182,13 +188,18 @@ void CellPaths::verify() {
   const auto scene = m_collisions.scene();
   if (!present || !scene || present->places.size() < 2) return;
   if (const auto found = m_checks.find(present->name); found != m_checks.end() && isCurrent(found->second)) return;
+  const FidelityValues& fidelity = m_parts.fidelity.values();
+  const PathCheckSettings settings{
+      .clearance = plans().clearance,
+      .resolution = std::min(PathCheckSettings().resolution, fidelity.of(planResolutionSetting())),
+      .step = fidelity.of(verifyStepSetting())};
   const Check check{*present, scene, plans().clearance, plans().tool, nullptr};
   m_checks[present->name] = check;
   Job job;
   job.name = tr("Verifying the path");
   job.owner = this;
-  job.work = [this, check, all = cell().plans()](Progress progress) -> Job::Finish {
-    auto result = checkPath(*check.scene, *all, check.path, check.clearance, progress);
+  job.work = [this, check, settings, all = cell().plans()](Progress progress) -> Job::Finish {
+    auto result = checkPath(*check.scene, *all, check.path, settings, progress);
     return [this, check, result = std::move(result)] {
       if (!m_document || !isCurrent(check)) return;
       Check& done = m_checks[check.path.name] = check;
@@ -255,6 +266,8 @@ void CellPaths::update() {
         isCell ? tr("Store a configuration first: where the path is to begin or end.") : noCell);
   offer(m_go, entry.kind == Kind::Configuration || isPlace, tr("Select a configuration or a place first."));
   offer(m_again, present && present->places.size() >= 2, noPath);
+  offer(m_optimise, present && present->places.size() >= 3,
+        present ? tr("There is nothing between the ends of the path.") : noPath);
   offer(m_insert, present != nullptr, noPath);
   offer(m_here, isPlace, noPlace);
   offer(m_up, isPlace && entry.place > 0, noPlace);

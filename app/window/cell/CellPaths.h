@@ -15,6 +15,7 @@
 
 namespace handwheel {
 
+struct OptimisedPath;
 class PathLayer;
 class Post;
 class RobotCellDocument;
@@ -68,6 +69,8 @@ class CellPaths : public QObject {
   void askForPath();
   void plan(const OperationValues& values);
   void planAgain();
+  void optimise();
+  void takeOptimised(const OptimisedPath& optimised);
   void startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
                      const QString& text);
   using Planning = std::function<Result<PlannedPath>(const CellScene& scene, const RobotCellSnapshot& cell, Progress)>;
@@ -97,7 +100,7 @@ class CellPaths : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   std::map<std::string, Check> m_checks;  // by the name of the path
   QAction m_store, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export, m_import,
-      m_semantics, m_remove;
+      m_semantics, m_remove, m_optimise;
   QMenu* m_menu;  // owned by the window
 };
 

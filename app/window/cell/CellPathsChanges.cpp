@@ -14,6 +14,7 @@
 #include "window/cell/CellPaths.h"
 #include "window/cell/PlanDialog.h"
 #include "window/documents/DocumentTab.h"
+#include "window/fidelity/FidelityChoice.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -74,7 +75,7 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
 }
 
 void CellPaths::askForPath() {
-  auto* dialog = new PlanDialog(plans(), m_document->document.displayUnit(), m_parts.window);
+  auto* dialog = new PlanDialog(plans(), m_parts.fidelity.values(), m_document->document.displayUnit(), m_parts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PlanDialog::chosen, this, [this, document = m_document](const OperationValues& values) {
     if (document == m_document) plan(values);
@@ -96,6 +97,7 @@ void CellPaths::planAgain() {
   const RobotPath* const present = path();
   if (!present) return;
   OperationValues values(planOperation());
+  setFidelity(values, m_parts.fidelity.values());
   startPlanning(present->places, routeSettingsOf(values, plans()), present->name, tr("Plan %1 again"));
 }
 

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-PlanDialog::PlanDialog(const CellPlans& plans, LengthUnit unit, QWidget* parent)
+PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, LengthUnit unit, QWidget* parent)
     : QDialog(parent),
       m_places{"here"},
       m_values(planOperation()),
@@ -22,6 +22,7 @@ PlanDialog::PlanDialog(const CellPlans& plans, LengthUnit unit, QWidget* parent)
   setObjectName(QStringLiteral("planDialog"));
   setWindowTitle(tr("Plan a path"));
   for (const NamedConfiguration& each : plans.configurations) m_places.push_back(each.name);
+  setFidelity(m_values, fidelity);
   m_values.setValid("from", m_places.size() > 2 ? m_places[1] : m_places[0]);
   m_values.setValid("to", m_places.back());
   auto* layout = new QVBoxLayout(this);

@@ -20,7 +20,7 @@ class PlanDialog : public QDialog {
   Q_OBJECT
 
  public:
-  PlanDialog(const CellPlans& plans, LengthUnit unit, QWidget* parent);
+  PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, LengthUnit unit, QWidget* parent);
 
  signals:
   void chosen(const handwheel::OperationValues& values);

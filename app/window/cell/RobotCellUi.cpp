@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/RobotCellUi.h"
 
+#include "collision/ProximityFidelity.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
@@ -10,6 +11,7 @@
 #include "document/scene/BodyProperties.h"
 #include "fidelity/Cases.h"
 #include "panels/bodies/BodyList.h"
+#include "robot/arm/IkFidelity.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 #include "tools/cell/CellTool.h"
@@ -331,6 +333,8 @@ std::unique_ptr<Tool> RobotCellUi::leadTool() {
   services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
   services.addPlace = [this] { m_paths.addPlace(); };
   services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
+  services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
+  services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
   services.tries = &m_tries[document()];
   return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }

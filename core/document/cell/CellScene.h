@@ -4,7 +4,7 @@
 
 #include "document/cell/RobotCellSnapshot.h"
 #include "planning/PathShortcuts.h"
-#include "planning/RobotScene.h"
+#include "planning/Roadmap.h"
 
 #include <mutex>
 #include <unordered_map>
@@ -42,6 +42,7 @@ struct CellScene {
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;
   std::vector<BodyId> carried;  // the bodies that are links after those of the robot, in order
+  std::shared_ptr<Roadmap> roadmap = std::make_shared<Roadmap>();  // of the planner "prm", from plan to plan
 
   ArmValues planned(const JointValues& joints) const;
   JointValues whole(const ArmValues& values) const;

@@ -92,8 +92,11 @@ void LeadTool::begin(const PointerEvent& event) {
   const Pose& centre = m_document.plans()->tool;
   TeleoperationSettings settings;
   settings.check.clearance = m_document.plans()->clearance;
-  const DistanceForceSettings approach{
-      .reach = settings.check.clearance + m_reach, .stiffness = kStiffness, .largestForce = m_largestForce};
+  settings.tolerance = m_services.ikTolerance;
+  const DistanceForceSettings approach{.reach = settings.check.clearance + m_reach,
+                                       .tolerance = m_services.tolerance,
+                                       .stiffness = kStiffness,
+                                       .largestForce = m_largestForce};
   const ArmValues start = scene->planned(m_document.joints());
   m_lead = std::make_shared<Lead>(Lead{scene, Teleoperation(scene->scene, scene->arm, centre, start, settings),
                                        ApproachForce(scene->scene, scene->arm, centre, approach), start, *tool,

@@ -31,7 +31,9 @@ struct LeadServices {
   std::function<void()> addPlace;
   // s, of a clock that does not go back.
   std::function<double()> time;
-  std::vector<LeadTry>* tries = nullptr;  // what was tried in this document; outlives the tool
+  double tolerance = DistanceForceSettings().tolerance;    // mm, of distances that are felt
+  double ikTolerance = TeleoperationSettings().tolerance;  // m, rad
+  std::vector<LeadTry>* tries = nullptr;                   // what was tried in this document; outlives the tool
 };
 
 // Tool that leads the tool of a robot by hand, and the arm follows: never through anything, nor beyond a limit. The

@@ -95,8 +95,8 @@ std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, cons
   return points;
 }
 
-Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path, double clearance,
-                              Progress progress) {
+Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                              const PathCheckSettings& settings, Progress progress) {
   if (path.places.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const PathPlace& place = path.places[i];
@@ -106,14 +106,14 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   CheckedPath checked;
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
-  check.clearance = clearance;
+  check.clearance = settings.clearance;
+  check.resolution = settings.resolution;
   const bool hasLines = std::any_of(path.places.begin(), path.places.end(),
                                     [](const PathPlace& place) { return place.motion == ProgramMotion::Kind::Linear; });
   if (hasLines) check.clearance += LineSettings().deviation;
-  constexpr double kMarking = 0.01;  // rad
-  checked.verification = verified(scene.scene, checked.way.joints, check, kMarking, progress.part(0.1, 0.6));
+  checked.verification = verified(scene.scene, checked.way.joints, check, settings.step, progress.part(0.1, 0.6));
   checked.metrics = metricsOf(scene.scene, scene.arm, checked.way.joints, {}, progress.part(0.6, 0.95));
-  checked.blends = certifiedBlends(scene, plans, path, clearance);
+  checked.blends = certifiedBlends(scene, plans, path, settings.clearance);
   checked.seconds = timed(scene, path, checked.way).duration();
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return checked;

@@ -36,10 +36,16 @@ struct CheckedPath {
   std::size_t placeOf(std::size_t motion) const { return way.placeOf[motion]; }
 };
 
-// Verifies and measures a path: all of it, whatever it finds. clearance: mm that it must keep. Errors: PathTooShort,
-// OthersMoved, Cancelled.
-Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path, double clearance,
-                              Progress progress = {});
+// How a path is verified.
+struct PathCheckSettings {
+  double clearance = 0.0;                                // mm that it must keep
+  double resolution = MotionCheckSettings().resolution;  // mm, of the proof
+  double step = kVerificationStep;                       // rad, at which what is not proven free is looked at
+};
+
+// Verifies and measures a path: all of it, whatever it finds. Errors: PathTooShort, OthersMoved, Cancelled.
+Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                              const PathCheckSettings& settings, Progress progress = {});
 
 // The path in time, as the robot plays it.
 TimedPath timed(const CellScene& scene, const RobotPath& path, const ResolvedPath& way);

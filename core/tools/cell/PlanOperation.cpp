@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "document/cell/CellErrors.h"
 #include "planning/Planners.h"
+#include "planning/PlanningFidelity.h"
 #include "planning/ToolTrack.h"
 #include "robot/program/PathFile.h"
 
@@ -66,7 +67,9 @@ std::string nameOf(const PathPlace& place, std::size_t number) {
 class LegPlanning {
  public:
   LegPlanning(const CellScene& scene, const CellPlans& plans, const RouteSettings& settings)
-      : m_scene(scene), m_plans(plans), m_settings(settings) {}
+      : m_scene(scene), m_plans(plans), m_settings(settings) {
+    m_settings.plan.roadmap = scene.roadmap.get();
+  }
 
   std::uint64_t steps() const { return m_steps; }
 
@@ -136,11 +139,60 @@ class LegPlanning {
 
   const CellScene& m_scene;
   const CellPlans& m_plans;
-  const RouteSettings& m_settings;
+  RouteSettings m_settings;
   std::uint64_t m_steps = 0;
 };
 
 }  // namespace
+
+std::vector<Parameter> planningParameters() {
+  const FidelitySetting resolution = planResolutionSetting();
+  const auto length = [](const char* id, const char* label, double value, double least, double largest) {
+    return Property{.id = id,
+                    .group = {},
+                    .label = label,
+                    .value = value,
+                    .quantity = Quantity::Length,
+                    .least = least,
+                    .largest = largest};
+  };
+  const auto number = [](const char* id, const char* label, double value, double least, double largest) {
+    return Property{.id = id, .group = {}, .label = label, .value = value, .least = least, .largest = largest};
+  };
+  return {plannerParameter(),
+          {.property = length("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"), 0.0, 0.0, 1e4),
+           .meaning = "Kept from everything; without it that of the cell",
+           .word = "MM",
+           .hasDefault = false},
+          {.property = length("resolution", QT_TRANSLATE_NOOP("Property", "Resolution of the proof"),
+                              resolution.standard, resolution.least, resolution.largest),
+           .meaning = "What comes nearer to the clearance than this counts as a collision",
+           .word = "MM"},
+          {.property = number("time", QT_TRANSLATE_NOOP("Property", "Time limit (s)"), 10.0, 0.001, 3600.0),
+           .meaning = "After which each leg is given up, in seconds",
+           .word = "S"},
+          {.property = number("shortcuts", QT_TRANSLATE_NOOP("Property", "Shortcuts"), planShortcutsSetting().standard,
+                              0.0, 1e5),
+           .meaning = "Attempts to make each leg shorter",
+           .word = "N",
+           .isWhole = true},
+          {.property = number("seed", "", 1.0, 0.0, 1e9),
+           .meaning = "Of the random numbers",
+           .word = "N",
+           .isWhole = true}};
+}
+
+void setFidelity(OperationValues& values, const FidelityValues& fidelity) {
+  values.setValid("resolution", fidelity.of(planResolutionSetting()));
+  values.setValid("shortcuts", fidelity.of(planShortcutsSetting()));
+}
+
+PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans) {
+  PathCheckSettings settings{.clearance = values.given("clearance").value_or(plans.clearance)};
+  if (values.operation().find("resolution"))
+    settings.resolution = std::min(settings.resolution, values.number("resolution"));
+  return settings;
+}
 
 const Operation& planOperation() {
   static const Operation kOperation = [] {
@@ -152,39 +204,8 @@ const Operation& planOperation() {
             placeParameter("from", "PLACE", "Where it starts: a configuration, 'here', or joint values (rad, mm)"),
             placeParameter("to", "PLACE", "Where it ends"),
             placeParameter("via", "PLACE,...", "Critical configurations on the way; joint values: separated by ';'"),
-            placeParameter("name", "NAME", "The name of the path in the cell"),
-            plannerParameter(),
-            {.property = {.id = "clearance",
-                          .group = {},
-                          .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
-                          .value = 0.0,
-                          .quantity = Quantity::Length,
-                          .least = 0.0,
-                          .largest = 1e4},
-             .meaning = "Kept from everything; without it that of the cell",
-             .word = "MM",
-             .hasDefault = false},
-            {.property = {.id = "time",
-                          .group = {},
-                          .label = QT_TRANSLATE_NOOP("Property", "Time limit (s)"),
-                          .value = 10.0,
-                          .least = 0.001,
-                          .largest = 3600.0},
-             .meaning = "After which each leg is given up, in seconds",
-             .word = "S"},
-            {.property = {.id = "shortcuts",
-                          .group = {},
-                          .label = QT_TRANSLATE_NOOP("Property", "Shortcuts"),
-                          .value = 100.0,
-                          .least = 0.0,
-                          .largest = 1e5},
-             .meaning = "Attempts to make each leg shorter",
-             .word = "N",
-             .isWhole = true},
-            {.property = {.id = "seed", .group = {}, .label = {}, .value = 1.0, .least = 0.0, .largest = 1e9},
-             .meaning = "Of the random numbers",
-             .word = "N",
-             .isWhole = true}}};
+            placeParameter("name", "NAME", "The name of the path in the cell")}};
+    for (Parameter& parameter : planningParameters()) made.parameters.push_back(std::move(parameter));
     return made;
   }();
   return kOperation;
@@ -225,6 +246,7 @@ RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& pl
   RouteSettings settings;
   settings.planner = planners()[values.whole("planner")].id;
   settings.plan.check.clearance = values.given("clearance").value_or(plans.clearance);
+  settings.plan.check.resolution = values.number("resolution");
   settings.plan.seconds = values.number("time");
   settings.plan.seed = values.whole("seed");
   settings.shortcuts = static_cast<int>(values.whole("shortcuts"));

@@ -5,8 +5,14 @@
 #include "document/Operation.h"
 #include "document/cell/CellScene.h"
 #include "planning/RoutePlanning.h"
+#include "tools/cell/PathCheck.h"
 
 namespace handwheel {
+
+// The parameters that say how a path is planned: "planner", "clearance", "resolution", "time", "shortcuts", "seed".
+std::vector<Parameter> planningParameters();
+// Begins with what the measured settings say.
+void setFidelity(OperationValues& values, const FidelityValues& fidelity);
 
 // The operation "plan": a path of the robot from one place through others to the last.
 const Operation& planOperation();
@@ -18,7 +24,10 @@ Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& c
 // The places that "from", "via" and "to" name. Errors: those of placeCalled().
 Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
                                         const RobotCellSnapshot& cell);
+// values: of an operation with the parameters above.
 RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
+// The same for the verification of what was planned; no coarser than others verify.
+PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans);
 
 // A path that was planned. It is free between its places (MotionCheck).
 struct PlannedPath {

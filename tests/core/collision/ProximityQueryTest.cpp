@@ -96,6 +96,39 @@ class ProximityQueryTest : public QObject {
     }));
   }
 
+  // With a tolerance nothing is taken for nearer than it is, nor for further away by more than that.
+  void tolerance() {
+    QVERIFY(rc::check([] {
+      const std::vector<CollisionBody> bodies = {anyBody(), anyBody(), anyBody()};
+      const std::vector<BodyPair> pairs = {{0, 1}, {0, 2}};
+      ProximityQuery query(bodies, pairs), exact(bodies, pairs);
+      const double tolerance = evenly(0.0, 5.0);
+      query.setTolerance(tolerance);
+      std::vector<Pose> poses = {anyPose(60.0), anyPose(60.0), anyPose(60.0)};
+      for (int frame = 0; frame < 15; ++frame) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          if (frame > 0) poses[i] = stepped(poses[i]);
+          query.place(i, poses[i]);
+          exact.place(i, poses[i]);
+        }
+        const auto found = query.closest(), nearest = exact.closest();
+        RC_ASSERT(found.has_value() == nearest.has_value());
+        if (!found || nearest->points.distance <= 2e-3) continue;
+        const double more = found->points.distance - nearest->points.distance;
+        RC_ASSERT(more >= -2e-3 && more <= tolerance + 2e-3);
+        std::vector<NearPair> near, all;
+        query.findNear(1e6, near);
+        exact.findNear(1e6, all);
+        RC_ASSERT(near.size() == all.size());
+        for (std::size_t i = 0; i < near.size(); ++i) {
+          if (all[i].points.distance <= 2e-3) continue;
+          const double further = near[i].points.distance - all[i].points.distance;
+          RC_ASSERT(further >= -2e-3 && further <= tolerance + 2e-3);
+        }
+      }
+    }));
+  }
+
   // What cannot have come near since is not looked at again; what stands still needs the last triangles alone.
   void looksAtWhatMoved() {
     const auto mesh = std::make_shared<const CollisionMesh>(boxSoup({10, 10, 10}));

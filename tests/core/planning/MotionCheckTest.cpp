@@ -44,6 +44,20 @@ class MotionCheckTest : public QObject {
     QVERIFY(MotionCheck(scene, from, ArmValues::Constant(1, touch + 1e-3), {}).run() == MotionCheck::State::Blocked);
   }
 
+  // Cylinders that stand in a block, of which only a distance of 0 is known: they are too near with no clearance at
+  // all.
+  void whatMeetsIsTooNear() {
+    const RobotModel robot = robotOf(*libraryTable("irb120"));
+    RobotScene scene = sceneOf(robot);
+    scene.allowPairs(overlappingLinks(*libraryTable("irb120")));
+    scene.addObstacle(CollisionBody({CollisionPiece::box(Pose::Identity(), {200.0, 200.0, 200.0})}),
+                      Pose(Eigen::Translation3d(0.0, 0.0, 500.0)), 3);
+    const ArmValues values = ArmValues::Zero(6);
+    QCOMPARE(scene.nearestObstacle(values, 1e9).distance, 0.0);
+    QCOMPARE(scene.tooNear(values, 0.0, 0.0).owner, 3u);
+    QVERIFY(!scene.isFree(values, 0.0, 0.0));
+  }
+
   // What is found free is free at each of very many points, and keeps its clearance; what is blocked is too near there.
   void freeIsFree() {
     int free = 0;

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The action that optimises a path.
+#include "document/cell/RobotCellDocument.h"
+#include "tools/cell/PathOptimisation.h"
+#include "window/JobRunner.h"
+#include "window/cell/CellPaths.h"
+#include "window/documents/DocumentTab.h"
+#include "window/fidelity/FidelityChoice.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+void CellPaths::optimise() {
+  const RobotPath* const present = path();
+  const auto scene = m_collisions.scene();
+  if (!present || !scene) return;
+  OperationValues values(optimisationOperation());
+  setFidelity(values, m_parts.fidelity.values());
+  Job job;
+  job.name = tr("Optimising %1").arg(QString::fromStdString(present->name));
+  job.owner = this;
+  job.failed = [this](const Error& error) { report(error); };
+  job.work = [this, scene, all = cell().plans(), before = *present,
+              settings = optimisationSettingsOf(values, plans())](Progress progress) -> Job::Finish {
+    auto optimised = optimisedPath(*scene, *all, before, settings, progress);
+    return [this, scene, before, optimised = std::move(optimised)]() mutable {
+      const RobotPath* const now = m_document ? plans().path(before.name) : nullptr;
+      if (!now || !(*now == before) || scene != m_collisions.scene()) return;
+      if (!optimised) return report(optimised.error());
+      takeOptimised(*optimised);
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void CellPaths::takeOptimised(const OptimisedPath& optimised) {
+  const std::string& id = optimised.planned.path.name;
+  const QString name = QString::fromStdString(id);
+  const QLocale locale;
+  const auto seconds = [&](double time) { return locale.toString(time, 'f', 2); };
+  QString detail;
+  if (optimised.isChanged) {
+    CellPlans changed = plans();
+    *std::find_if(changed.paths.begin(), changed.paths.end(), [&](const RobotPath& each) { return each.name == id; }) =
+        optimised.planned.path;
+    commit(tr("Optimise %1").arg(name), std::move(changed));
+    m_tree->select({PlanTree::Entry::Kind::Path, id});
+    detail = tr("Cycle time %1 s before, %2 s now.").arg(seconds(optimised.before), seconds(optimised.after));
+    if (!std::is_sorted(optimised.order.begin(), optimised.order.end()))
+      detail += QLatin1Char(' ') + tr("The places are in another order.");
+    if (optimised.reconfigured > 0) {
+      detail += QLatin1Char(' ') + tr("%Ln place(s) in another configuration of the arm.", nullptr,
+                                      static_cast<int>(optimised.reconfigured));
+    }
+  } else {
+    detail = tr("No other order or configuration takes less than its %1 s.").arg(seconds(optimised.before));
+  }
+  emit message({Message::Weight::Info,
+                optimised.isChanged ? tr("%1 was optimised").arg(name) : tr("%1 stays as it is").arg(name),
+                detail,
+                {},
+                {},
+                {},
+                {},
+                {},
+                &m_document->document});
+}
+
+}  // namespace handwheel

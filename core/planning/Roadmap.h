@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "planning/Plan.h"
+
+#include <mutex>
+#include <unordered_map>
+
+namespace handwheel {
+
+// A roadmap of a robot among obstacles that is kept from plan to plan: free places, and the motions between neighbours
+// (PRM: Kavraki, Švestka, Latombe and Overmars 1996, Probabilistic roadmaps for path planning in high-dimensional
+// configuration spaces). Motions are proven free (MotionCheck) only when they are on a way from start to goal (lazy
+// PRM: Bohlin and Kavraki 2000), and what was found of them is kept. It grows where there is no way, up to so many
+// milestones; when it is full it begins anew.
+//
+// Any thread: one plan at a time, others wait. All plans must be of the same scene: what collides must not change.
+class Roadmap {
+ public:
+  static constexpr std::size_t kMostMilestones = 10'000;                  // about 10 MB with their motions
+  explicit Roadmap(std::size_t most = kMostMilestones) : m_most(most) {}  // at least two
+
+  // Other settings of the check than those of the plan before begin it anew.
+  PlanResult plan(const RobotScene& scene, const ArmValues& start, const ArmValues& goal, const PlanSettings& settings,
+                  Progress progress = {});
+
+  std::size_t milestones() const;
+  std::size_t provenMotions() const;
+
+ private:
+  struct Motion {
+    std::uint32_t a, b;  // milestones
+    double length;       // rad, slides in metres
+    bool isFree = false;
+  };
+  struct Milestone {
+    ArmValues values;
+    std::vector<std::uint32_t> motions = {};  // that are not known to be blocked
+  };
+  struct Query;
+
+  std::uint32_t placed(const RobotScene& scene, const ArmValues& values);
+  std::vector<std::uint32_t> nearest(const RobotScene& scene, const ArmValues& values) const;
+  std::vector<std::uint32_t> joinedTo(std::uint32_t milestone) const;
+  bool grow(Query& query);
+  std::vector<std::uint32_t> shortestWay(const Query& query) const;
+  bool prove(Query& query, const std::vector<std::uint32_t>& way);
+  void block(std::uint32_t motion);
+  void clear();
+
+  const std::size_t m_most;
+  mutable std::timed_mutex m_mutex;
+  MotionCheckSettings m_check;
+  std::uint64_t m_random = 0;  // the state of its random numbers
+  std::vector<Milestone> m_milestones;
+  std::vector<Motion> m_motions;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Fidelity.h"
+
+namespace handwheel {
+
+// The setting ik.tolerance: NumericalIkSettings::tolerance, of lengths in metres and angles in rad.
+FidelitySetting ikToleranceSetting();
+
+}  // namespace handwheel

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/Bars.h"
+#include "bench/SphereRobot.h"
+#include "planning/PathShortcuts.h"
+#include "planning/Planners.h"
+#include "planning/Roadmap.h"
+
+using namespace handwheel;
+
+namespace {
+
+bench::Bars bars;
+
+constexpr std::size_t kEvery = 5;  // of the problems of each set: about a minute
+constexpr double kSeconds = 2.0;   // for a path
+constexpr double kDense = 0.002;   // rad of a joint between the places that a path is looked at again
+constexpr int kShortcuts = 50;
+
+const bench::SphereRobot* robot() {
+  static const auto read = bench::SphereRobot::read();
+  return read ? &*read : nullptr;
+}
+
+bool isSkipped(benchmark::State& state, const std::string& what) {
+  if (robot()) return false;
+  bars.skipped(state, what, "HANDWHEEL_DATA is not set or has no planning/motionbenchmaker-ur5");
+  return true;
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+double meanOf(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double each : values) sum += each;
+  return sum / static_cast<double>(values.size());
+}
+
+ArmValues valuesOf(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+struct Figures {
+  std::size_t problems = 0, blockedEnds = 0, unsolved = 0, colliding = 0;
+  std::vector<double> seconds, checks, distances, lengths;
+};
+
+Figures figuresOf(const char* planner) {
+  Figures figures;
+  for (const PlanningSet& set : robot()->sets()) {
+    for (std::size_t i = 0; i < set.problems.size(); i += kEvery) {
+      const PlanningProblem& problem = set.problems[i];
+      const RobotScene scene = robot()->sceneOf(problem);
+      PlanSettings settings;
+      settings.seconds = kSeconds;
+      PlanResult result;
+      JointPath path;
+      const double seconds = bench::secondsOf([&] {
+        result = planPath(scene, valuesOf(problem.start), valuesOf(problem.goal), settings, planner);
+        path = shortened(scene, result.path, settings.check, kShortcuts, kSeconds, settings.seed);
+      });
+      ++figures.problems;
+      using enum PlanResult::Outcome;
+      if (result.outcome == StartBlocked || result.outcome == GoalBlocked) {
+        ++figures.blockedEnds;
+        continue;
+      }
+      if (result.outcome != Solved) {
+        ++figures.unsolved;
+        continue;
+      }
+      const bool isSound = path.front() == valuesOf(problem.start) && path.back() == valuesOf(problem.goal);
+      figures.colliding += !isSound || robot()->isColliding(problem, path, kDense) ? 1 : 0;
+      figures.seconds.push_back(seconds);
+      figures.checks.push_back(static_cast<double>(result.steps));
+      figures.distances.push_back(static_cast<double>(result.queries.exact));
+      figures.lengths.push_back(lengthOf(scene, path));
+    }
+  }
+  return figures;
+}
+
+// Once for each planner, for the table and for the comparison.
+const Figures& figures(const std::string& planner) {
+  static std::map<std::string, Figures> known;
+  const auto found = known.find(planner);
+  return found != known.end() ? found->second : known.emplace(planner, figuresOf(planner.c_str())).first->second;
+}
+
+void paths(benchmark::State& state) {
+  if (isSkipped(state, "MotionBenchMaker, UR5")) return;
+  const PlannerName& planner = planners()[static_cast<std::size_t>(state.range(0))];
+  const std::string id = planner.id, what = "MotionBenchMaker, UR5, " + id;
+  const bool isOurs = id == "sbl";
+  for (auto _ : state) {
+    const Figures& found = figures(id);
+    const auto free = static_cast<double>(found.problems - found.blockedEnds);
+    const double unsolved = 100.0 * static_cast<double>(found.unsolved) / free, ms = 1e3 * medianOf(found.seconds);
+    bars.atMost(what + ": colliding when looked at every 0.002 rad", 0.0, static_cast<double>(found.colliding));
+    if (isOurs) {
+      bars.tell(what + ": problems", static_cast<double>(found.problems));
+      bars.tell(what + ": with an end in collision", static_cast<double>(found.blockedEnds));
+      bars.atMost(what + ": not solved, of those with free ends, %", 1.0, unsolved);
+      bars.atMost(what + ": median, ms", 10.0, ms);
+    } else {
+      bars.tell(what + ": not solved, of those with free ends, %", unsolved);
+      bars.tell(what + ": median, ms", ms);
+    }
+    bars.tell(what + ": mean length, rad", meanOf(found.lengths));
+    bars.tell(what + ": mean of points that were looked at", meanOf(found.checks));
+    bars.tell(what + ": mean of distances that were computed", meanOf(found.distances));
+    state.counters["ms"] = ms;
+  }
+}
+
+void checksBesideOmpl(benchmark::State& state) {
+  if (isSkipped(state, "SBL beside OMPL's")) return;
+  for (auto _ : state) {
+    const Figures &own = figures("sbl"), &other = figures("ompl-sbl");
+    bars.atMost("SBL beside OMPL's: points that were looked at", 1.0,
+                bench::ratioTo(meanOf(own.checks), meanOf(other.checks)));
+    bars.atMost("SBL beside OMPL's: distances that were computed", 1.0,
+                bench::ratioTo(meanOf(own.distances), meanOf(other.distances)));
+  }
+}
+
+// The same cell again and again, with other ends near the first ones: with the roadmap that the plans before have left,
+// and with one of its own for each.
+void keptRoadmap(benchmark::State& state) {
+  if (isSkipped(state, "PRM kept for the cell")) return;
+  constexpr int kPlans = 10;
+  for (auto _ : state) {
+    double kept = 0.0, anew = 0.0, first = 0.0;
+    for (const PlanningSet& set : robot()->sets()) {
+      const PlanningProblem& problem = set.problems.front();
+      const RobotScene scene = robot()->sceneOf(problem);
+      Roadmap roadmap;
+      PlanSettings settings;
+      settings.seconds = 5.0 * kSeconds;
+      const ArmValues start = valuesOf(problem.start), goal = valuesOf(problem.goal);
+      first += bench::secondsOf([&] { roadmap.plan(scene, start, goal, settings); });
+      for (int i = 1; i <= kPlans; ++i) {
+        ArmValues other = start;
+        other[i % other.size()] += i % 2 ? 0.05 : -0.05;
+        if (!isFreeAt(scene, other, settings.check)) continue;
+        Roadmap own;
+        kept += bench::secondsOf([&] { roadmap.plan(scene, other, goal, settings); });
+        anew += bench::secondsOf([&] { own.plan(scene, other, goal, settings); });
+      }
+    }
+    bars.tell("PRM: first plans of 7 cells, ms", 1e3 * first);
+    bars.tell("PRM: later plans with the kept roadmap, ms", 1e3 * kept);
+    bars.tell("PRM: the same without, ms", 1e3 * anew);
+    bars.atMost("PRM kept for the cell: time to that without", 0.5, bench::ratioTo(kept, anew));
+  }
+}
+
+}  // namespace
+
+BENCHMARK(paths)->DenseRange(0, 2)->Iterations(1)->Unit(benchmark::kMillisecond);  // sbl, prm, rrtconnect
+BENCHMARK(checksBesideOmpl)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(keptRoadmap)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+int main(int argc, char** argv) {
+  return bench::run(argc, argv, bars);
+}
