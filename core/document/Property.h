@@ -29,7 +29,7 @@ struct Property {
   bool groupTranslated = true;  // false: the group is
   std::string prefix = {};      // shown before the number: "⌀", "R"
   std::string problem = {};     // English, context "Property": a remark on the value ("effort is not known")
-  bool continuous = false;      // best changed by a slider between its limits
+  bool continuous = false;      // best changed by a slider between its limits; a choice: by a list of all
   bool isNumbers = false;       // a text of numbers with points, which users see and type in their own way
 };
 

@@ -48,6 +48,35 @@ class PlanTest : public QObject {
     QCOMPARE(report["min_clearance_mm"].get<double>(), 0.0);
   }
 
+  // All ways in which the arm reaches a pose, one of them taken, and a target that a path goes to.
+  void waysAndTargets() {
+    const PlannedCell cell;
+    const QStringList pose{"--at", "-250,200,500", "--turn", "160,20,0"};
+    const Ran listed = cell.run(QStringList{"configuration", "cell.handwheel", "--solutions", "--json"} + pose);
+    QVERIFY2(listed.code == 0, listed.err);
+    const nlohmann::json ways = jsonOf(listed.out)["solutions"];
+    QVERIFY(ways.size() >= 2 && ways[1]["within_limits"].get<bool>());
+    const Ran moved = cell.run(QStringList{"configuration", "cell.handwheel", "--add", "second", "--solution", "2",
+                                           "-o", "moved.handwheel", "--json"} +
+                               pose);
+    QVERIFY2(moved.code == 0, moved.err);
+    const nlohmann::json stored = jsonOf(moved.out)["configurations"].back();
+    QCOMPARE(stored["name"].get<std::string>(), std::string("second"));
+    for (const auto& [joint, value] : ways[1]["joints"].items())
+      QVERIFY(std::abs(stored["joints"][joint].get<double>() - value.get<double>()) < 1e-9);
+    const Ran target =
+        cell.run(QStringList{"configuration", "cell.handwheel", "--add-target", "drop", "-o", "cell.handwheel"} + pose);
+    QVERIFY2(target.code == 0 && target.out.contains("target drop"), target.out + target.err);
+    const Ran planned = cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "drop", "--json"});
+    QVERIFY2(planned.code == 0, planned.err);
+    QVERIFY(jsonOf(planned.out)["certified"].get<bool>());
+    const Ran far = cell.run({"configuration", "cell.handwheel", "--solutions", "--at", "5000,0,0"});
+    QCOMPARE(far.code, 2);
+    QVERIFY(far.out.contains("cannot"));
+    const Ran set = cell.run({"set", "cell.handwheel", "tool.x=5000", "-o", "far.handwheel"});
+    QVERIFY2(set.code != 0 && set.err.contains("5000"), set.err);
+  }
+
   // Along an edge of a block, coming from a configuration and going back there; the tool's centre point is where the
   // edge is, 2 mm away from it.
   void alongAnEdge() {

@@ -36,6 +36,9 @@ PropertyRow* PropertyRow::make(const Property& property, LengthUnit unit, QWidge
     case Kind::Choice:
       row = new ChoiceRow(parent);
       break;
+    case Kind::List:
+      row = new ListRow(parent);
+      break;
     case Kind::ReadOnly:
       row = new ReadOnlyRow(parent);
       break;
@@ -80,7 +83,7 @@ void PropertyRow::showRemark() {
 
 PropertyRow::Kind PropertyRow::kindOf(const Property& property) {
   if (!property.editable) return Kind::ReadOnly;
-  if (!property.choices.empty()) return Kind::Choice;
+  if (!property.choices.empty()) return property.continuous ? Kind::List : Kind::Choice;
   if (std::holds_alternative<bool>(property.value)) return Kind::Switch;
   if (!std::holds_alternative<std::string>(property.value)) return Kind::Number;
   return property.id.ends_with(".colour") ? Kind::Colour : Kind::Text;

@@ -12,8 +12,10 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <algorithm>
@@ -25,6 +27,8 @@ namespace handwheel {
 namespace {
 
 constexpr int kSliderSteps = 1000;
+constexpr double kNearLimit = 0.05;  // of the range: what is nearer to a limit is shown there
+constexpr int kMostListed = 8;       // rows of two lines, before a list scrolls
 // A box is as wide as its longest choice, in wide letters, of which three are as wide as four others; within these.
 constexpr int kFewestLetters = 6;
 constexpr int kMostLetters = 15;
@@ -113,7 +117,20 @@ void NumberRow::showValue(const Property& property, LengthUnit unit) {
   if (!bounded || m_slider->isSliderDown() || !std::isfinite(value)) return;
   const QSignalBlocker quiet(m_slider);
   const double share = std::clamp((value - m_least) / (m_largest - m_least), 0.0, 1.0);
+  showNearness(share);
   m_slider->setValue(static_cast<int>(std::lround(share * kSliderSteps)));
+}
+
+// The limit that the value is near to is highlighted.
+void NumberRow::showNearness(double share) {
+  const std::pair<QLabel*, bool> limits[] = {{m_lower, share < kNearLimit}, {m_upper, share > 1.0 - kNearLimit}};
+  for (const auto& [label, isNear] : limits) {
+    if (label->property("bad").toBool() == isNear) continue;
+    label->setProperty("bad", isNear);
+    label->setProperty("muted", !isNear);
+    label->style()->unpolish(label);
+    label->style()->polish(label);
+  }
 }
 
 void NumberRow::setLabel(const QString& label) {
@@ -256,6 +273,32 @@ void ChoiceRow::showValue(const Property& property, LengthUnit) {
 
 void ChoiceRow::setLabel(const QString& label) {
   m_box->setAccessibleName(label);
+}
+
+ListRow::ListRow(QWidget* parent) : PropertyRow(parent), m_list(new QListWidget(this)) {
+  m_list->setObjectName(QStringLiteral("propertyList/choices"));
+  m_list->setWordWrap(true);
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_list->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the view
+  arrange(m_list, false);
+  connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (row >= 0) emit edited(static_cast<double>(row), false);
+  });
+}
+
+void ListRow::showValue(const Property& property, LengthUnit) {
+  const QSignalBlocker quiet(m_list);
+  const int count = static_cast<int>(property.choices.size());
+  while (m_list->count() > count) delete m_list->takeItem(m_list->count() - 1);
+  while (m_list->count() < count) m_list->addItem(QString());
+  for (int i = 0; i < count; ++i) m_list->item(i)->setText(translated(property.choices[static_cast<std::size_t>(i)]));
+  m_list->setCurrentRow(choiceOf(property));
+  const int lines = 2 * std::clamp(count, 1, kMostListed);
+  m_list->setFixedHeight(lines * m_list->fontMetrics().lineSpacing() + 2 * m_list->frameWidth() + 8);
+}
+
+void ListRow::setLabel(const QString& label) {
+  m_list->setAccessibleName(label);
 }
 
 ReadOnlyRow::ReadOnlyRow(QWidget* parent) : PropertyRow(parent), m_text(new QLabel(this)) {

@@ -10,6 +10,7 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QListWidget;
 class QSlider;
 class QToolButton;
 
@@ -31,6 +32,7 @@ class NumberRow : public PropertyRow {
 
  private:
   void slide(int position);
+  void showNearness(double share);
 
   NumberField* m_field;
   QWidget* m_travel;  // with the slider between its limits
@@ -112,6 +114,21 @@ class ChoiceRow : public PropertyRow {
 
  private:
   QComboBox* m_box;
+};
+
+// A row for one of several choices that are all seen: a list, below the heading of the group.
+class ListRow : public PropertyRow {
+  Q_OBJECT
+
+ public:
+  explicit ListRow(QWidget* parent);
+
+ protected:
+  void showValue(const Property& property, LengthUnit unit) override;
+  void setLabel(const QString& label) override;
+
+ private:
+  QListWidget* m_list;
 };
 
 // A row for a property that cannot be edited: a label.

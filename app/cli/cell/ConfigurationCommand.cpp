@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/cell/ConfigurationCommand.h"
 
+#include "base/NumberText.h"
 #include "cli/Messages.h"
 #include "cli/OperationJson.h"
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
 #include "document/FileBytes.h"
+#include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
+#include "tools/cell/ConfigurationPoses.h"
+#include "tools/cell/WayText.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -30,15 +37,58 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
 }
 
 std::string reportOf(const nlohmann::json& described, bool asJson) {
-  if (asJson) return textOf({{"configurations", described["configurations"]}, {"paths", described["paths"]}});
+  if (asJson)
+    return textOf({{"configurations", described["configurations"]},
+                   {"targets", described["targets"]},
+                   {"paths", described["paths"]}});
   std::string text;
   for (const nlohmann::json& each : described["configurations"])
     text += "configuration " + each["name"].get<std::string>() + "\n";
+  for (const nlohmann::json& each : described["targets"]) text += "target " + each["name"].get<std::string>() + "\n";
   for (const nlohmann::json& each : described["paths"]) {
     text += "path " + each["name"].get<std::string>() + ", " + std::to_string(each["places"].get<std::size_t>()) +
             " places\n";
   }
   return text;
+}
+
+// All ways in which the arm brings its tool to the pose that the values give.
+Result<nlohmann::json> waysJson(const OperationValues& values, const RobotCellSnapshot& cell) {
+  const Result<Pose> pose = givenPose(values, cell);
+  if (!pose) return pose.error();
+  CollisionMeshes meshes;
+  const Result<CellScene> scene = sceneOf(cell, meshes);
+  if (!scene) return scene.error();
+  nlohmann::json list = nlohmann::json::array();
+  for (const CellWay& way : waysTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
+    const QString stance = way.arm.stance ? stanceText(*way.arm.stance) : QString();
+    list.push_back({{"joints", toJson(cell.robot->model, scene->whole(way.arm.values))},
+                    {"stance", stance.toStdString()},
+                    {"within_limits", way.isWithinLimits()},
+                    {"free", way.isFree()},
+                    {"problem", problemText(*scene, way).toStdString()},
+                    {"way_mm", way.arm.way}});
+  }
+  return list;
+}
+
+int listWays(const OperationValues& values, const RobotCellSnapshot& cell, bool asJson) {
+  const Result<nlohmann::json> ways = waysJson(values, cell);
+  if (!ways) return fail(ways.error());
+  const auto isFree = [](const nlohmann::json& way) { return way["free"].get<bool>(); };
+  const bool isAnyFree = std::any_of(ways->begin(), ways->end(), isFree);
+  std::string text = ways->empty() ? "The arm cannot bring its tool there.\n" : "";
+  for (std::size_t i = 0; i < ways->size(); ++i) {
+    const nlohmann::json& way = (*ways)[i];
+    const std::string stance = way["stance"], problem = way["problem"];
+    text += std::to_string(i + 1) + ": " + (stance.empty() ? std::string() : stance + ", ") +
+            (problem.empty() ? "free" : problem) + "\n  ";
+    for (const auto& [joint, value] : way["joints"].items())
+      text += " " + joint + "=" + roundedText(std::round(1e6 * value.get<double>()) / 1e6, 9);
+    text += "\n";
+  }
+  const int printed = print(asJson ? textOf({{"solutions", *ways}}) : text);
+  return printed != kExitDone ? printed : isAnyFree ? kExitDone : kExitSomethingLeft;
 }
 
 int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
@@ -47,9 +97,11 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
   if (const std::string problem = problemOfConfigurationValues(values); !problem.empty())
     return failUsage(sentenceOf(problem), id);
-  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", id);
+  const bool isListing = values.flag("solutions");
+  if (!isListing && !arguments.has("output")) return failUsage("The option -o OUT is missing.", id);
   const Result<CellFile> file = openCell(arguments.operands[0], kinds);
   if (!file) return fail(file.error());
+  if (isListing) return listWays(values, *file->cell, arguments.has("json"));
   Result<ChangedCell> changed = changedCell(values, *file->cell);
   if (!changed) return fail(changed.error());
   if (arguments.has("srdf")) {
@@ -67,11 +119,12 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 Command configurationCommand() {
-  CommandSpec spec = {configurationOperation().id,
-                      "CELL",
-                      "Stores named joint values in a robot cell, which paths are planned between.\n"
-                      "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
-                      {}};
+  CommandSpec spec = {
+      configurationOperation().id,
+      "CELL",
+      "Stores named joint values and targets in a robot cell, which paths are planned between, and moves the robot.\n"
+      "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
+      {}};
   spec.options = optionsOf(configurationOperation());
   spec.options.push_back({"srdf", 0, "FILE", "Adds the pairs that may touch and the states of a semantic description"});
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel; may be CELL"});

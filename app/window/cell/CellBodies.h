@@ -24,6 +24,7 @@ class CellBodies : public QObject {
   CellBodies(const WindowContext& parts, QObject* parent);
 
   void setDocument(DocumentTab* document);  // null: no cell is in view
+  BodyPointer selected() const;             // the only one; null: none, or several
   BodySelection& selection() { return m_selection; }
   const BodySelection& selection() const { return m_selection; }
   QList<QAction*> all();
@@ -39,7 +40,6 @@ class CellBodies : public QObject {
 
  private:
   RobotCellDocument& cell() const;
-  BodyPointer selected() const;  // the only one
   void connectActions();
   void connectList();
   void addShapes();

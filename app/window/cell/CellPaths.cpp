@@ -28,13 +28,17 @@ void offer(QAction& action, bool isEnabled, const QString& reason) {
 
 }  // namespace
 
-CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QObject* parent)
+CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets,
+                     std::function<BodyPointer()> selected, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_collisions(collisions),
+      m_targets(targets),
+      m_selected(std::move(selected)),
       m_tree(new PlanTree(parts.window)),
       m_layer(std::make_shared<PathLayer>()),
       m_store(tr("&Store this configuration"), this),
+      m_storeTarget(tr("Store a &target here"), this),
       m_go(tr("&Go to it"), this),
       m_plan(tr("&Plan a path…"), this),
       m_again(tr("Plan the path &again"), this),
@@ -51,12 +55,14 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QOb
       m_optimise(tr("Optimise the order and &configurations"), this),
       m_menu(new QMenu(parts.window)) {
   prepare(m_store, "storeConfiguration", "place", tr("Store where the robot stands under a name"));
-  prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration or place"));
+  prepare(m_storeTarget, "storeTarget", "target",
+          tr("Store where the tool is as a target; on the selected body, if one is: it moves with it"));
+  prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration, place or target"));
   prepare(m_plan, "planPath", "program", tr("Plan a path between configurations that is proven free of collisions"));
   prepare(m_again, "planPathAgain", nullptr, tr("Plan the path again through its critical places"));
   prepare(m_insert, "insertPlace", nullptr,
           tr("Insert where the robot stands behind the selected place, as a critical configuration"));
-  prepare(m_here, "setPlaceHere", nullptr, tr("Replace the selected place by where the robot stands"));
+  prepare(m_here, "setPlaceHere", nullptr, tr("Replace the selected place or target by where the robot stands"));
   prepare(m_up, "movePlaceUp", nullptr, tr("Let the robot come to the selected place earlier"));
   prepare(m_down, "movePlaceDown", nullptr, tr("Let the robot come to the selected place later"));
   prepare(m_straight, "straightToPlace", nullptr,
@@ -67,7 +73,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, QOb
           tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
   prepare(m_semantics, "readSemantics", nullptr, tr("Read the pairs of links that may touch, and named states"));
-  prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path or place"));
+  prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place or target"));
   prepare(m_optimise, "optimisePath", nullptr,
           tr("Visit the critical places in the order, and reach them in the configurations, that take the least time"));
   m_menu->setObjectName(QStringLiteral("planMenu"));
@@ -83,6 +89,7 @@ CellPaths::~CellPaths() {
 
 void CellPaths::connectActions() {
   connect(&m_store, &QAction::triggered, this, &CellPaths::store);
+  connect(&m_storeTarget, &QAction::triggered, this, &CellPaths::storeTarget);
   connect(&m_go, &QAction::triggered, this, [this] { goTo(m_tree->current()); });
   connect(&m_plan, &QAction::triggered, this, &CellPaths::askForPath);
   connect(&m_again, &QAction::triggered, this, &CellPaths::planAgain);
@@ -127,11 +134,12 @@ void CellPaths::connectActions() {
   connect(m_tree, &QWidget::customContextMenuRequested, this,
           [this](const QPoint& position) { m_menu->popup(m_tree->viewport()->mapToGlobal(position)); });
   connect(&m_collisions, &CellCollisions::prepared, this, &CellPaths::verify);
+  connect(&m_targets, &CellTargets::reachChanged, this, &CellPaths::update);
 }
 
 QList<QAction*> CellPaths::all() {
-  return {&m_store, &m_go,       &m_plan,   &m_again,  &m_optimise, &m_insert,    &m_here,  &m_up,
-          &m_down,  &m_straight, &m_verify, &m_export, &m_import,   &m_semantics, &m_remove};
+  return {&m_store, &m_storeTarget, &m_go,       &m_plan,   &m_again,  &m_optimise, &m_insert,    &m_here,
+          &m_up,    &m_down,        &m_straight, &m_verify, &m_export, &m_import,   &m_semantics, &m_remove};
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
@@ -253,7 +261,7 @@ void CellPaths::showPath() {
 void CellPaths::update() {
   std::map<std::string, QString> remarks;
   for (const auto& [name, check] : m_checks) remarks[name] = remarkOf(check);
-  m_tree->setPlans(plans(), remarks);
+  m_tree->setPlans(plans(), remarks, m_targets.reach());
   using Kind = PlanTree::Entry::Kind;
   const PlanTree::Entry entry = m_tree->current();
   const bool isCell = m_document != nullptr, isSomething = entry.kind != Kind::None;
@@ -262,14 +270,18 @@ void CellPaths::update() {
   const QString noCell = tr("Open a robot cell first."), noPlace = tr("Select a place of a path first."),
                 noPath = tr("Select a path first.");
   offer(m_store, isCell, noCell);
-  offer(m_plan, isCell && !plans().configurations.empty(),
-        isCell ? tr("Store a configuration first: where the path is to begin or end.") : noCell);
-  offer(m_go, entry.kind == Kind::Configuration || isPlace, tr("Select a configuration or a place first."));
+  offer(m_storeTarget, isCell, noCell);
+  const bool isAnyPlace = !plans().configurations.empty() || !plans().targets.empty();
+  offer(m_plan, isCell && isAnyPlace,
+        isCell ? tr("Store a configuration or a target first: where the path is to begin or end.") : noCell);
+  const bool isTarget = entry.kind == Kind::Target;
+  offer(m_go, entry.kind == Kind::Configuration || isPlace || isTarget,
+        tr("Select a configuration, a place or a target first."));
   offer(m_again, present && present->places.size() >= 2, noPath);
   offer(m_optimise, present && present->places.size() >= 3,
         present ? tr("There is nothing between the ends of the path.") : noPath);
   offer(m_insert, present != nullptr, noPath);
-  offer(m_here, isPlace, noPlace);
+  offer(m_here, isPlace || isTarget, tr("Select a place of a path or a target first."));
   offer(m_up, isPlace && entry.place > 0, noPlace);
   offer(m_down, isPlace && present && entry.place + 1 < present->places.size(), noPlace);
   offer(m_straight, isPlace && entry.place > 0, noPlace);
@@ -281,7 +293,7 @@ void CellPaths::update() {
         present ? tr("Only a path that is proven free of collisions is exported.") : noPath);
   offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
-  offer(m_remove, isSomething, tr("Select a configuration, a path or a place first."));
+  offer(m_remove, isSomething, tr("Select a configuration, a path, a place or a target first."));
 }
 
 }  // namespace handwheel

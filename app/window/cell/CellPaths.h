@@ -20,18 +20,20 @@ class PathLayer;
 class Post;
 class RobotCellDocument;
 
-// The list of what is planned in a robot cell and its actions: stores configurations, plans paths through them, edits
-// their places, verifies and shows them. The path of the selected row, or the only one, is the present one.
+// The list of what is planned in a robot cell and its actions: stores configurations and targets, plans paths through
+// them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one.
 class CellPaths : public QObject {
   Q_OBJECT
 
  public:
-  CellPaths(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
+  // selected: the body that is selected alone; null: none is.
+  CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets,
+            std::function<BodyPointer()> selected, QObject* parent);
   ~CellPaths() override;
 
   void setDocument(DocumentTab* document);
   QList<QAction*> all();
-  QList<QAction*> buttons() { return {&m_store, &m_plan, &m_verify, &m_export}; }  // those of the panel
+  QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
   // Plans a path along a curve on a part (processOperation()).
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
@@ -65,7 +67,10 @@ class CellPaths : public QObject {
   void connectActions();
   void commit(const QString& text, CellPlans plans);
   void store();
+  void storeTarget();
+  void setTargetHere(const std::string& name);
   void goTo(const PlanTree::Entry& entry);
+  void goToTarget(const std::string& name);
   void askForPath();
   void plan(const OperationValues& values);
   void planAgain();
@@ -87,6 +92,7 @@ class CellPaths : public QObject {
   void importProgram(const QString& file);
   void verify();
   void report(const Error& error);
+  void reportUnprepared();
   void followDocument();
   void showPath();
   void update();
@@ -95,12 +101,14 @@ class CellPaths : public QObject {
 
   WindowContext m_parts;
   CellCollisions& m_collisions;
+  CellTargets& m_targets;
+  std::function<BodyPointer()> m_selected;
   DocumentTab* m_document = nullptr;
   PlanTree* m_tree;
   std::shared_ptr<PathLayer> m_layer;
   std::map<std::string, Check> m_checks;  // by the name of the path
-  QAction m_store, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export, m_import,
-      m_semantics, m_remove, m_optimise;
+  QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export,
+      m_import, m_semantics, m_remove, m_optimise;
   QMenu* m_menu;  // owned by the window
 };
 

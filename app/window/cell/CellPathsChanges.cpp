@@ -3,6 +3,7 @@
 
 // How the actions for paths change the document.
 #include "document/FileBytes.h"
+#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
@@ -48,6 +49,18 @@ void CellPaths::report(const Error& error) {
                 m_document ? &m_document->document : nullptr});
 }
 
+void CellPaths::reportUnprepared() {
+  emit message({Message::Weight::Info,
+                tr("The cell is still being prepared"),
+                tr("Try again in a moment."),
+                {},
+                {},
+                {},
+                {},
+                {},
+                &m_document->document});
+}
+
 void CellPaths::commit(const QString& text, CellPlans plans) {
   if (auto edit = cell().plansEdit(std::move(plans))) cell().commit(text, std::move(edit));
 }
@@ -55,13 +68,55 @@ void CellPaths::commit(const QString& text, CellPlans plans) {
 void CellPaths::store() {
   CellPlans changed = plans();
   const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
-  const std::string name = changed.freeConfigurationName(wish);
+  const std::string name = changed.freePlaceName(wish);
   changed.configurations.push_back({name, cell().joints()});
   commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed));
   m_tree->select({Kind::Configuration, name});
 }
 
+// On the selected body it moves with that, unless the robot itself carries it.
+void CellPaths::storeTarget() {
+  CellPlans changed = plans();
+  const std::string wish = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
+  NamedTarget target{.name = changed.freePlaceName(wish)};
+  const RobotModel& robot = cell().robot().model;
+  target.pose = toolPose(robot, changed.tool, cell().joints());
+  const BodyPointer selected = m_selected();
+  const BodyPointer body = selected && carrierOf(*selected, robot) == kNone ? selected : nullptr;
+  if (body) target = onBody(std::move(target), *body, robot, cell().joints());
+  const PlanTree::Entry entry{Kind::Target, target.name};
+  const QString name = QString::fromStdString(target.name);
+  changed.targets.push_back(std::move(target));
+  commit(body ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name)) : tr("Store %1").arg(name),
+         std::move(changed));
+  m_tree->select(entry);
+}
+
+// It stays on its body.
+void CellPaths::setTargetHere(const std::string& name) {
+  CellPlans changed = plans();
+  const auto target = std::find_if(changed.targets.begin(), changed.targets.end(),
+                                   [&](const NamedTarget& each) { return each.name == name; });
+  if (target == changed.targets.end()) return;
+  const RobotModel& robot = cell().robot().model;
+  target->pose = toolPose(robot, changed.tool, cell().joints());
+  const BodyPointer body = cell().bodies().withId(target->body);
+  if (body) *target = onBody(std::move(*target), *body, robot, cell().joints());
+  commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
+}
+
+void CellPaths::goToTarget(const std::string& name) {
+  const auto scene = m_collisions.scene();
+  if (!scene) return reportUnprepared();
+  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
+  const Result<PathPlace> place = placeCalled(*scene, *content, name, cell().joints());
+  if (!place) return report(place.error());
+  if (auto edit = cell().jointEdit(place->joints))
+    cell().commit(tr("Go to %1").arg(QString::fromStdString(name)), std::move(edit));
+}
+
 void CellPaths::goTo(const PlanTree::Entry& entry) {
+  if (entry.kind == Kind::Target && plans().target(entry.name)) return goToTarget(entry.name);
   const NamedConfiguration* const configuration =
       entry.kind == Kind::Configuration ? plans().configuration(entry.name) : nullptr;
   const RobotPath* const of = entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
@@ -123,18 +178,7 @@ void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const
 
 void CellPaths::startPlanning(Planning planning, const std::string& name, const QString& text) {
   const auto scene = m_collisions.scene();
-  if (!scene) {
-    emit message({Message::Weight::Info,
-                  tr("The cell is still being prepared"),
-                  tr("Plan again in a moment."),
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  &m_document->document});
-    return;
-  }
+  if (!scene) return reportUnprepared();
   Job job;
   job.name = tr("Planning %1").arg(QString::fromStdString(name));
   job.owner = this;
@@ -187,6 +231,7 @@ void CellPaths::addPlace() {
 
 void CellPaths::setPlaceHere() {
   const PlanTree::Entry entry = m_tree->current();
+  if (entry.kind == Kind::Target) return setTargetHere(entry.name);
   CellPlans changed = plans();
   RobotPath* const of = pathOf(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
@@ -226,6 +271,9 @@ void CellPaths::removeCurrent() {
   if (entry.kind == Kind::Configuration) {
     std::erase_if(changed.configurations, [&](const NamedConfiguration& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
+  } else if (entry.kind == Kind::Target) {
+    std::erase_if(changed.targets, [&](const NamedTarget& each) { return each.name == entry.name; });
+    commit(tr("Remove %1").arg(name), std::move(changed));
   } else if (entry.kind == Kind::Path) {
     std::erase_if(changed.paths, [&](const RobotPath& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
@@ -239,13 +287,19 @@ void CellPaths::removeCurrent() {
 void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
   CellPlans changed = plans();
   const std::string wanted = name.toStdString();
-  const bool isConfiguration = entry.kind == Kind::Configuration;
-  const bool isTaken = isConfiguration ? changed.configuration(wanted) != nullptr : changed.path(wanted) != nullptr;
+  const bool isPlace = entry.kind == Kind::Configuration || entry.kind == Kind::Target;
+  const bool isTaken =
+      isPlace ? changed.configuration(wanted) || changed.target(wanted) : changed.path(wanted) != nullptr;
   if (wanted == entry.name || isTaken || !isBodyName(wanted)) return update();
-  if (isConfiguration) {
-    for (NamedConfiguration& each : changed.configurations) {
+  const auto renameIn = [&](auto& all) {
+    for (auto& each : all) {
       if (each.name == entry.name) each.name = wanted;
     }
+  };
+  if (entry.kind == Kind::Configuration) {
+    renameIn(changed.configurations);
+  } else if (entry.kind == Kind::Target) {
+    renameIn(changed.targets);
   } else if (RobotPath* const of = pathOf(changed, entry.name)) {
     of->name = wanted;
   }

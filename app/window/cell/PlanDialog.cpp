@@ -22,6 +22,7 @@ PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, L
   setObjectName(QStringLiteral("planDialog"));
   setWindowTitle(tr("Plan a path"));
   for (const NamedConfiguration& each : plans.configurations) m_places.push_back(each.name);
+  for (const NamedTarget& each : plans.targets) m_places.push_back(each.name);
   setFidelity(m_values, fidelity);
   m_values.setValid("from", m_places.size() > 2 ? m_places[1] : m_places[0]);
   m_values.setValid("to", m_places.back());
@@ -29,12 +30,13 @@ PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, L
   m_list->setLengthUnit(unit);
   m_list->setMinimumSize(420, 230);
   layout->addWidget(m_list);
-  layout->addWidget(new QLabel(tr("Critical configurations on the way, from the top down (drag to reorder):"), this));
+  layout->addWidget(
+      new QLabel(tr("Critical configurations and targets on the way, from the top down (drag to reorder):"), this));
   m_via->setObjectName(QStringLiteral("planVia"));
   m_via->setDragDropMode(QAbstractItemView::InternalMove);
   m_via->setMaximumHeight(120);
-  for (const NamedConfiguration& each : plans.configurations) {
-    auto* item = new QListWidgetItem(QString::fromStdString(each.name), m_via);
+  for (std::size_t i = 1; i < m_places.size(); ++i) {
+    auto* item = new QListWidgetItem(QString::fromStdString(m_places[i]), m_via);
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Unchecked);
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PlanTree.h"
 
+#include "theme/Icons.h"
+
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QTreeWidgetItemIterator>
@@ -16,7 +18,7 @@ constexpr int kKindRole = Qt::UserRole, kNameRole = Qt::UserRole + 1, kPlaceRole
 
 PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   setObjectName(QStringLiteral("planTree"));
-  setAccessibleName(tr("Configurations and paths"));
+  setAccessibleName(tr("Configurations, paths and targets"));
   setColumnCount(2);
   setHeaderHidden(true);
   header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -46,13 +48,14 @@ QTreeWidgetItem* PlanTree::add(QTreeWidgetItem* parent, const Entry& entry, cons
   item->setData(0, kPlaceRole, static_cast<qulonglong>(entry.place));
   item->setToolTip(0, text);
   item->setToolTip(1, remark);
-  const bool isNamed = entry.kind == Entry::Kind::Configuration || entry.kind == Entry::Kind::Path;
+  const bool isNamed = entry.kind != Entry::Kind::Place;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isNamed ? Qt::ItemIsEditable : Qt::NoItemFlags));
   parent->addChild(item);
   return item;
 }
 
-void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks) {
+void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks,
+                        const std::map<std::string, TargetReach>& reach) {
   m_isFilling = true;
   const Entry before = current();
   std::set<std::string> collapsed;
@@ -83,6 +86,16 @@ void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QStr
     }
     item->setExpanded(!collapsed.contains(path.name));
   }
+  auto* targets = new QTreeWidgetItem(this, {tr("Targets")});
+  targets->setFlags(Qt::ItemIsEnabled);
+  for (const NamedTarget& each : plans.targets) {
+    const auto known = reach.find(each.name);
+    const bool isKnown = known != reach.end();
+    QTreeWidgetItem* item = add(targets, {Entry::Kind::Target, each.name}, QString::fromStdString(each.name),
+                                isKnown ? known->second.remark : QString());
+    if (isKnown) item->setIcon(0, icon(known->second.isFree ? QStringLiteral("ok") : QStringLiteral("warning")));
+  }
+  targets->setExpanded(true);
   configurations->setExpanded(true);
   paths->setExpanded(true);
   select(before);

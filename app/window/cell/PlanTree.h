@@ -3,30 +3,33 @@
 #pragma once
 
 #include "robot/program/RobotPath.h"
+#include "window/cell/CellTargets.h"
 
 #include <QTreeWidget>
 #include <map>
 
 namespace handwheel {
 
-// A list of what is planned in a cell: its configurations, and its paths with their places. It only asks for changes.
+// A list of what is planned in a cell: its configurations, its paths with their places, and its targets. It only asks
+// for changes.
 class PlanTree : public QTreeWidget {
   Q_OBJECT
 
  public:
   // What a row stands for.
   struct Entry {
-    enum class Kind { None, Configuration, Path, Place };
+    enum class Kind { None, Configuration, Path, Place, Target };
     Kind kind = Kind::None;
-    std::string name;       // of the configuration, or of the path
+    std::string name;       // of the configuration, the target, or the path
     std::size_t place = 0;  // in the path
     bool operator==(const Entry&) const = default;
   };
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // remarks: by path, what is known of it ("free of collisions").
-  void setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks);
+  // remarks: by path, what is known of it ("free of collisions"); reach: of targets.
+  void setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks,
+                const std::map<std::string, TargetReach>& reach);
   Entry current() const;
   void select(const Entry& entry);
 

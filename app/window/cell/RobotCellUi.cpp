@@ -14,7 +14,9 @@
 #include "robot/arm/IkFidelity.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
+#include "tools/cell/ArmWaysTool.h"
 #include "tools/cell/CellTool.h"
+#include "tools/cell/FaceSnapTool.h"
 #include "tools/cell/ProcessTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
@@ -36,10 +38,14 @@
 namespace handwheel {
 
 RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
-    : RigidPartsUi(window, {"Joints"}),
+    : RigidPartsUi(window, {"Joints", "Tool"}),
       m_bodies(window, this),
       m_collisions(window, this),
-      m_paths(window, m_collisions, this),
+      m_targets(window, m_collisions, this),
+      m_reach(window, m_collisions, this),
+      m_toolCamera(window, this),
+      m_paths(
+          window, m_collisions, m_targets, [this] { return m_bodies.selected(); }, this),
       m_pathDock(window, m_paths, this),
       m_surfaces(window.jobs, this),
       m_builtIn(tr("&New cell with a built-in robot…"), this),
@@ -54,7 +60,10 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_builtIn, &QAction::triggered, this, &RobotCellUi::askForRobot);
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
   connect(&m_paths, &CellPaths::message, this, &KindUi::message);
-  connect(&m_pathDock, &PathDock::partsShown, this, &RobotCellUi::showPast);
+  connect(&m_pathDock, &PathDock::partsShown, this, [this](const std::shared_ptr<const DisplayModel>& model) {
+    showPast(model);
+    m_toolCamera.follow(model.get());
+  });
   connect(&m_collisions, &CellCollisions::prepared, this, [this, &tools = window.tools] {
     show();
     tools.refresh();
@@ -126,9 +135,13 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   m_pathDock.setDocument(document);
   m_bodies.setDocument(document);
   m_collisions.setDocument(document);
+  m_targets.setDocument(document);
+  m_reach.setDocument(document);
+  m_toolCamera.setDocument(nullptr);  // before the camera of the document is kept
   m_paths.setDocument(document);
   m_surfaces.clear();
   RigidPartsUi::setDocument(document);
+  m_toolCamera.setDocument(document);
   if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
 }
 
@@ -152,7 +165,8 @@ void RobotCellUi::askForRobot() {
 }
 
 QList<QAction*> RobotCellUi::menu() {
-  return QList<QAction*>{&m_builtIn} + m_bodies.all() + m_paths.all() + QList<QAction*>{m_pathDock.action()};
+  return QList<QAction*>{&m_builtIn} + m_bodies.all() + m_paths.all() +
+         QList<QAction*>{m_pathDock.action(), m_reach.action(), m_toolCamera.action()};
 }
 
 QList<QAction*> RobotCellUi::toolBar() {
@@ -161,7 +175,10 @@ QList<QAction*> RobotCellUi::toolBar() {
 
 void RobotCellUi::refreshVisibility() {
   RigidPartsUi::refreshVisibility();
-  if (document()) m_paths.setVisible(document()->visible);
+  if (!document()) return;
+  m_paths.setVisible(document()->visible);
+  m_targets.setVisible(document()->visible);
+  m_reach.setVisible(document()->visible);
 }
 
 // What collides where the robot stands has a colour of its own.
@@ -179,6 +196,7 @@ void RobotCellUi::forget(DocumentTab* document) {
 // A body that is dragged is in the document when it is let go; its fields show meanwhile where it is.
 void RobotCellUi::showPreview(const ToolPreview& preview) {
   RigidPartsUi::showPreview(preview);
+  m_toolCamera.follow(preview.replaced.get());
   std::optional<Body> dragged;
   for (const DisplayPart& part :
        document() && preview.replaced ? preview.replaced->parts : std::vector<DisplayPart>()) {
@@ -305,7 +323,31 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             [this] { return leadTool(); },
                             "lead",
                             LeadTool::keys()};
-  return {joints, lead, process, measureParts()};
+  const ToolDescriptor ways{QStringLiteral("armWaysTool"),
+                            tr("&Choose the arm's configuration"),
+                            tr("See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
+                            QStringLiteral("arm-ways"),
+                            QKeySequence(Qt::SHIFT | Qt::Key_K),
+                            [this] { return armWaysTool(); },
+                            "ways",
+                            ArmWaysTool::keys()};
+  const ToolDescriptor place{QStringLiteral("placeTool"),
+                             tr("Place a body with &handles"),
+                             tr("Move and turn the selected body along and about axes"),
+                             QStringLiteral("axes"),
+                             QKeySequence(Qt::SHIFT | Qt::Key_W),
+                             [this] { return placeTool(); },
+                             "place",
+                             PlaceTool::keys()};
+  const ToolDescriptor snap{QStringLiteral("faceSnapTool"),
+                            tr("Lay a body &face to face"),
+                            tr("Lay a body with one of its faces on a face of another"),
+                            QStringLiteral("face-to-face"),
+                            QKeySequence(Qt::SHIFT | Qt::Key_B),
+                            [this] { return faceSnapTool(); },
+                            "snap",
+                            FaceSnapTool::keys()};
+  return {joints, lead, ways, place, snap, process, measureParts()};
 }
 
 std::optional<RobotCellPick> RobotCellUi::pickCell(const Ray& ray) const {
@@ -337,6 +379,32 @@ std::unique_ptr<Tool> RobotCellUi::leadTool() {
   services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
   services.tries = &m_tries[document()];
   return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
+}
+
+std::unique_ptr<Tool> RobotCellUi::armWaysTool() {
+  ArmWaysServices services;
+  services.scene = [this] { return m_collisions.scene(); };
+  services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
+  return std::make_unique<ArmWaysTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
+}
+
+PlaceServices RobotCellUi::placeServices() {
+  PlaceServices services;
+  services.pick = [this](const Ray& ray) { return pickCell(ray); };
+  services.mark = [this](DisplayModel& shown, const Body& moved) {
+    m_collisions.mark(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
+  };
+  return services;
+}
+
+std::unique_ptr<Tool> RobotCellUi::placeTool() {
+  auto& cell = static_cast<RobotCellDocument&>(document()->document);
+  return std::make_unique<PlaceTool>(cell, m_bodies.selection(), placeServices());
+}
+
+std::unique_ptr<Tool> RobotCellUi::faceSnapTool() {
+  auto& cell = static_cast<RobotCellDocument&>(document()->document);
+  return std::make_unique<FaceSnapTool>(cell, m_bodies.selection(), placeServices());
 }
 
 std::unique_ptr<Tool> RobotCellUi::handTool() {

@@ -4,11 +4,14 @@
 
 #include "tools/cell/JointDragTool.h"
 #include "tools/cell/LeadTool.h"
+#include "tools/cell/PlaceTool.h"
 #include "window/cell/CellBodies.h"
 #include "window/cell/CellCollisions.h"
 #include "window/cell/CellPaths.h"
+#include "window/cell/CellReachOutline.h"
 #include "window/cell/PartSurfaces.h"
 #include "window/cell/PathDock.h"
+#include "window/cell/ToolCamera.h"
 #include "window/kinds/RigidPartsUi.h"
 
 #include <QElapsedTimer>
@@ -47,6 +50,10 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> handTool();
   std::unique_ptr<Tool> processTool();
   std::unique_ptr<Tool> leadTool();
+  std::unique_ptr<Tool> armWaysTool();
+  std::unique_ptr<Tool> placeTool();
+  std::unique_ptr<Tool> faceSnapTool();
+  PlaceServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
   DisplayModel displayed(const Document& document) const override;
@@ -61,6 +68,9 @@ class RobotCellUi : public RigidPartsUi {
 
   CellBodies m_bodies;
   CellCollisions m_collisions;
+  CellTargets m_targets;
+  CellReachOutline m_reach;
+  ToolCamera m_toolCamera;
   CellPaths m_paths;
   PathDock m_pathDock;
   PartSurfaces m_surfaces;

@@ -6,8 +6,10 @@ namespace handwheel {
 
 const ErrorDescription CellError::PlaceMissing{
     .id = "PlaceMissing",
-    .sentences = {translatable("ErrorText", "'%1' is neither a configuration of the cell nor a value for each joint")},
-    .advice = {translatable("ErrorText", "Name a configuration, or give the joint values in radians ('0 0.5 -1 …').")}};
+    .sentences = {translatable("ErrorText",
+                               "'%1' is neither a configuration or target of the cell nor a value for each joint")},
+    .advice = {translatable("ErrorText",
+                            "Name a configuration or a target, or give the joint values in radians ('0 0.5 -1 …').")}};
 
 const ErrorDescription CellError::PathMissing{
     .id = "PathMissing",
@@ -87,5 +89,32 @@ const ErrorDescription CellError::TrackBroken{
         "ErrorText",
         "the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint")},
     .advice = {translatable("ErrorText", "Divide the curve, turn the tool, or let it turn about its own axis.")}};
+
+const ErrorDescription CellError::PlaceNameTaken{
+    .id = "PlaceNameTaken",
+    .sentences = {translatable("ErrorText", "the cell already has a configuration or a target called '%1'")},
+    .advice = {translatable("ErrorText", "Choose another name.")}};
+
+const ErrorDescription CellError::TargetStray{
+    .id = "TargetStray",
+    .sentences = {translatable("ErrorText", "the body that the target '%1' is on was removed")},
+    .advice = {translatable("ErrorText", "Undo that, or remove the target.")}};
+
+const ErrorDescription CellError::ToolOutOfReach{
+    .id = "ToolOutOfReach",
+    .sentences = {translatable("ErrorText", "the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that")},
+    .advice = {translatable("ErrorText", "Choose a nearer place, or turn the tool.")}};
+
+const ErrorDescription CellError::ToolBeyondLimits{
+    .id = "ToolBeyondLimits",
+    .sentences = {translatable(
+        "ErrorText", "to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits")},
+    .advice = {translatable("ErrorText", "Choose another place, or turn the tool.")}};
+
+const ErrorDescription CellError::ToolBlocked{
+    .id = "ToolBlocked",
+    .sentences = {translatable(
+        "ErrorText", "with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5")},
+    .advice = {translatable("ErrorText", "Choose another place, turn the tool, or require less clearance.")}};
 
 }  // namespace handwheel

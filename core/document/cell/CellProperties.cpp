@@ -3,9 +3,11 @@
 #include "document/cell/CellProperties.h"
 
 #include "base/NumberText.h"
-#include "robot/Kinematics.h"
+#include "document/cell/CellReach.h"
+#include "scene/RigidPose.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +21,15 @@ bool turns(const Joint& joint) {
   return joint.kind != JointKind::Prismatic;
 }
 
+constexpr const char* kTool = QT_TRANSLATE_NOOP("Property", "Tool");
+constexpr std::pair<const char*, const char*> kToolFields[] = {
+    {"tool.x", QT_TRANSLATE_NOOP("Property", "X")},
+    {"tool.y", QT_TRANSLATE_NOOP("Property", "Y")},
+    {"tool.z", QT_TRANSLATE_NOOP("Property", "Z")},
+    {"tool.rx", QT_TRANSLATE_NOOP("Property", "Rotate about X")},
+    {"tool.ry", QT_TRANSLATE_NOOP("Property", "Rotate about Y")},
+    {"tool.rz", QT_TRANSLATE_NOOP("Property", "Rotate about Z")},
+};
 constexpr const char* kJoints = QT_TRANSLATE_NOOP("Property", "Joints");
 
 Property jointProperty(const Joint& joint, double value) {
@@ -71,7 +82,7 @@ std::string shown(double value, const Joint& joint) {
 
 }  // namespace
 
-std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints) {
+std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints, const Pose& tool) {
   std::vector<Property> all;
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)
     all.push_back(jointProperty(robot.jointOfDof(dof), joints[static_cast<Eigen::Index>(dof)]));
@@ -83,14 +94,35 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
   }
   const char* const kRobot = QT_TRANSLATE_NOOP("Property", "Robot");
   all.push_back(toRead("robot", kRobot, QT_TRANSLATE_NOOP("Property", "Name"), robot.name, Quantity::Number));
-  const std::uint32_t tool = toolLink(robot);
-  const Vec3 at = linkPoses(robot, joints)[tool].translation();
-  const char* const kTool = QT_TRANSLATE_NOOP("Property", "Tool");
-  all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), robot.links[tool].name, Quantity::Number));
-  all.push_back(toRead("tool.x", kTool, QT_TRANSLATE_NOOP("Property", "X"), at.x(), Quantity::Length));
-  all.push_back(toRead("tool.y", kTool, QT_TRANSLATE_NOOP("Property", "Y"), at.y(), Quantity::Length));
-  all.push_back(toRead("tool.z", kTool, QT_TRANSLATE_NOOP("Property", "Z"), at.z(), Quantity::Length));
+  const std::string& link = robot.links[toolLink(robot)].name;
+  all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), link, Quantity::Number));
+  for (Property& each : toolProperties(toolPose(robot, tool, joints))) all.push_back(std::move(each));
   return all;
+}
+
+std::vector<Property> toolProperties(const Pose& pose) {
+  const Vec3 angles = rollPitchYaw(pose);
+  std::vector<Property> all;
+  for (std::size_t i = 0; i < std::size(kToolFields); ++i) {
+    const auto& [id, label] = kToolFields[i];
+    const auto axis = static_cast<Eigen::Index>(i % 3);
+    Property property = toRead(id, kTool, label, i < 3 ? pose.translation()[axis] : angles[axis],
+                               i < 3 ? Quantity::Length : Quantity::Angle);
+    property.editable = true;
+    all.push_back(std::move(property));
+  }
+  return all;
+}
+
+std::optional<Pose> changedToolPose(const Pose& pose, std::string_view id, const PropertyValue& value) {
+  const auto* const field =
+      std::find_if(std::begin(kToolFields), std::end(kToolFields), [&](const auto& each) { return each.first == id; });
+  const auto* const number = std::get_if<double>(&value);
+  if (field == std::end(kToolFields) || !number || !std::isfinite(*number)) return std::nullopt;
+  const auto index = field - std::begin(kToolFields);
+  Vec3 place = pose.translation(), angles = rollPitchYaw(pose);
+  (index < 3 ? place : angles)[index % 3] = *number;
+  return poseOf(place, angles);
 }
 
 std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id) {

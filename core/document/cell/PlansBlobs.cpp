@@ -31,13 +31,14 @@ class PlansReading {
 
   CellPlans read(const json& stored) {
     readConfigurations(listAt(stored, "configurations"));
+    for (const json& entry : listAt(stored, "targets")) readTarget(entry);
     for (const json& entry : listAt(stored, "paths")) readOnePath(entry);
     for (const json& pair : listAt(stored, "allowed")) {
       if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string())
         m_plans.allowed.insert({pair[0].get<std::string>(), pair[1].get<std::string>()});
     }
     const std::vector<double> numbers = numbersAt(stored, "tool", 12);
-    if (numbers.size() == 12) readTool(numbers);
+    if (numbers.size() == 12) m_plans.tool = poseFrom(numbers, "tool").value_or(Pose::Identity());
     const auto clearance = stored.find("clearance_mm");
     if (clearance != stored.end() && clearance->is_number())
       m_plans.clearance = std::clamp(clearance->get<double>(), 0.0, 1e4);
@@ -69,7 +70,7 @@ class PlansReading {
         note(joints.error());
         continue;
       }
-      m_plans.configurations.push_back({m_plans.freeConfigurationName(name), std::move(joints).value()});
+      m_plans.configurations.push_back({m_plans.freePlaceName(name), std::move(joints).value()});
     }
   }
 
@@ -80,14 +81,24 @@ class PlansReading {
     m_plans.paths.push_back(std::move(path).value());
   }
 
-  void readTool(const std::vector<double>& numbers) {
+  void readTarget(const json& entry) {
+    const std::vector<double> numbers = numbersAt(entry, "pose", 12);
+    const auto pose = numbers.size() == 12 ? poseFrom(numbers, "targets") : std::nullopt;
+    if (numbers.size() != 12) note({ErrorCode::ElementMalformed, {"targets", "its pose cannot be used"}, {}, {}});
+    if (!pose) return;
+    const auto body = entry.find("body");
+    const bool isOnBody = body != entry.end() && body->is_number_unsigned();
+    m_plans.targets.push_back(
+        {m_plans.freePlaceName(stringAt(entry, "name", "target")), *pose, isOnBody ? body->get<std::uint32_t>() : 0});
+  }
+
+  // A pose that was written in few digits.
+  std::optional<Pose> poseFrom(const std::vector<double>& numbers, const char* element) {
     Pose pose = Pose::Identity();
     for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = numbers[static_cast<std::size_t>(i)];
     const auto rigid = isRigid(pose) ? std::optional(pose) : nearestRigid(pose);
-    if (rigid)
-      m_plans.tool = *rigid;
-    else
-      note({ErrorCode::ElementMalformed, {"tool", "its pose cannot be used"}, {}, {}});
+    if (!rigid) note({ErrorCode::ElementMalformed, {element, "its pose cannot be used"}, {}, {}});
+    return rigid;
   }
 
   const RobotModel& m_robot;
@@ -100,13 +111,13 @@ class PlansReading {
 
 void writePlans(const CellPlans& plans, const RobotModel& robot, Container& container) {
   if (plans == CellPlans()) return;
-  json stored = {{"clearance_mm", plans.clearance},
-                 {"tool", numbersOfPose(plans.tool)},
-                 {"configurations", json::array()},
-                 {"paths", json::array()},
-                 {"allowed", json::array()}};
+  json stored = {{"clearance_mm", plans.clearance}, {"tool", numbersOfPose(plans.tool)},
+                 {"configurations", json::array()}, {"targets", json::array()},
+                 {"paths", json::array()},          {"allowed", json::array()}};
   for (const NamedConfiguration& each : plans.configurations)
     stored["configurations"].push_back({{"name", each.name}, {"joints", toJson(robot, each.joints)}});
+  for (const NamedTarget& each : plans.targets)
+    stored["targets"].push_back({{"name", each.name}, {"pose", numbersOfPose(each.pose)}, {"body", each.body}});
   for (const RobotPath& path : plans.paths) stored["paths"].push_back(toJson(robot, path));
   for (const auto& [first, second] : plans.allowed) stored["allowed"].push_back({first, second});
   container.blobs[kPlans] = stored.dump(-1, ' ', false, json::error_handler_t::replace);

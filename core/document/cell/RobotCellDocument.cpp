@@ -4,6 +4,7 @@
 
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellProperties.h"
+#include "document/cell/CellReach.h"
 #include "document/cell/JointEdit.h"
 #include "document/cell/PlansEdit.h"
 #include "document/scene/BodyProperties.h"
@@ -58,7 +59,7 @@ SnapshotPointer RobotCellDocument::snapshot() const {
 }
 
 std::vector<Property> RobotCellDocument::properties() const {
-  std::vector<Property> all = cellProperties(m_robot->model, m_joints);
+  std::vector<Property> all = cellProperties(m_robot->model, m_joints, m_plans->tool);
   for (const BodyPointer& body : bodies()) {
     for (Property& ofBody : propertiesOfBody(*body)) all.push_back(std::move(ofBody));
   }
@@ -67,7 +68,7 @@ std::vector<Property> RobotCellDocument::properties() const {
 }
 
 std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
-  std::vector<Property> all = cellProperties(m_robot->model, m_joints);
+  std::vector<Property> all = cellProperties(m_robot->model, m_joints, m_plans->tool);
   for (const Body& body : shown) {
     for (Property& ofBody : propertiesOfBody(body)) all.push_back(std::move(ofBody));
   }
@@ -100,6 +101,13 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
       return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
     const std::uint32_t link = *choice < 1.0 ? kNone : static_cast<std::uint32_t>(*choice) - 1;
     return carryEdit(bodies(), *body, link, m_robot->model, m_joints);
+  }
+  const Pose tool = toolPose(m_robot->model, m_plans->tool, m_joints);
+  if (const auto pose = changedToolPose(tool, id, value)) {
+    if (pose->isApprox(tool, 1e-12)) return std::unique_ptr<Edit>();
+    const Result<JointValues> joints = jointsReaching(m_robot->model, m_plans->tool, *pose, m_joints);
+    if (!joints) return joints.error();
+    return jointEdit(*joints);
   }
   const std::uint32_t dof = dofOfProperty(m_robot->model, id);
   if (dof == kNone) return Document::propertyEdit(id, value);

@@ -79,6 +79,20 @@ nlohmann::json describeConfigurations(const RobotCellSnapshot& cell) {
   return list;
 }
 
+nlohmann::json describeTargets(const RobotCellSnapshot& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const NamedTarget& each : cell.plans->targets) {
+    const Vec3 at = each.pose.translation();
+    const Eigen::Quaterniond turn(each.pose.linear());
+    const BodyPointer body = cell.bodies.withId(each.body);
+    list.push_back({{"name", each.name},
+                    {"position", {at.x(), at.y(), at.z()}},
+                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                    {"body", body ? nlohmann::json(body->name) : nlohmann::json()}});
+  }
+  return list;
+}
+
 nlohmann::json describePaths(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
   for (const RobotPath& path : cell.plans->paths) list.push_back({{"name", path.name}, {"places", path.places.size()}});
@@ -196,6 +210,7 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"missing_meshes", missing},
           {"bodies", describeBodies(cell.bodies)},
           {"configurations", describeConfigurations(cell)},
+          {"targets", describeTargets(cell)},
           {"paths", describePaths(cell)}};
 }
 

@@ -124,6 +124,7 @@ std::optional<ClosedFormIk> ClosedFormIk::of(const SerialArm& arm) {
   const auto centre = meet(4, 5);
   if (!centre) return std::nullopt;
   made.m_centre = *centre;
+  made.m_wrist = frames[4].inverse(Eigen::Isometry) * *centre;
   const auto wrist = meet(3, 4);
   if (wrist && (*wrist - *centre).norm() < 1e-7 * made.m_scale) {
     made.m_form = Form::SphericalWrist;
@@ -228,6 +229,31 @@ void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix
       add(solutions, {q1, q2, q3, way4 * (whole - q2 - way3 * q3), q5.value, q6.value}, configuration);
     }
   }
+}
+
+ArmStance ClosedFormIk::stanceOf(const SerialArm& arm, const ArmValues& values) const {
+  std::array<Pose, 6> poses;
+  arm.jointPoses(values, poses);
+  const Vec3 up = m_axes[0].direction.z() < 0.0 ? Vec3(-m_axes[0].direction) : m_axes[0].direction;
+  const Vec3 &base = m_axes[0].point, &second = m_axes[1].direction;
+  const Vec3 axis = poses[1].linear().col(2), wrist = poses[4] * m_wrist;
+  const bool isSpherical = m_form == Form::SphericalWrist;
+  const Vec3 rest = m_centre - base;
+  // As the arm looks, and the side that its links are on.
+  const Vec3 ahead = rest.dot(second.cross(up)) < -kSame * m_scale ? Vec3(up.cross(axis)) : Vec3(axis.cross(up));
+  const Vec3 side = rest.dot(second) < 0.0 ? Vec3(-axis) : axis;
+  const Vec3 way = across(wrist - base, up);
+  ArmStance stance;
+  if (isSpherical)
+    stance.shoulder = way.dot(ahead) < 0.0 ? ArmStance::Shoulder::Rear : ArmStance::Shoulder::Front;
+  else
+    stance.shoulder = way.cross(up).dot(side) < 0.0 ? ArmStance::Shoulder::Left : ArmStance::Shoulder::Right;
+  const Vec3 fore = across((isSpherical ? wrist : poses[3].translation()) - poses[1].translation(), axis);
+  const Vec3 upper = across(poses[2].translation() - poses[1].translation(), axis);
+  const Vec3 bulge = across(upper, fore.stableNormalized());
+  stance.isElbowUp = bulge.dot(up) >= 0.0;
+  stance.isWristFlipped = std::remainder(values[4] - m_fifth.crest, 2.0 * M_PI) < 0.0;
+  return stance;
 }
 
 std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference) {

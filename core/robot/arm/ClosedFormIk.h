@@ -16,6 +16,20 @@ struct ArmConfiguration {
   bool operator==(const ArmConfiguration&) const = default;
 };
 
+// How an arm with a closed form stands, as a person sees it.
+struct ArmStance {
+  enum class Shoulder {
+    Front,  // it reaches ahead, as it looks with all joints at 0,
+    Rear,   // or over its back: of arms with a spherical wrist
+    Left,   // its links are to the left of the way from the first axis to the wrist, seen from above,
+    Right,  // or to the right: of arms with three parallel axes
+  };
+  Shoulder shoulder = Shoulder::Front;
+  bool isElbowUp = true;        // above the line from the second axis to the wrist; up: the z axis of the base
+  bool isWristFlipped = false;  // of two ways to turn the fifth joint the lower value
+  bool operator==(const ArmStance&) const = default;
+};
+
 // The ways in which an arm reaches a pose.
 struct IkSolutions {
   struct Solution {
@@ -42,6 +56,10 @@ class ClosedFormIk {
   // as two axes are in line, it is that of the reference. None where the pose is out of reach. O(1).
   void solve(const Pose& tip, const ArmValues& reference, IkSolutions& solutions) const;
 
+  // How the arm stands at these values. arm: that of of(). Where it is stretched or its elbow is beside the line, as
+  // good as any.
+  ArmStance stanceOf(const SerialArm& arm, const ArmValues& values) const;
+
   // A cos q + B sin q.
   struct Wave {
     Wave() = default;
@@ -66,6 +84,7 @@ class ClosedFormIk {
   std::array<Vec3, 6> m_across;  // of unit length, at a right angle to each axis
   Pose m_fromTip;                // from a pose of the tip to what the joints must do together
   Vec3 m_centre;                 // where the axes of the wrist meet; mm
+  Vec3 m_wrist;                  // the same in the frame of the fifth joint
   double m_scale = 1.0;          // mm, of the arm
   // The upper arm, and the forearm as far as the centre or the fourth axis, across the axes 2 and 3; mm.
   Vec3 m_upper, m_fore;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/arm/NumericalIk.h"
 
-#include "base/RandomSequence.h"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <chrono>
@@ -41,16 +39,6 @@ class Search {
       }
       q = std::clamp(q, joint.lower, joint.upper);
       if (!joint.isPrismatic && std::abs(q) > 1e3) q = std::remainder(q, kTurn);  // without limits
-    }
-  }
-
-  void random(ArmValues& values, RandomSequence& sequence) const {
-    for (Eigen::Index i = 0; i < m_arm.size(); ++i) {
-      const ArmJoint& joint = m_arm.joints()[static_cast<std::size_t>(i)];
-      const double far = joint.isPrismatic ? m_arm.reach() : M_PI;
-      const double low = std::isfinite(joint.lower) ? joint.lower : std::min(-far, joint.upper - 2.0 * far);
-      const double high = std::isfinite(joint.upper) ? joint.upper : std::max(far, low + 2.0 * far);
-      values[i] = sequence.between(low, high);
     }
   }
 
@@ -133,6 +121,16 @@ class Search {
 
 }  // namespace
 
+void fillWithRandom(const SerialArm& arm, RandomSequence& sequence, ArmValues& values) {
+  for (Eigen::Index i = 0; i < arm.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
+    const double far = joint.isPrismatic ? arm.reach() : M_PI;
+    const double low = std::isfinite(joint.lower) ? joint.lower : std::min(-far, joint.upper - 2.0 * far);
+    const double high = std::isfinite(joint.upper) ? joint.upper : std::max(far, low + 2.0 * far);
+    values[i] = sequence.between(low, high);
+  }
+}
+
 Eigen::Matrix<double, 6, 1> poseError(const Pose& at, const Pose& wanted) {
   Error6 error;
   error.head<3>() = wanted.translation() - at.translation();
@@ -174,7 +172,7 @@ NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const
       search.keepWithin(values);
     }
     if (result.isSolved || result.starts >= settings.mostStarts || progress.cancelled() || isLate()) break;
-    search.random(values, sequence);
+    fillWithRandom(arm, sequence, values);
   }
   const Error6 error = poseError(arm.tipPose(result.values), tip);
   result.distance = error.head<3>().norm();

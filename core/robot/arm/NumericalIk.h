@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/RandomSequence.h"
 #include "robot/arm/SerialArm.h"
 
 namespace handwheel {
@@ -34,6 +35,9 @@ struct NumericalIkResult {
 // all poses end as near as they get. Allocates nothing. O(iterations · joints³).
 NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                                     const NumericalIkSettings& settings = {}, Progress progress = {});
+
+// Random values within the limits; where there are none, of turns within a half, of slides within the arm's reach.
+void fillWithRandom(const SerialArm& arm, RandomSequence& sequence, ArmValues& values);
 
 // The error of a pose: of the place (mm), and the turn from `at` to `wanted` as an axis of its angle's length (rad),
 // both in the frame of the base.

@@ -23,8 +23,16 @@ std::string freeName(const std::vector<Named>& all, const std::string& wish) {
 
 }  // namespace
 
+bool NamedTarget::operator==(const NamedTarget& other) const {
+  return name == other.name && pose.matrix() == other.pose.matrix() && body == other.body;
+}
+
 const NamedConfiguration* CellPlans::configuration(std::string_view name) const {
   return withName(configurations, name);
+}
+
+const NamedTarget* CellPlans::target(std::string_view name) const {
+  return withName(targets, name);
 }
 
 const RobotPath* CellPlans::path(std::string_view name) const {
@@ -35,8 +43,11 @@ std::string CellPlans::freePathName(const std::string& wish) const {
   return freeName(paths, wish);
 }
 
-std::string CellPlans::freeConfigurationName(const std::string& wish) const {
-  return freeName(configurations, wish);
+std::string CellPlans::freePlaceName(const std::string& wish) const {
+  std::string name = wish;
+  for (std::size_t number = 2; configuration(name) || target(name); ++number)
+    name = wish + ' ' + std::to_string(number);
+  return name;
 }
 
 std::size_t CellPlans::bytes() const {
@@ -45,6 +56,7 @@ std::size_t CellPlans::bytes() const {
   };
   std::size_t sum = sizeof *this;
   for (const NamedConfiguration& each : configurations) sum += sizeof each + each.name.size() + ofValues(each.joints);
+  for (const NamedTarget& each : targets) sum += sizeof each + each.name.size();
   for (const RobotPath& path : paths) {
     sum += sizeof path + path.name.size();
     for (const PathPlace& place : path.places) sum += sizeof place + place.name.size() + ofValues(place.joints);
@@ -53,8 +65,8 @@ std::size_t CellPlans::bytes() const {
 }
 
 bool CellPlans::operator==(const CellPlans& other) const {
-  return configurations == other.configurations && paths == other.paths && allowed == other.allowed &&
-         tool.matrix() == other.tool.matrix() && clearance == other.clearance;
+  return configurations == other.configurations && targets == other.targets && paths == other.paths &&
+         allowed == other.allowed && tool.matrix() == other.tool.matrix() && clearance == other.clearance;
 }
 
 }  // namespace handwheel

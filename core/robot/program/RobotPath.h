@@ -42,11 +42,22 @@ struct NamedConfiguration {
   bool operator==(const NamedConfiguration&) const = default;
 };
 
-// What is planned in a robot cell. Names are unique among configurations and among paths, and not empty.
+// A frame that the tool's centre point can be brought to.
+struct NamedTarget {
+  std::string name;
+  Pose pose = Pose::Identity();  // in the frame of the robot's base, or of the body; rigid
+  std::uint32_t body = 0;        // the number of the body that it is on and moves with; 0: it stands
+
+  bool operator==(const NamedTarget& other) const;
+};
+
+// What is planned in a robot cell. Names are unique among configurations and targets
+// together, and among paths, and not empty.
 struct CellPlans {
-  static constexpr std::size_t kMost = 10'000;  // configurations; paths
+  static constexpr std::size_t kMost = 10'000;  // configurations; targets; paths
 
   std::vector<NamedConfiguration> configurations;
+  std::vector<NamedTarget> targets;
   std::vector<RobotPath> paths;
   // Names of links, or a link and a body ("body.3"), whose collisions do not count.
   std::set<std::pair<std::string, std::string>> allowed;
@@ -54,11 +65,12 @@ struct CellPlans {
   double clearance = 0.0;        // mm that paths keep from everything
 
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
+  const NamedTarget* target(std::string_view name) const;                // null: there is none
   const RobotPath* path(std::string_view name) const;                    // null: there is none
   // A name that none of the paths has: this one, or with a number.
   std::string freePathName(const std::string& wish) const;
-  std::string freeConfigurationName(const std::string& wish) const;
-  std::size_t bytes() const;  // about
+  std::string freePlaceName(const std::string& wish) const;  // neither of a configuration nor of a target
+  std::size_t bytes() const;                                 // about
 
   bool operator==(const CellPlans& other) const;
 };

@@ -7,15 +7,17 @@
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyErrors.h"
 #include "robot/program/PathFile.h"
+#include "tools/cell/ConfigurationPoses.h"
 
 #include <QtGlobal>
 #include <algorithm>
+#include <numbers>
 
 namespace handwheel {
 
 namespace {
 
-constexpr const char* kVerbs[] = {"add", "remove", "go", "remove-path"};
+constexpr const char* kVerbs[] = {"add", "remove", "go", "remove-path", "add-target", "remove-target"};
 
 Parameter nameParameter(const char* id, std::string meaning, const char* word = "NAME") {
   return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
@@ -61,9 +63,36 @@ const Operation& configurationOperation() {
       .parameters = {
           nameParameter("add", "Stores where the robot stands; one of that name is replaced"),
           nameParameter("joints", "What is stored in its place, rad and mm; the others stand", "JOINT=VALUE,..."),
-          nameParameter("go", "Moves the robot to this configuration"),
+          nameParameter("go", "Moves the robot to this configuration, or by the nearest free way to this target"),
           nameParameter("remove", "Removes this configuration"),
           nameParameter("remove-path", "Removes this path"),
+          nameParameter("add-target", "Stores where the tool is as a target; one of that name is replaced"),
+          nameParameter("on", "The body that the new target is on and moves with", "BODY"),
+          nameParameter("remove-target", "Removes this target"),
+          {.property = {.id = "at", .group = {}, .label = {}, .value = "", .least = -1e7, .largest = 1e7},
+           .meaning =
+               "A place for the tool's centre point, mm from the base: the robot moves there, or add-target does",
+           .word = "X,Y,Z",
+           .parts = {{"x"}, {"y"}, {"z"}},
+           .hasDefault = false},
+          {.property = {.id = "turn",
+                        .group = {},
+                        .label = {},
+                        .value = "",
+                        .quantity = Quantity::Angle,
+                        .least = -2.0 * std::numbers::pi,
+                        .largest = 2.0 * std::numbers::pi},
+           .meaning = "How the tool is turned there about x, y and z in degrees; without it, as it is",
+           .word = "A,B,C",
+           .parts = {{"x"}, {"y"}, {"z"}},
+           .hasDefault = false},
+          {.property = {.id = "solution", .group = {}, .label = {}, .value = 1.0, .least = 1.0, .largest = 100.0},
+           .meaning = "Which of the ways there that are listed by solutions; without it the nearest that is free",
+           .word = "N",
+           .isWhole = true,
+           .hasDefault = false},
+          {.property = {.id = "solutions", .group = {}, .label = {}, .value = false},
+           .meaning = "Lists all ways in which the arm brings its tool there, and changes nothing"},
           {.property = {.id = "clearance",
                         .group = {},
                         .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
@@ -85,7 +114,10 @@ const Operation& configurationOperation() {
 std::string problemOfConfigurationValues(const OperationValues& values) {
   const auto isSet = [&](const char* id) { return values.isSet(id); };
   if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isSet) > 1)
-    return "only one of add, remove, go and remove-path can be done at a time";
+    return "only one of add, remove, go, remove-path, add-target and remove-target can be done at a time";
+  if (isSet("go") && (isSet("at") || isSet("turn"))) return "go is for what is stored, at and turn for other places";
+  if (isSet("on") && !isSet("add-target")) return "on needs add-target";
+  if (isSet("solution") && isSet("add-target")) return "solution chooses joint values, which a target has none of";
   if (isSet("joints") && !isSet("add") && !isSet("go")) return "joints needs add or go";
   return {};
 }
@@ -99,6 +131,12 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
     if (!joints) return joints.error();
     stored = std::move(joints).value();
   }
+  if (const Status targets = changeTargets(values, cell, plans); !targets) return targets.error();
+  if (movesTool(values, *cell.plans)) {
+    Result<JointValues> joints = jointsThere(values, cell);
+    if (!joints) return joints.error();
+    changed.joints = stored = std::move(joints).value();
+  }
   const auto find = [&](const std::string& name) {
     return std::find_if(plans.configurations.begin(), plans.configurations.end(),
                         [&](const NamedConfiguration& each) { return each.name == name; });
@@ -106,13 +144,15 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
   if (values.isSet("add")) {
     const std::string name = values.text("add");
     if (const auto problem = problemOfName(name)) return *problem;
+    if (plans.target(name)) return Error{CellError::PlaceNameTaken, {name}, {}, {}};
     if (const auto found = find(name); found != plans.configurations.end())
       found->joints = stored;
     else
       plans.configurations.push_back({name, stored});
   }
   for (const char* const verb : {"go", "remove"}) {
-    if (!values.isSet(verb)) continue;
+    const bool isToTarget = verb == std::string_view("go") && goesToTarget(values, *cell.plans);
+    if (!values.isSet(verb) || isToTarget) continue;
     const auto found = find(values.text(verb));
     if (found == plans.configurations.end()) return Error{CellError::PlaceMissing, {values.text(verb)}, {}, {}};
     if (verb == std::string_view("go"))
@@ -140,7 +180,7 @@ Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics
     JointValues joints = cell.joints;
     for (const auto& [dof, value] : state.values) joints[dof] = value;
     if (const Status within = checkLimits(robot, joints); !within) return within.error();
-    plans.configurations.push_back({plans.freeConfigurationName(state.name), joints});
+    plans.configurations.push_back({plans.freePlaceName(state.name), joints});
   }
   return plans;
 }

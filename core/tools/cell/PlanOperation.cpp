@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellReach.h"
 #include "planning/Planners.h"
 #include "planning/PlanningFidelity.h"
 #include "planning/ToolTrack.h"
@@ -200,20 +201,29 @@ const Operation& planOperation() {
         .id = "plan",
         .title = QT_TRANSLATE_NOOP("Tool", "Plan path"),
         .meaning = "Plans a path of the robot that is proven free of collisions",
-        .parameters = {
-            placeParameter("from", "PLACE", "Where it starts: a configuration, 'here', or joint values (rad, mm)"),
-            placeParameter("to", "PLACE", "Where it ends"),
-            placeParameter("via", "PLACE,...", "Critical configurations on the way; joint values: separated by ';'"),
-            placeParameter("name", "NAME", "The name of the path in the cell")}};
+        .parameters = {placeParameter("from", "PLACE",
+                                      "Where it starts: a configuration, a target, 'here', or joint values (rad, mm)"),
+                       placeParameter("to", "PLACE", "Where it ends"),
+                       placeParameter("via", "PLACE,...",
+                                      "Critical configurations or targets on the way; joint values: separated by ';'"),
+                       placeParameter("name", "NAME", "The name of the path in the cell")}};
     for (Parameter& parameter : planningParameters()) made.parameters.push_back(std::move(parameter));
     return made;
   }();
   return kOperation;
 }
 
-Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text) {
+Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                              const JointValues& near) {
   if (const NamedConfiguration* configuration = cell.plans->configuration(text))
     return PathPlace{.joints = configuration->joints, .name = configuration->name};
+  if (const NamedTarget* target = cell.plans->target(text)) {
+    const Result<Pose> pose = poseOfTarget(*target, cell.bodies, scene.robot->model, cell.joints);
+    if (!pose) return pose.error();
+    const Result<ArmValues> values = nearestFree(scene, *cell.plans, *pose, scene.planned(near));
+    if (!values) return values.error();
+    return PathPlace{.joints = scene.whole(*values), .name = target->name};
+  }
   if (text == "here") return PathPlace{.joints = cell.joints};
   const auto numbers = numbersOf(text, scene.scene.size());
   if (!numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
@@ -227,7 +237,7 @@ Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const Cel
   std::vector<std::string> texts{values.text("from")};
   if (values.isSet("via")) {
     const std::string via = values.text("via");
-    const bool isOne = cell.plans->configuration(via) || numbersOf(via, scene.scene.size());
+    const bool isOne = cell.plans->configuration(via) || cell.plans->target(via) || numbersOf(via, scene.scene.size());
     const bool isMany = !isOne && via.find(';') != via.npos;
     for (std::string& word : isOne ? std::vector<std::string>{via} : wordsOf(via, isMany ? ";" : ","))
       texts.push_back(std::move(word));
@@ -235,7 +245,8 @@ Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const Cel
   texts.push_back(values.text("to"));
   std::vector<PathPlace> places;
   for (const std::string& text : texts) {
-    Result<PathPlace> place = placeCalled(scene, cell, text);
+    const JointValues& near = places.empty() ? cell.joints : places.back().joints;
+    Result<PathPlace> place = placeCalled(scene, cell, text, near);
     if (!place) return place.error();
     places.push_back(std::move(place).value());
   }

@@ -18,10 +18,13 @@ void setFidelity(OperationValues& values, const FidelityValues& fidelity);
 const Operation& planOperation();
 
 // Joint values by the name of a configuration, "here" for where the robot stands, or a number for each joint between
-// base and tool (rad, mm), separated by spaces or commas. Errors: PlaceMissing, ValueOutOfRange.
-Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text);
+// base and tool (rad, mm), separated by spaces or commas; or by the name of a target: then the nearest way to it that
+// is free, from these joint values. Errors: PlaceMissing, ValueOutOfRange; those of poseOfTarget() and nearestFree().
+Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                              const JointValues& near);
 
-// The places that "from", "via" and "to" name. Errors: those of placeCalled().
+// The places that "from", "via" and "to" name; of targets, as near as may be to the place before, the first to where
+// the robot stands. Errors: those of placeCalled().
 Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
                                         const RobotCellSnapshot& cell);
 // values: of an operation with the parameters above.

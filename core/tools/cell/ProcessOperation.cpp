@@ -283,7 +283,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
   places.back().name = "retract";
   places[1].blend = places[places.size() - 2].blend = places.back().blend = 0.0;
   if (values.isSet("from")) {
-    const Result<PathPlace> from = placeCalled(scene, cell, values.text("from"));
+    const Result<PathPlace> from = placeCalled(scene, cell, values.text("from"), places.front().joints);
     if (!from) return from.error();
     PlannedPath before;
     before.path.places.push_back(*from);
@@ -293,7 +293,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     planned = std::move(before);
   }
   if (values.isSet("to")) {
-    const Result<PathPlace> to = placeCalled(scene, cell, values.text("to"));
+    const Result<PathPlace> to = placeCalled(scene, cell, values.text("to"), planned.path.places.back().joints);
     if (!to) return to.error();
     const PathPlace last = planned.path.places.back();
     const Status leg = addLeg(scene, *cell.plans, last, *to, route, planned, progress.part(0.9, 1.0));

@@ -8,6 +8,7 @@
 #include "document/scene/BodyProperties.h"
 #include "scene/RigidPose.h"
 #include "tools/AxisDrag.h"
+#include "tools/SnapStep.h"
 
 #include <QCoreApplication>
 #include <cmath>
@@ -28,19 +29,6 @@ constexpr double kFlatView = 0.25881904510252074;
 // Of the rays of a drag that began at a larger angle: 3°.
 constexpr double kFlatRay = 0.052335956242943835;
 constexpr double kSnapPixels = 4.0;  // the least distance of two snapped positions in the view
-
-// The multiple of a step that is nearest to a value. The step is 1, 2 or 5 times a power of ten, and at least `least`.
-double snapped(double value, double least) {
-  const double exponent = std::floor(std::log10(least));
-  const double power = std::pow(10.0, std::abs(exponent));  // exact, so that 0.3 is the number 0.3
-  const auto inPowers = [&](double x) { return exponent < 0.0 ? x * power : x / power; };
-  double factor = 1.0;
-  for (double next : {2.0, 5.0, 10.0}) {
-    if (factor < inPowers(least) * (1.0 - 1e-9)) factor = next;
-  }
-  const double count = std::round(inPowers(value) / factor) * factor;
-  return exponent < 0.0 ? count / power : count * power;
-}
 
 QString called(const Body& body) {
   return QString::fromStdString(body.name);
@@ -127,7 +115,7 @@ std::optional<Vec3> BodyDragTool::placeFor(const PointerEvent& event) const {
     if (isStill)
       place[axis] = m_drag->start[axis];
     else if (snaps)
-      place[axis] = snapped(place[axis] / shownUnit, least) * shownUnit;
+      place[axis] = snappedTo(place[axis] / shownUnit, least) * shownUnit;
   }
   return place;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Cells.h"
 #include "TestClass.h"
+#include "scene/RigidPose.h"
 
 #include <rapidcheck.h>
 #include <QTest>
@@ -19,11 +20,17 @@ JointValues anyJoints() {
 CellPlans anyPlans() {
   CellPlans plans;
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i)
-    plans.configurations.push_back({plans.freeConfigurationName("home"), anyJoints()});
+    plans.configurations.push_back({plans.freePlaceName("home"), anyJoints()});
   for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
     RobotPath path{plans.freePathName("way"), {}};
     for (int k = *rc::gen::inRange(0, 4); k > 0; --k) path.places.push_back({.joints = anyJoints()});
     plans.paths.push_back(std::move(path));
+  }
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+    NamedTarget target{.name = plans.freePlaceName("spot")};
+    target.pose = poseOf({*rc::gen::inRange(-900, 901) / 7.0, 0.5, -3.25}, {0.1 * i, -0.2, 1.5});
+    target.body = *rc::gen::inRange<std::uint32_t>(0, 5);
+    plans.targets.push_back(std::move(target));
   }
   if (*rc::gen::arbitrary<bool>()) plans.allowed.insert({"upper", "body.3"});
   if (*rc::gen::arbitrary<bool>()) plans.tool = Pose(Eigen::Translation3d(1.0, 2.0, 3.5));
@@ -76,6 +83,9 @@ class CellPlansTest : public QObject {
         << QByteArray(R"({"paths": [{"name": "a", "places": [{"joints": {"turn": 3}}]}]})");
     QTest::newRow("an unknown joint") << QByteArray(R"({"configurations": [{"name": "a", "joints": {"x": 3}}]})");
     QTest::newRow("numbers in place of objects") << QByteArray(R"({"configurations": [1, 2], "paths": [3]})");
+    QTest::newRow("a target that is no pose") << QByteArray(R"({"targets": [{"name": "a", "pose": [1]}, 7]})");
+    QTest::newRow("a mirrored target") << QByteArray(
+        R"({"targets": [{"name": "a", "pose": [1,0,0,0,0,1,0,0,0,0,-1,0], "body": -2}]})");
     QTest::newRow("a tool without turn") << QByteArray(R"({"tool": [0,0,0,0,0,0,0,0,0,0,0,0]})");
   }
   void hostile() {
@@ -85,7 +95,7 @@ class CellPlansTest : public QObject {
     std::vector<Error> damage;
     const auto cell = loaded(container, damage);
     QVERIFY(cell && !damage.empty());
-    QVERIFY(cell->plans->configurations.empty() && cell->plans->paths.empty());
+    QVERIFY(cell->plans->configurations.empty() && cell->plans->paths.empty() && cell->plans->targets.empty());
   }
 
  private:

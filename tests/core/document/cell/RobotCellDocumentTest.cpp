@@ -74,7 +74,7 @@ void RobotCellDocumentTest::propertiesOfJoints() {
   QVERIFY(!find(all, "joint.end"));
   QCOMPARE(std::get<std::string>(find(all, "robot")->value), std::string("arm"));
   QCOMPARE(std::get<std::string>(find(all, "tool")->value), std::string("tool0"));
-  QVERIFY(!find(all, "tool.x")->editable && find(all, "tool.x")->quantity == Quantity::Length);
+  QVERIFY(find(all, "tool.x")->editable && find(all, "tool.x")->quantity == Quantity::Length);
   QVERIFY(find(all, "display_unit"));
 }
 
@@ -119,7 +119,7 @@ void RobotCellDocumentTest::settingRefuses() {
   QCOMPARE(codeOf("joint.turn", INFINITY), ErrorCode::ElementMalformed);
   QCOMPARE(codeOf("joint.turn", std::string("1")), ErrorCode::ElementMalformed);
   QCOMPARE(codeOf("joint.none", 1.0), ErrorCode::ReferenceMissing);
-  QCOMPARE(codeOf("tool.x", 1.0), ErrorCode::ReferenceMissing);
+  QCOMPARE(codeOf("tool.w", 1.0), ErrorCode::ReferenceMissing);
   QCOMPARE(m_document->history()->count(), 0);
   // Degrees, within a millionth of 2 rad = 114.59155902…°; whoever enters what is shown means the limit.
   const Status refused = m_document->setProperty("joint.turn", 90.0);

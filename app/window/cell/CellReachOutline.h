@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/cell/CellCollisions.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+class PathLayer;
+
+// The outline of what the arm of the cell in view reaches, in the upright plane through its base and its tool. Shown on
+// demand; computed by a worker. Window thread.
+class CellReachOutline : public QObject {
+  Q_OBJECT
+
+ public:
+  CellReachOutline(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
+  ~CellReachOutline() override;
+
+  QAction* action() { return &m_action; }
+  void setDocument(DocumentTab* document);
+  void setVisible(bool isVisible);
+
+ private:
+  void look();
+
+  WindowContext m_parts;
+  CellCollisions& m_collisions;
+  DocumentTab* m_document = nullptr;
+  std::shared_ptr<PathLayer> m_layer;
+  QAction m_action;
+  // What the present outline is of.
+  std::shared_ptr<const CellScene> m_scene;
+  Pose m_tool = Pose::Identity();
+  Vec3 m_direction = Vec3::Zero();  // of unit length; zero: there is none
+};
+
+}  // namespace handwheel

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/cell/CellTargets.h"
+
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellErrors.h"
+#include "document/cell/RobotCellDocument.h"
+#include "tools/cell/WayText.h"
+#include "viewport/Viewport.h"
+#include "viewport/path/PathLayer.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kShownAxis = 40.0;       // mm of x and y; z, along which the tool works, is twice as long
+constexpr std::size_t kMostShown = 1000;  // frames
+
+TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedTarget& target,
+                    const JointValues& joints) {
+  const Result<Pose> pose = poseOfTarget(target, scene.bodies, scene.robot->model, joints);
+  if (!pose) return {false, CellTargets::tr("its body was removed")};
+  const std::vector<CellWay> ways = waysTo(scene, plans, *pose, scene.planned(joints));
+  if (ways.empty()) return {false, CellTargets::tr("out of reach")};
+  const auto count = std::count_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isFree(); });
+  if (count > 0) return {true, CellTargets::tr("%Ln way(s) there", nullptr, static_cast<int>(count))};
+  return {false, problemText(scene, ways.front())};
+}
+
+}  // namespace
+
+bool CellTargets::Question::operator==(const Question& other) const {
+  return scene == other.scene && targets == other.targets && tool.matrix() == other.tool.matrix() &&
+         clearance == other.clearance && joints.size() == other.joints.size() && joints == other.joints;
+}
+
+CellTargets::CellTargets(const WindowContext& parts, CellCollisions& collisions, QObject* parent)
+    : QObject(parent), m_parts(parts), m_collisions(collisions), m_layer(std::make_shared<PathLayer>()) {
+  parts.viewport.addLayer(m_layer);
+  connect(&m_collisions, &CellCollisions::prepared, this, &CellTargets::look);
+}
+
+CellTargets::~CellTargets() {
+  m_parts.viewport.removeLayer(*m_layer);
+}
+
+const RobotCellDocument& CellTargets::cell() const {
+  return static_cast<const RobotCellDocument&>(m_document->document);
+}
+
+void CellTargets::setDocument(DocumentTab* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_parts.jobs.cancelOf(this);
+  m_document = document;
+  m_reach.clear();
+  m_asked = {};
+  if (!document) return m_layer->setLines(nullptr);
+  connect(&document->document, &Document::changed, this, &CellTargets::look);
+  look();
+}
+
+void CellTargets::setVisible(bool isVisible) {
+  m_layer->setVisible(isVisible);
+}
+
+CellTargets::Question CellTargets::question() const {
+  const CellPlans& plans = *cell().plans();
+  Question question{m_collisions.scene(), plans.targets, plans.tool, plans.clearance, {}};
+  const auto isCarried = [&](const NamedTarget& target) {
+    const BodyPointer body = target.body == 0 ? nullptr : cell().bodies().withId(target.body);
+    return body && carrierOf(*body, cell().robot().model) != kNone;
+  };
+  if (std::any_of(plans.targets.begin(), plans.targets.end(), isCarried)) question.joints = cell().joints();
+  return question;
+}
+
+// Asks anew, unless all is as it was.
+void CellTargets::look() {
+  if (!m_document) return;
+  show();
+  Question asked = question();
+  if (asked == m_asked) return;
+  m_parts.jobs.cancelOf(this);
+  m_asked = asked;
+  m_reach.clear();
+  emit reachChanged();
+  if (!asked.scene || asked.targets.empty()) return;
+  Job job;
+  job.name = tr("Looking for ways to the targets");
+  job.owner = this;
+  job.work = [this, asked, joints = cell().joints()](Progress progress) -> Job::Finish {
+    CellPlans plans;
+    plans.tool = asked.tool;
+    plans.clearance = asked.clearance;
+    std::map<std::string, TargetReach> reach;
+    for (const NamedTarget& target : asked.targets) {
+      if (progress.cancelled()) break;
+      reach[target.name] = reachOf(*asked.scene, plans, target, joints);
+    }
+    return [this, asked, reach = std::move(reach)]() mutable {
+      if (!m_document || !(asked == m_asked)) return;
+      m_reach = std::move(reach);
+      show();
+      emit reachChanged();
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+// Those that are not reached in the colour of collisions.
+void CellTargets::show() {
+  auto lines = std::make_shared<std::vector<PathLine>>();
+  const CellPlans& plans = *cell().plans();
+  for (std::size_t i = 0; i < std::min(plans.targets.size(), kMostShown); ++i) {
+    const NamedTarget& target = plans.targets[i];
+    const Result<Pose> pose = poseOfTarget(target, cell().bodies(), cell().robot().model, cell().joints());
+    if (!pose) continue;
+    const auto known = m_reach.find(target.name);
+    const bool isReached = known == m_reach.end() || known->second.isFree;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double length = axis == 2 ? 2.0 * kShownAxis : kShownAxis;
+      lines->push_back({{pose->translation(), *pose * Vec3(length * Vec3::Unit(axis))},
+                        isReached ? PathLine::Look::Feed : PathLine::Look::Collision});
+    }
+  }
+  m_layer->setLines(lines->empty() ? nullptr : lines);
+}
+
+}  // namespace handwheel

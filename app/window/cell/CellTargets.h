@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/CellReach.h"
+#include "window/cell/CellCollisions.h"
+
+#include <map>
+
+namespace handwheel {
+
+class PathLayer;
+
+// What is known of a target: whether the tool gets there.
+struct TargetReach {
+  bool isFree = false;
+  QString remark;  // "out of reach"
+};
+
+// The targets of the cell in view, drawn as frames, and which of them the robot reaches. Looks for that on a worker.
+// Window thread.
+class CellTargets : public QObject {
+  Q_OBJECT
+
+ public:
+  CellTargets(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
+  ~CellTargets() override;
+
+  void setDocument(DocumentTab* document);
+  void setVisible(bool isVisible);
+  const std::map<std::string, TargetReach>& reach() const { return m_reach; }  // by target; those that are known
+
+ signals:
+  void reachChanged();
+
+ private:
+  // What the reach of the targets depends on.
+  struct Question {
+    std::shared_ptr<const CellScene> scene;
+    std::vector<NamedTarget> targets;
+    Pose tool = Pose::Identity();
+    double clearance = 0.0;
+    JointValues joints;  // where a target is on what the robot carries; else empty
+    bool operator==(const Question& other) const;
+  };
+
+  const RobotCellDocument& cell() const;
+  Question question() const;
+  void look();
+  void show();
+
+  WindowContext m_parts;
+  CellCollisions& m_collisions;
+  DocumentTab* m_document = nullptr;
+  std::shared_ptr<PathLayer> m_layer;
+  Question m_asked;
+  std::map<std::string, TargetReach> m_reach;
+};
+
+}  // namespace handwheel

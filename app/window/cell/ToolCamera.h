@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DisplayModel.h"
+#include "viewport/camera/CameraState.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+class RobotCellDocument;
+
+// A camera at the tool's centre point, looking where the tool works, which moves with the robot. Window thread.
+class ToolCamera : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolCamera(const WindowContext& parts, QObject* parent);
+
+  QAction* action() { return &m_action; }
+  void setDocument(DocumentTab* document);
+  // Follows the robot as it is shown by a tool or a path that is played; null: as it stands in the document.
+  void follow(const DisplayModel* shown);
+
+ private:
+  const RobotCellDocument& cell() const;
+  void toggle(bool isOn);
+  void look(const Pose& tool);
+  void followDocument();
+
+  WindowContext m_parts;
+  DocumentTab* m_document = nullptr;
+  QAction m_action;
+  std::optional<CameraState> m_before;  // the camera to go back to; none: the view is not the tool's
+};
+
+// The camera of a tool at this pose: its z axis goes into the picture, its x axis to the right.
+CameraState cameraOfTool(const Pose& tool);
+
+}  // namespace handwheel

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellReach.h"
+
+#include "base/NumberText.h"
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellErrors.h"
+#include "robot/Kinematics.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+std::vector<std::string> placeOf(const Pose& pose) {
+  std::vector<std::string> texts;
+  for (const double number : pose.translation()) texts.push_back(roundedText(number, 6));
+  return texts;
+}
+
+Error outOfReach(const Pose& pose) {
+  return {CellError::ToolOutOfReach, placeOf(pose), {}, {}};
+}
+
+Error beyondLimits(const Pose& pose, const std::string& joint) {
+  std::vector<std::string> arguments = placeOf(pose);
+  arguments.push_back(joint);
+  return {CellError::ToolBeyondLimits, std::move(arguments), {}, {}};
+}
+
+Pose tipFor(const Pose& pose, const Pose& tool) {
+  return pose * tool.inverse(Eigen::Isometry);
+}
+
+Pose poseInBase(const Body& body, const RobotModel& robot, const JointValues& joints) {
+  return carrierPose(body, robot, linkPoses(robot, joints)) * body.pose;
+}
+
+}  // namespace
+
+Pose toolPose(const RobotModel& robot, const Pose& tool, const JointValues& joints) {
+  return linkPoses(robot, joints)[toolLink(robot)] * tool;
+}
+
+Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, const RobotModel& robot,
+                          const JointValues& joints) {
+  if (target.body == 0) return target.pose;
+  const BodyPointer body = bodies.withId(target.body);
+  if (!body) return Error{CellError::TargetStray, {target.name}, {}, {}};
+  return Pose(poseInBase(*body, robot, joints) * target.pose);
+}
+
+NamedTarget onBody(NamedTarget target, const Body& body, const RobotModel& robot, const JointValues& joints) {
+  target.pose = poseInBase(body, robot, joints).inverse(Eigen::Isometry) * target.pose;
+  target.body = body.id;
+  return target;
+}
+
+std::vector<CellWay> waysTo(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near) {
+  MotionCheckSettings check;
+  check.clearance = plans.clearance;
+  std::vector<CellWay> ways;
+  for (ArmSolution& solution : solutionsFor(scene.arm, tipFor(pose, plans.tool), near)) {
+    CellWay way{std::move(solution)};
+    if (way.isWithinLimits()) way.blocked = blockerAt(scene.scene, way.arm.values, check);
+    ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near) {
+  const std::vector<CellWay> ways = waysTo(scene, plans, pose, near);
+  if (ways.empty()) return outOfReach(pose);
+  const auto found = std::find_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isFree(); });
+  if (found != ways.end()) return found->arm.values;
+  const CellWay& nearest = ways.front();
+  if (nearest.arm.beyond) {
+    const auto dof = scene.dofs[static_cast<std::size_t>(*nearest.arm.beyond)];
+    return beyondLimits(pose, scene.robot->model.jointOfDof(dof).name);
+  }
+  const auto [link, other] = scene.namesOf(nearest.blocked);
+  std::vector<std::string> arguments = placeOf(pose);
+  arguments.insert(arguments.end(), {link, other});
+  return Error{CellError::ToolBlocked, std::move(arguments), {}, {}};
+}
+
+Result<JointValues> jointsReaching(const RobotModel& robot, const Pose& tool, const Pose& pose,
+                                   const JointValues& joints) {
+  const auto arm = SerialArm::of(robot, robot.root, toolLink(robot));
+  if (!arm) return arm.error();
+  ArmValues near(static_cast<Eigen::Index>(arm->dofs.size()));
+  for (std::size_t i = 0; i < arm->dofs.size(); ++i) near[static_cast<Eigen::Index>(i)] = joints[arm->dofs[i]];
+  const std::vector<ArmSolution> found = solutionsFor(arm->arm, tipFor(pose, tool), near);
+  if (found.empty()) return outOfReach(pose);
+  const ArmSolution& nearest = found.front();
+  if (nearest.beyond)
+    return beyondLimits(pose, robot.jointOfDof(arm->dofs[static_cast<std::size_t>(*nearest.beyond)]).name);
+  JointValues moved = joints;
+  for (std::size_t i = 0; i < arm->dofs.size(); ++i) moved[arm->dofs[i]] = nearest.values[static_cast<Eigen::Index>(i)];
+  return moved;
+}
+
+}  // namespace handwheel

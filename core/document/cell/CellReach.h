@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/CellScene.h"
+#include "robot/arm/ArmSolutions.h"
+
+namespace handwheel {
+
+// Poses of the tool's centre point that the robot of a cell reaches, in the frame of its base.
+
+// The pose of the tool's centre point (CellPlans::tool) where the joints stand.
+Pose toolPose(const RobotModel& robot, const Pose& tool, const JointValues& joints);
+
+// The pose of a target in the frame of the base. Error: TargetStray.
+Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, const RobotModel& robot,
+                          const JointValues& joints);
+
+// A target at a pose in the frame of the base, on this body from now on.
+NamedTarget onBody(NamedTarget target, const Body& body, const RobotModel& robot, const JointValues& joints);
+
+// A way in which the robot brings its tool somewhere.
+struct CellWay {
+  ArmSolution arm;
+  RobotScene::Nearest blocked{};  // what is too near there; no link: nothing, or the way is beyond the limits
+
+  bool isWithinLimits() const { return !arm.beyond; }
+  bool isFree() const { return isWithinLimits() && blocked.link == kNone; }
+};
+
+// All ways to a pose of the tool, as solutionsFor() orders them, and what collides there, with the clearance of the
+// plans.
+std::vector<CellWay> waysTo(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near);
+
+// The joint values of the nearest way that is free. Errors: ToolOutOfReach, ToolBeyondLimits, ToolBlocked.
+Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near);
+
+// Where nothing is asked about collisions: the joints that bring the tool to a pose, the nearest to those given.
+// Errors: ToolOutOfReach, ToolBeyondLimits; those of SerialArm::of().
+Result<JointValues> jointsReaching(const RobotModel& robot, const Pose& tool, const Pose& pose,
+                                   const JointValues& joints);
+
+}  // namespace handwheel

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/arm/ArmSolutions.h"
+
+#include "robot/arm/NumericalIk.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSameSolution = 1e-6;       // rad, mm: where two axes are in line, two ways are one
+constexpr double kOtherSolution = 0.05;      // rad, mm: what an iteration ends nearer at is no way of its own
+constexpr std::uint32_t kRandomStarts = 60;  // that are tried
+constexpr std::uint64_t kSeed = 1;
+
+bool isKnown(const std::vector<ArmSolution>& found, const ArmValues& values, double apart) {
+  return std::any_of(found.begin(), found.end(),
+                     [&](const ArmSolution& each) { return (each.values - values).cwiseAbs().maxCoeff() < apart; });
+}
+
+std::optional<Eigen::Index> firstBeyond(const SerialArm& arm, const ArmValues& values) {
+  for (Eigen::Index i = 0; i < arm.size(); ++i) {
+    if (!arm.joints()[static_cast<std::size_t>(i)].isWithin(values[i])) return i;
+  }
+  return std::nullopt;
+}
+
+// What cannot be within the limits is as near to the reference as whole turns bring it.
+ArmValues nearReference(const ArmValues& values, const ArmValues& reference) {
+  constexpr double kTurn = 2.0 * M_PI;
+  ArmValues moved = values;
+  for (Eigen::Index i = 0; i < moved.size(); ++i) moved[i] += kTurn * std::round((reference[i] - moved[i]) / kTurn);
+  return moved;
+}
+
+std::vector<ArmSolution> closedForm(const ClosedFormIk& closed, const SerialArm& arm, const Pose& tip,
+                                    const ArmValues& reference) {
+  IkSolutions solutions;
+  closed.solve(tip, reference, solutions);
+  std::vector<ArmSolution> found;
+  for (const IkSolutions::Solution& each : solutions) {
+    const auto within = withinLimits(arm, each.values, reference);
+    ArmSolution made{within ? *within : nearReference(each.values, reference)};
+    if (isKnown(found, made.values, kSameSolution)) continue;
+    if (!within) made.beyond = firstBeyond(arm, made.values);
+    made.stance = closed.stanceOf(arm, made.values);
+    found.push_back(std::move(made));
+  }
+  return found;
+}
+
+std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, const ArmValues& reference) {
+  NumericalIkSettings settings;
+  settings.tolerance = 1e-8;
+  settings.seconds = 1.0;  // of a start, which ends long before
+  settings.mostStarts = 1;
+  RandomSequence sequence(kSeed);
+  std::vector<ArmSolution> found;
+  ArmValues start = reference;
+  for (std::uint32_t i = 0; i <= kRandomStarts && found.size() < kMostNumericalSolutions; ++i) {
+    const NumericalIkResult result = solvedNumerically(arm, tip, start, settings);
+    fillWithRandom(arm, sequence, start);
+    if (!result.isSolved) continue;
+    const ArmValues values = withinLimits(arm, result.values, reference).value_or(result.values);
+    if (!isKnown(found, values, kOtherSolution)) found.push_back({values});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<ArmSolution> solutionsFor(const SerialArm& arm, const Pose& tip, const ArmValues& reference) {
+  const auto closed = ClosedFormIk::of(arm);
+  std::vector<ArmSolution> found = closed ? closedForm(*closed, arm, tip, reference) : byIteration(arm, tip, reference);
+  std::array<Pose, kMostArmJoints> from, to;
+  const auto count = static_cast<std::size_t>(arm.size());
+  arm.jointPoses(reference, std::span(from).first(count));
+  for (ArmSolution& each : found) {
+    arm.jointPoses(each.values, std::span(to).first(count));
+    each.way = wayBetween(std::span(from).first(count), std::span(to).first(count));
+  }
+  std::stable_sort(found.begin(), found.end(), [&](const ArmSolution& a, const ArmSolution& b) {
+    if (a.beyond.has_value() != b.beyond.has_value()) return b.beyond.has_value();
+    // Joints that turn in place do not tell ways apart by it: their turns do.
+    const double wayOfA = std::round(a.way / kSameSolution), wayOfB = std::round(b.way / kSameSolution);
+    if (wayOfA != wayOfB) return wayOfA < wayOfB;
+    return (a.values - reference).squaredNorm() < (b.values - reference).squaredNorm();
+  });
+  return found;
+}
+
+}  // namespace handwheel

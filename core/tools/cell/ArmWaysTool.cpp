@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/ArmWaysTool.h"
+
+#include "base/Tolerance.h"
+#include "document/cell/CellDisplay.h"
+#include "document/cell/CellProperties.h"
+#include "tools/ToolProperty.h"
+#include "tools/cell/WayText.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+namespace {
+
+constexpr ToolKey kWaysKeys[] = {
+    {"next", "PgDown", QT_TRANSLATE_NOOP("Tool", "next way")},
+    {"previous", "PgUp", QT_TRANSLATE_NOOP("Tool", "previous way")},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "move the robot there")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "back to where the robot stands")},
+};
+
+constexpr double kPoseAxis = 60.0;  // mm
+
+}  // namespace
+
+ArmWaysTool::ArmWaysTool(RobotCellDocument& document, ArmWaysServices services)
+    : m_document(document), m_services(std::move(services)) {
+  documentChanged();
+}
+
+std::span<const ToolKey> ArmWaysTool::keys() {
+  return kWaysKeys;
+}
+
+void ArmWaysTool::documentChanged() {
+  m_pose = toolPose(m_document.robot().model, m_document.plans()->tool, m_document.joints());
+  forgetWays();
+}
+
+void ArmWaysTool::forgetWays() {
+  m_chosen = 0;
+  m_scene.reset();
+  m_ways.clear();
+}
+
+// The cell may be prepared, or be another one, at any time.
+const std::vector<CellWay>& ArmWaysTool::ways() const {
+  const auto scene = m_services.scene();
+  if (scene == m_scene) return m_ways;
+  m_scene = scene;
+  m_ways =
+      scene ? waysTo(*scene, *m_document.plans(), m_pose, scene->planned(m_document.joints())) : std::vector<CellWay>();
+  return m_ways;
+}
+
+const CellWay* ArmWaysTool::way() const {
+  return m_chosen < ways().size() ? &m_ways[m_chosen] : nullptr;
+}
+
+bool ArmWaysTool::isThere() const {
+  const CellWay* const chosen = way();
+  if (!chosen) return true;
+  return (chosen->arm.values - m_scene->planned(m_document.joints())).cwiseAbs().maxCoeff() < tolerance::kStillJoint;
+}
+
+ToolReply ArmWaysTool::pointer(const PointerEvent& event) {
+  if (event.kind == PointerEvent::Kind::Hover || event.kind == PointerEvent::Kind::Leave) return ToolReply::Used;
+  if (!event.device || event.kind != PointerEvent::Kind::Press) return ToolReply::Ignored;  // the camera's
+  return perform(event.button == PointerButton::Second ? "commit" : "next");
+}
+
+ToolReply ArmWaysTool::choose(std::size_t index) {
+  if (ways().empty()) return ToolReply::Ignored;
+  m_chosen = index % m_ways.size();
+  return ToolReply::Used;
+}
+
+ToolReply ArmWaysTool::commit() {
+  const CellWay* const chosen = way();
+  if (!chosen || !chosen->isWithinLimits() || isThere()) return ToolReply::Ignored;
+  auto edit = m_document.jointEdit(m_scene->whole(chosen->arm.values));
+  if (!edit) return ToolReply::Ignored;
+  const Pose now = toolPose(m_document.robot().model, m_document.plans()->tool, m_document.joints());
+  const QString text = now.isApprox(m_pose, 1e-9)
+                           ? QCoreApplication::translate("ArmWaysTool", "Change the configuration of the arm")
+                           : QCoreApplication::translate("ArmWaysTool", "Move the tool");
+  m_document.commit(text, std::move(edit));
+  return ToolReply::Used;
+}
+
+ToolReply ArmWaysTool::perform(std::string_view action) {
+  if (action == "next") return choose(m_chosen + 1);
+  if (action == "previous") return choose(m_chosen + std::max<std::size_t>(1, ways().size()) - 1);
+  if (action == "commit") return commit();
+  if (action != "revert") return ToolReply::Ignored;
+  if (isThere() && way()) return ToolReply::Finished;
+  const bool wasElsewhere =
+      !m_pose.isApprox(toolPose(m_document.robot().model, m_document.plans()->tool, m_document.joints()), 1e-9);
+  const bool wasOther = m_chosen > 0;
+  documentChanged();
+  return wasElsewhere || wasOther ? ToolReply::Used : ToolReply::Finished;
+}
+
+std::vector<ToolAction> ArmWaysTool::actions() const {
+  const bool isAny = ways().size() > 1;
+  const CellWay* const chosen = way();
+  const bool isPossible = chosen && chosen->isWithinLimits() && !isThere();
+  std::vector<ToolAction> all{
+      actionOf(kWaysKeys, "next", isAny), actionOf(kWaysKeys, "previous", isAny),
+      actionOf(kWaysKeys, "commit", isPossible),
+      actionOf(kWaysKeys, "revert", true, isThere() && chosen ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr)};
+  if (!isPossible) {
+    all[2].reason = !m_scene                    ? QT_TRANSLATE_NOOP("Tool", "the cell is being prepared")
+                    : !chosen                   ? QT_TRANSLATE_NOOP("Tool", "this pose is out of reach")
+                    : !chosen->isWithinLimits() ? QT_TRANSLATE_NOOP("Tool", "a joint would be beyond its limits")
+                                                : QT_TRANSLATE_NOOP("Tool", "the robot stands like that");
+  }
+  return all;
+}
+
+// The robot as it would stand, and the pose that is looked at.
+ToolPreview ArmWaysTool::preview() const {
+  ToolPreview preview;
+  for (int axis = 0; axis < 3; ++axis)
+    preview.lines.push_back({m_pose.translation(), m_pose * Vec3(kPoseAxis * Vec3::Unit(axis))});
+  const CellWay* const chosen = way();
+  if (!chosen || isThere()) return preview;
+  const JointValues joints = m_scene->whole(chosen->arm.values);
+  auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), joints, m_document.bodies()));
+  if (m_services.mark) m_services.mark(*shown, joints);
+  preview.replaced = std::move(shown);
+  return preview;
+}
+
+std::vector<Property> ArmWaysTool::settings() const {
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < ways().size(); ++i) rows.push_back(wayText(*m_scene, m_ways[i], i + 1).toStdString());
+  const bool isOut = m_scene && rows.empty();
+  if (rows.empty()) rows.emplace_back(QT_TRANSLATE_NOOP("Property", "none"));
+  std::vector<Property> all{choiceSetting("way", QT_TRANSLATE_NOOP("Property", "Configuration of the arm"),
+                                          static_cast<int>(m_chosen), std::move(rows))};
+  all.front().continuous = true;
+  all.front().group = all.front().label;
+  if (isOut) all.front().problem = QT_TRANSLATE_NOOP("Property", "this pose is out of reach");
+  for (Property& each : toolProperties(m_pose)) {
+    each.id = each.id.substr(each.id.find('.') + 1);
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+void ArmWaysTool::setSetting(std::string_view id, const PropertyValue& value) {
+  const auto* const number = std::get_if<double>(&value);
+  if (id == "way" && number && *number >= 0.0) {
+    choose(static_cast<std::size_t>(*number));
+  } else if (const auto changed = changedToolPose(m_pose, "tool." + std::string(id), value)) {
+    m_pose = *changed;
+    forgetWays();
+  }
+}
+
+}  // namespace handwheel

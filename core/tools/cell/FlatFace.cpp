@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/FlatFace.h"
+
+#include "proximity/ClosestPoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kNearPart = 1e-3;  // of the size of a part: what a place on it may be off in a picture
+constexpr double kFlat = 1.5e-6;    // 1 - cos 0.1°
+
+Vec3 areaOf(const TriangleSoup& soup, const Triangle& t) {
+  return (soup.points[t[1]] - soup.points[t[0]]).cross(soup.points[t[2]] - soup.points[t[0]]);
+}
+
+// The triangle nearest to a place within `most`; those without area are left out.
+std::optional<std::size_t> triangleAt(const TriangleSoup& soup, const Vec3& place, double most) {
+  std::optional<std::size_t> found;
+  double nearest = most * most;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
+    const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
+    const bool isFar = (a.cwiseMin(b).cwiseMin(c).array() > place.array() + most).any() ||
+                       (a.cwiseMax(b).cwiseMax(c).array() < place.array() - most).any();
+    if (isFar || areaOf(soup, t).isZero(0.0)) continue;
+    const double apart = (closestOnTriangle(place, a, b, c) - place).squaredNorm();
+    if (apart >= nearest) continue;
+    nearest = apart;
+    found = i;
+  }
+  return found;
+}
+
+// The triangles of the flat piece around one: those that share edges with it, by the places of these, and so on.
+std::vector<Triangle> flatPiece(const TriangleSoup& soup, std::size_t seed) {
+  using Place = std::array<double, 3>;
+  using Edge = std::pair<Place, Place>;
+  const auto placeOf = [&](std::uint32_t point) {
+    const Vec3& p = soup.points[point];
+    return Place{p.x(), p.y(), p.z()};
+  };
+  const Vec3 normal = areaOf(soup, soup.triangles[seed]).normalized();
+  std::map<Edge, std::vector<std::size_t>> byEdge;
+  const auto edgeOf = [&](const Triangle& t, std::size_t side) {
+    return Edge(std::minmax(placeOf(t[side]), placeOf(t[(side + 1) % 3])));
+  };
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const Vec3 area = areaOf(soup, soup.triangles[i]);
+    if (area.isZero(0.0) || area.normalized().dot(normal) < 1.0 - kFlat) continue;
+    for (std::size_t side = 0; side < 3; ++side) byEdge[edgeOf(soup.triangles[i], side)].push_back(i);
+  }
+  std::vector<bool> isTaken(soup.triangles.size(), false);
+  std::vector<std::size_t> taken{seed};
+  isTaken[seed] = true;
+  for (std::size_t next = 0; next < taken.size(); ++next) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      for (const std::size_t other : byEdge[edgeOf(soup.triangles[taken[next]], side)]) {
+        if (isTaken[other]) continue;
+        isTaken[other] = true;
+        taken.push_back(other);
+      }
+    }
+  }
+  std::vector<Triangle> piece;
+  for (const std::size_t i : taken) piece.push_back(soup.triangles[i]);
+  return piece;
+}
+
+Vec3 middleOf(const TriangleSoup& soup, const std::vector<Triangle>& piece) {
+  Vec3 sum = Vec3::Zero();
+  double whole = 0.0;
+  for (const Triangle& t : piece) {
+    const double area = areaOf(soup, t).norm();
+    sum += area / 3.0 * (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]);
+    whole += area;
+  }
+  return sum / whole;
+}
+
+}  // namespace
+
+std::optional<FlatFace> faceAt(const DisplayPart& part, const Vec3& place, bool isWhole) {
+  const TriangleSoup& soup = *part.soup;
+  const Vec3 local = part.pose.inverse(Eigen::Isometry) * place;
+  Box bounds;
+  for (const Vec3& point : soup.points) bounds.extend(point);
+  if (bounds.isEmpty() || !local.allFinite()) return std::nullopt;
+  const auto seed = triangleAt(soup, local, kNearPart * bounds.diagonal().norm());
+  if (!seed) return std::nullopt;
+  FlatFace face{.point = place, .normal = part.pose.linear() * areaOf(soup, soup.triangles[*seed]).normalized()};
+  face.middle = isWhole ? part.pose * middleOf(soup, flatPiece(soup, *seed)) : place;
+  return face;
+}
+
+Pose bringingTogether(const Vec3& point, const Vec3& normal, const Vec3& onto, const Vec3& ontoNormal, double offset,
+                      double angle) {
+  const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(normal, Vec3(-ontoNormal));
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(angle, ontoNormal).toRotationMatrix() * facing.normalized().toRotationMatrix();
+  Pose motion = Pose::Identity();
+  motion.linear() = turn;
+  motion.translation() = onto + offset * ontoNormal - turn * point;
+  return motion;
+}
+
+}  // namespace handwheel

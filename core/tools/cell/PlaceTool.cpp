@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/PlaceTool.h"
+
+#include "base/Tolerance.h"
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellDisplay.h"
+#include "document/scene/BodyChanges.h"
+#include "document/scene/BodyDisplay.h"
+#include "robot/Kinematics.h"
+#include "scene/RigidPose.h"
+#include "tools/AxisDrag.h"
+#include "tools/SnapStep.h"
+#include "tools/ToolProperty.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr ToolKey kPlaceKeys[] = {
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place the body there")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "cancel the move")},
+};
+
+constexpr double kArrowPixels = 110.0;                   // logical
+constexpr double kGripPixels = 7.0;                      // logical, to either side of a handle
+constexpr double kDeviceGripPixels = 14.0;               // a tip in space is harder to aim
+constexpr double kSnapPixels = 4.0;                      // the least distance of two snapped positions in the view
+constexpr double kTurnStep = 5.0 * kRadiansPerDegree;    // of snapped turns
+constexpr Limits kMoves{-kFarthestBody, kFarthestBody};  // mm
+constexpr Limits kTurns{-2.0 * M_PI, 2.0 * M_PI};
+
+constexpr const char* kMoveIds[] = {"move_x", "move_y", "move_z"};
+constexpr const char* kTurnIds[] = {"turn_x", "turn_y", "turn_z"};
+
+QString placeText(const char* text) {
+  return QCoreApplication::translate("PlaceTool", text);
+}
+
+}  // namespace
+
+PlaceTool::PlaceTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services)
+    : m_document(document), m_selection(selection), m_services(std::move(services)) {}
+
+std::span<const ToolKey> PlaceTool::keys() {
+  return kPlaceKeys;
+}
+
+BodyPointer PlaceTool::body() const {
+  return m_selection.body() ? m_document.bodies().withId(*m_selection.body()) : nullptr;
+}
+
+Pose PlaceTool::carrier() const {
+  const RobotModel& robot = m_document.robot().model;
+  return carrierPose(*body(), robot, linkPoses(robot, m_document.joints()));
+}
+
+std::optional<PlacingHandles> PlaceTool::handles() const {
+  const BodyPointer placed = body();
+  if (!placed) return std::nullopt;
+  const Pose pose = m_drag ? m_shown : carrier() * placed->pose;
+  const Box& bounds = placed->geometry->bounds();
+  PlacingHandles handles;
+  handles.centre = m_centre == Centre::Origin || bounds.isEmpty() ? Vec3(pose.translation()) : pose * bounds.center();
+  for (int i = 0; i < 3; ++i)
+    handles.axes[static_cast<std::size_t>(i)] = m_frame == Frame::Body ? Vec3(pose.linear().col(i)) : Vec3::Unit(i);
+  if (m_length > 0.0)
+    handles.length = m_length;
+  else if (!bounds.isEmpty())
+    handles.length = std::max(1.0, 0.75 * bounds.diagonal().norm());
+  return handles;
+}
+
+// As typed, from where it is: turned about the centre of the handles, then moved.
+Pose PlaceTool::wanted() const {
+  if (m_drag) return m_shown;
+  const Pose start = carrier() * body()->pose;
+  const PlacingHandles at = *handles();
+  Eigen::Matrix3d frame;
+  for (int i = 0; i < 3; ++i) frame.col(i) = at.axes[static_cast<std::size_t>(i)];
+  const Eigen::Matrix3d turn = frame * poseOf(Vec3::Zero(), m_turnBy).linear() * frame.transpose();
+  Pose moved = start;
+  moved.linear() = turn * start.linear();
+  moved.translation() = at.centre + turn * (start.translation() - at.centre) + frame * m_moveBy;
+  return moved;
+}
+
+// The arrows are as long on the screen however far one looks from.
+void PlaceTool::measure(const PointerEvent& event) {
+  const auto at = m_drag ? std::nullopt : handles();
+  const double pixel = at ? event.pickRay().pixelAt(at->centre) : 0.0;
+  if (pixel > 0.0 && std::isfinite(pixel)) m_length = kArrowPixels * pixel;
+}
+
+ToolReply PlaceTool::pointer(const PointerEvent& given) {
+  PointerEvent event = given;
+  event.ray.direction.stableNormalize();
+  measure(event);
+  switch (event.kind) {
+    case PointerEvent::Kind::Hover: {
+      const auto at = handles();
+      m_hovered.reset();
+      if (at && event.device)
+        m_hovered = at->near(event.device->translation(), kDeviceGripPixels * event.pixel);
+      else if (at && event.ray.isUsable())
+        m_hovered = at->under(event.pickRay(), kGripPixels);
+      return ToolReply::Used;
+    }
+    case PointerEvent::Kind::Leave:
+      m_hovered.reset();
+      return ToolReply::Used;
+    case PointerEvent::Kind::Press:
+      return press(event);
+    case PointerEvent::Kind::Drag:
+      if (!m_drag) return ToolReply::Ignored;
+      follow(event);
+      return ToolReply::Used;
+    case PointerEvent::Kind::Release: {
+      if (!m_drag || event.button != PointerButton::First) return ToolReply::Ignored;
+      follow(event);
+      const bool turned = m_drag->handle && m_drag->handle->isRing;
+      return commit(m_shown, turned ? placeText(QT_TRANSLATE_NOOP("PlaceTool", "Turn %1"))
+                                    : placeText(QT_TRANSLATE_NOOP("PlaceTool", "Move %1")));
+    }
+    case PointerEvent::Kind::DoubleClick:
+      break;
+  }
+  return ToolReply::Ignored;
+}
+
+// A handle of the selected body, or a body, which is selected; a device holds it.
+ToolReply PlaceTool::press(const PointerEvent& event) {
+  if (m_drag) return event.button == PointerButton::Second ? perform("revert") : ToolReply::Used;
+  if (event.device && event.button == PointerButton::Second) return perform("commit");
+  if (event.button != PointerButton::First || !event.ray.isUsable()) return ToolReply::Ignored;
+  const auto at = handles();
+  std::optional<PlacingHandles::Handle> handle;
+  if (at && event.device)
+    handle = at->near(event.device->translation(), kDeviceGripPixels * event.pixel);
+  else if (at)
+    handle = at->under(event.pickRay(), kGripPixels);
+  m_moveBy = m_turnBy = Vec3::Zero();
+  if (!handle) {
+    const auto hit = m_services.pick(event.ray);
+    const auto id = hit ? bodyOfPart(hit->part) : std::nullopt;
+    if (!id) return ToolReply::Ignored;  // the camera's
+    m_selection.select(*id);
+    if (!event.device) return ToolReply::Used;
+  }
+  Drag drag{handle, *handles(), carrier() * body()->pose, Vec3::Zero(), event.device};
+  if (handle) {
+    // Where the handle is under the pointer: the place of its outline that is nearest to the ray or the tip.
+    const Vec3 &centre = drag.handles.centre, axis = drag.handles.axes[static_cast<std::size_t>(handle->axis)];
+    const Vec3 there = event.device ? Vec3(event.device->translation())
+                                    : placeUnder(centre, event.ray.direction, event.ray).value_or(centre);
+    Vec3 aside = there - centre;
+    if (handle->isRing) {
+      const auto onPlane = event.device ? std::optional(there) : placeUnder(centre, axis, event.ray);
+      const bool isSeenFromAside = std::abs(event.ray.direction.dot(axis)) < 0.2;
+      if (onPlane && !isSeenFromAside) aside = *onPlane - centre;
+      aside -= aside.dot(axis) * axis;
+      if (aside.norm() > 0.0) aside = drag.handles.ringRadius() * aside.normalized();
+      drag.grip = centre + aside;
+    } else {
+      drag.grip = centre + translationUnder({centre, axis, centre}, event.ray).value_or(0.0) * axis;
+      if (event.device) drag.grip = centre + aside.dot(axis) * axis;
+    }
+  }
+  m_shown = drag.start;
+  m_drag = std::move(drag);
+  return ToolReply::Used;
+}
+
+// How far the handle is dragged along or about its axis.
+std::optional<double> PlaceTool::wayUnder(const PointerEvent& event) const {
+  const PlacingHandles& at = m_drag->handles;
+  const HeldPoint held{at.centre, at.axes[static_cast<std::size_t>(m_drag->handle->axis)], m_drag->grip};
+  if (!event.device || !m_drag->hand) {
+    if (!event.ray.isUsable()) return std::nullopt;
+    if (!m_drag->handle->isRing) return translationUnder(held, event.ray);
+    if (held.lever() < tolerance::kLeastLever) return std::nullopt;
+    return rotationUnder(held, event.pickRay(), m_drag->way);
+  }
+  if (!m_drag->handle->isRing) return (event.device->translation() - m_drag->hand->translation()).dot(held.axis);
+  const Vec3 from = held.point - held.centre;
+  const Vec3 to = from + event.device->translation() - m_drag->hand->translation();
+  const double x = from.dot(to) - from.dot(held.axis) * to.dot(held.axis), y = held.axis.dot(from.cross(to));
+  if (std::hypot(x, y) < tolerance::kLeastLever) return std::nullopt;
+  return m_drag->way + std::remainder(std::atan2(y, x) - m_drag->way, 2.0 * M_PI);
+}
+
+// In steps that fit the zoom, or of 5°, unless Ctrl is held.
+double PlaceTool::snapped(double way, const PointerEvent& event) const {
+  if (event.modifiers.control || event.device) return way;
+  if (m_drag->handle->isRing) return kTurnStep * std::round(way / kTurnStep);
+  const double unit = millimetresPer(m_document.displayUnit());
+  const double least = kSnapPixels * event.pickRay().pixelAt(m_drag->handles.centre) / unit;
+  return least > 0.0 && std::isfinite(least) ? snappedTo(way / unit, least) * unit : way;
+}
+
+void PlaceTool::followFreely(const PointerEvent& event) {
+  if (!event.device || !m_drag->hand) return;
+  const Eigen::Matrix3d turn = event.device->linear() * m_drag->hand->linear().transpose();
+  const Vec3 hand = m_drag->hand->translation();
+  Pose pose = m_drag->start;
+  pose.linear() = turn * m_drag->start.linear();
+  pose.translation() = event.device->translation() + turn * (m_drag->start.translation() - hand);
+  if (const auto rigid = nearestRigid(pose)) m_shown = *rigid;
+}
+
+void PlaceTool::follow(const PointerEvent& event) {
+  if (!m_drag->handle) return followFreely(event);
+  const auto way = wayUnder(event);
+  if (!way) return;
+  m_drag->way = *way;
+  const double kept = snapped(*way, event);
+  const PlacingHandles& at = m_drag->handles;
+  const Vec3& axis = at.axes[static_cast<std::size_t>(m_drag->handle->axis)];
+  m_shown = m_drag->start;
+  if (kept == 0.0) return;
+  if (m_drag->handle->isRing) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(kept, axis).toRotationMatrix();
+    m_shown.linear() = turn * m_drag->start.linear();
+    m_shown.translation() = at.centre + turn * (m_drag->start.translation() - at.centre);
+  } else {
+    m_shown.translation() += kept * axis;
+  }
+}
+
+// pose: in the base. What stays where it is keeps every bit.
+ToolReply PlaceTool::commit(const Pose& pose, const QString& text) {
+  m_drag.reset();
+  m_moveBy = m_turnBy = Vec3::Zero();
+  Body changed = *body();
+  const Pose before = carrier() * changed.pose;
+  if (pose.matrix() == before.matrix()) return ToolReply::Used;
+  changed.pose = carrier().inverse(Eigen::Isometry) * pose;
+  auto edit = changeBodyEdit(m_document.bodies(), changed);
+  if (edit && *edit) m_document.commit(text.arg(QString::fromStdString(changed.name)), std::move(edit).value());
+  return ToolReply::Used;
+}
+
+ToolReply PlaceTool::perform(std::string_view action) {
+  const bool isTyped = !m_moveBy.isZero(0.0) || !m_turnBy.isZero(0.0);
+  if (action == "commit") {
+    if (!body() || !isTyped) return ToolReply::Ignored;
+    return commit(wanted(), placeText(QT_TRANSLATE_NOOP("PlaceTool", "Place %1")));
+  }
+  if (action != "revert") return ToolReply::Ignored;
+  if (!m_drag && !isTyped) return ToolReply::Finished;
+  m_drag.reset();
+  m_moveBy = m_turnBy = Vec3::Zero();
+  return ToolReply::Used;
+}
+
+std::vector<ToolAction> PlaceTool::actions() const {
+  const bool isTyped = !m_moveBy.isZero(0.0) || !m_turnBy.isZero(0.0);
+  std::vector<ToolAction> all{
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move along an arrow, turn by a ring")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move the body without snapping")},
+      actionOf(kPlaceKeys, "commit", body() && isTyped),
+      actionOf(kPlaceKeys, "revert", true, m_drag || isTyped ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
+  if (!all[3].enabled)
+    all[3].reason = body() ? QT_TRANSLATE_NOOP("Tool", "nothing is typed") : QT_TRANSLATE_NOOP("Tool", "select a body");
+  return all;
+}
+
+// The handles, of one that is dragged that alone, and the body where it would stand.
+ToolPreview PlaceTool::preview() const {
+  ToolPreview preview;
+  const auto at = handles();
+  if (!at) return preview;
+  const auto chosen = m_drag ? m_drag->handle : m_hovered;
+  for (const PlacingHandles::Handle& handle : at->all()) {
+    if (m_drag && !(chosen == handle)) continue;
+    for (std::vector<Vec3>& line : at->linesOf(handle)) preview.lines.push_back(std::move(line));
+  }
+  if (chosen) {  // drawn twice as wide, by a line beside it
+    PlacingHandles wider = *at;
+    wider.length *= 1.02;
+    for (std::vector<Vec3>& line : wider.linesOf(*chosen)) preview.lines.push_back(std::move(line));
+  }
+  const Pose there = wanted();
+  Body moved = *body();
+  if (there.matrix() == (carrier() * moved.pose).matrix()) return preview;
+  moved.pose = carrier().inverse(Eigen::Isometry) * there;
+  const BodySet bodies = m_document.bodies().with(std::make_shared<const Body>(moved));
+  auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), m_document.joints(), bodies));
+  moved.pose = there;
+  if (m_services.mark) m_services.mark(*shown, moved);
+  preview.replaced = std::move(shown);
+  return preview;
+}
+
+std::vector<Property> PlaceTool::settings() const {
+  const char* const kMove = QT_TRANSLATE_NOOP("Property", "Move by");
+  const char* const kTurn = QT_TRANSLATE_NOOP("Property", "Turn by");
+  const char* const kMoveLabels[] = {QT_TRANSLATE_NOOP("Property", "Along X"), QT_TRANSLATE_NOOP("Property", "Along Y"),
+                                     QT_TRANSLATE_NOOP("Property", "Along Z")};
+  const char* const kTurnLabels[] = {QT_TRANSLATE_NOOP("Property", "About X"), QT_TRANSLATE_NOOP("Property", "About Y"),
+                                     QT_TRANSLATE_NOOP("Property", "About Z")};
+  std::vector<Property> all{
+      choiceSetting("frame", QT_TRANSLATE_NOOP("Property", "Axes"), static_cast<int>(m_frame),
+                    {QT_TRANSLATE_NOOP("Property", "Of the cell"), QT_TRANSLATE_NOOP("Property", "Of the body")}),
+      choiceSetting("centre", QT_TRANSLATE_NOOP("Property", "Turns about"), static_cast<int>(m_centre),
+                    {QT_TRANSLATE_NOOP("Property", "Its middle"), QT_TRANSLATE_NOOP("Property", "Its origin")})};
+  const bool isMove = m_drag && m_drag->handle && !m_drag->handle->isRing;
+  const bool isTurn = m_drag && m_drag->handle && m_drag->handle->isRing;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 way = m_shown.translation() - (m_drag ? m_drag->start.translation() : m_shown.translation());
+    const auto axis = static_cast<std::size_t>(i);
+    const double moved = isMove ? way.dot(m_drag->handles.axes[axis]) : m_moveBy[i];
+    all.push_back(numberSetting(kMoveIds[axis], kMoveLabels[axis], moved, Quantity::Length, kMoves));
+    all.back().group = kMove;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    const double turned =
+        isTurn && m_drag->handle->axis == i
+            ? Eigen::AngleAxisd(Eigen::Matrix3d(m_shown.linear() * m_drag->start.linear().transpose())).angle() *
+                  (m_drag->way < 0.0 ? -1.0 : 1.0)
+            : m_turnBy[i];
+    all.push_back(numberSetting(kTurnIds[axis], kTurnLabels[axis], turned, Quantity::Angle, kTurns));
+    all.back().group = kTurn;
+  }
+  return all;
+}
+
+void PlaceTool::setSetting(std::string_view id, const PropertyValue& value) {
+  if (id == "frame") assignChoice(m_frame, value, 2);
+  if (id == "centre") assignChoice(m_centre, value, 2);
+  for (int i = 0; i < 3; ++i) {
+    if (id == kMoveIds[i]) assignNumber(m_moveBy[i], value, kMoves);
+    if (id == kTurnIds[i]) assignNumber(m_turnBy[i], value, kTurns);
+  }
+}
+
+void PlaceTool::documentChanged() {
+  m_drag.reset();
+  m_hovered.reset();
+  m_moveBy = m_turnBy = Vec3::Zero();
+  m_selection.keepOnly(m_document.bodies());
+}
+
+}  // namespace handwheel

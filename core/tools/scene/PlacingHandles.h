@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/search/PickRay.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// The handles by which a thing is moved along three axes and turned about them: an arrow and a ring for each. A value.
+struct PlacingHandles {
+  struct Handle {
+    int axis = 0;  // 0…2
+    bool isRing = false;
+    bool operator==(const Handle&) const = default;
+  };
+
+  Vec3 centre = Vec3::Zero();                                             // mm
+  std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};  // at right angles, of unit length
+  double length = 100.0;  // mm, of the arrows; the rings are within them
+
+  double ringRadius() const { return 0.75 * length; }  // mm
+  // What the ray points to within `pixels` logical pixels: an arrow before a ring, which is seen as a line from some
+  // sides; of several the nearest to the viewer.
+  std::optional<Handle> under(const PickRay& pickRay, double pixels) const;
+  // What is within so much of a place; mm.
+  std::optional<Handle> near(const Vec3& place, double distance) const;
+  // The lines of a handle as they are drawn.
+  std::vector<std::vector<Vec3>> linesOf(const Handle& handle) const;
+  std::array<Handle, 6> all() const;
+
+ private:
+  std::vector<Vec3> outlineOf(const Handle& handle) const;
+};
+
+}  // namespace handwheel

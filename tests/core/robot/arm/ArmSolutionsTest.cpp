@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/arm/ArmSolutions.h"
+
+#include "Arms.h"
+#include "TestClass.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+using Shoulder = ArmStance::Shoulder;
+
+ArmStance stanceOf(const SerialArm& arm, std::initializer_list<double> list) {
+  ArmValues values(6);
+  std::copy(list.begin(), list.end(), values.begin());
+  return ClosedFormIk::of(arm)->stanceOf(arm, values);
+}
+
+}  // namespace
+
+// All ways in which an arm reaches a pose, and how a person tells them apart.
+class ArmSolutionsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void reachAndOrder_data() {
+    QTest::addColumn<QString>("id");
+    for (const char* id : {"irb120", "kr6r900", "ur5", "tx40", "puma560"}) QTest::newRow(id) << QString(id);
+  }
+  // Where the arm stands is the first way; each reaches the pose; the limits are those of the joints; no two ways have
+  // the same words.
+  void reachAndOrder() {
+    QFETCH(QString, id);
+    const SerialArm arm = libraryArm(id.toStdString());
+    QVERIFY(rc::check([&] {
+      const ArmValues values = anyValuesOf(arm);
+      RC_PRE(std::abs(values[2]) > 0.2 && std::abs(values[4]) > 0.2 && std::abs(std::abs(values[4]) - M_PI) > 0.2);
+      const Pose tip = arm.tipPose(values);
+      const std::vector<ArmSolution> ways = solutionsFor(arm, tip, values);
+      RC_ASSERT(!ways.empty() && ways.size() <= 8);
+      RC_ASSERT((ways.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
+      RC_ASSERT(ways.front().way < 1e-2);
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        RC_ASSERT(difference(arm.tipPose(ways[i].values), tip, arm.reach()) < 1e-6);
+        RC_ASSERT(ways[i].beyond.has_value() != arm.isWithinLimits(ways[i].values));
+        if (i > 0) RC_ASSERT(ways[i].beyond.has_value() || !ways[i - 1].beyond.has_value());
+        for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!(*ways[i].stance == *ways[j].stance));
+      }
+    }));
+  }
+
+  // Which way an arm stands does not change while it turns on its base or about its flange.
+  void stanceTurnsWithTheArm() {
+    for (const char* id : {"irb140", "rx160", "ur10", "lrmate200id"}) {
+      const SerialArm arm = libraryArm(id);
+      const ClosedFormIk closed = *ClosedFormIk::of(arm);
+      QVERIFY(rc::check([&] {
+        ArmValues values = anyValuesOf(arm);
+        const ArmStance before = closed.stanceOf(arm, values);
+        values[0] = evenlyBetween(-3.0, 3.0);
+        values[5] = evenlyBetween(-3.0, 3.0);
+        RC_ASSERT(closed.stanceOf(arm, values) == before);
+      }));
+    }
+  }
+
+  // By what one sees of an arm whose lower arm stands upright at 0 and leans ahead with the second joint, and whose
+  // forearm points ahead at 0 and down with the third.
+  void stancesOfAnUprightArm() {
+    const SerialArm arm = libraryArm("irb120");
+    const ArmStance ahead = stanceOf(arm, {0.3, 0.2, 0.1, 0.0, 0.5, 0.0});
+    QVERIFY(ahead.shoulder == Shoulder::Front && ahead.isElbowUp && !ahead.isWristFlipped);
+    const ArmStance flipped = stanceOf(arm, {0.3, 0.2, 0.1, M_PI, -0.5, 0.0});
+    QVERIFY(flipped.shoulder == Shoulder::Front && flipped.isElbowUp && flipped.isWristFlipped);
+    // Leaning back, its forearm over its back.
+    QVERIFY(stanceOf(arm, {0.0, -1.5, -0.5, 0.0, 0.5, 0.0}).shoulder == Shoulder::Rear);
+    // The lower arm lies ahead, the forearm points up from its end.
+    const ArmStance low = stanceOf(arm, {0.0, 1.7, -1.7, 0.0, 0.5, 0.0});
+    QVERIFY(low.shoulder == Shoulder::Front && !low.isElbowUp);
+  }
+
+  // Of an arm of the other form: at 0 it lies along -x of its base, and its links are beside the axis; turned by half a
+  // turn and folded over it reaches the same with the other shoulder.
+  void shouldersOfAParallelArm() {
+    const SerialArm arm = libraryArm("ur5");
+    ArmValues values(6);
+    values << 0.4, -1.0, 1.2, -0.5, 1.1, 0.2;
+    int left = 0, right = 0;
+    for (const ArmSolution& way : solutionsFor(arm, arm.tipPose(values), values)) {
+      left += way.stance->shoulder == Shoulder::Left ? 1 : 0;
+      right += way.stance->shoulder == Shoulder::Right ? 1 : 0;
+    }
+    QVERIFY(left > 0);
+    QCOMPARE(left, right);
+  }
+
+  void outOfReach() {
+    const SerialArm arm = libraryArm("irb120");
+    Pose far = Pose::Identity();
+    far.translation() = Vec3(5000.0, 0.0, 0.0);
+    QVERIFY(solutionsFor(arm, far, ArmValues::Zero(6)).empty());
+  }
+
+  // Without a closed form: the way that is known is found, and others that are not the same.
+  void byIteration() {
+    std::vector<DhRow> rows(7, DhRow{.a = 100.0, .alpha = 1.2, .d = 60.0, .lower = -2.5, .upper = 2.5});
+    const SerialArm arm = armOf(rows);
+    QVERIFY(!ClosedFormIk::of(arm));
+    QVERIFY(rc::check([&] {
+      const ArmValues values = anyValuesOf(arm);
+      const Pose tip = arm.tipPose(values);
+      const std::vector<ArmSolution> ways = solutionsFor(arm, tip, values);
+      RC_ASSERT(!ways.empty() && ways.size() <= kMostNumericalSolutions);
+      RC_ASSERT((ways.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        RC_ASSERT(arm.isWithinLimits(ways[i].values) && !ways[i].stance && !ways[i].beyond);
+        RC_ASSERT(difference(arm.tipPose(ways[i].values), tip, arm.reach()) < 1e-6);
+        for (std::size_t j = 0; j < i; ++j) RC_ASSERT((ways[i].values - ways[j].values).cwiseAbs().maxCoeff() > 0.01);
+      }
+    }));
+  }
+};
+
+HANDWHEEL_TEST(ArmSolutionsTest)
+#include "ArmSolutionsTest.moc"

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ArmCell.h"
+#include "TestClass.h"
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellErrors.h"
+#include "tools/cell/ConfigurationOperation.h"
+#include "tools/cell/PlanOperation.h"
+
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// The cell after the operation "configuration" with these values.
+RobotCellSnapshot changedBy(const OperationValues& values, const RobotCellSnapshot& cell) {
+  Result<ChangedCell> changed = changedCell(values, cell);
+  if (!changed) qFatal("refused: %s", changed.error().code->id);
+  RobotCellSnapshot after = cell;
+  after.plans = std::make_shared<const CellPlans>(std::move(changed->plans));
+  after.joints = changed->joints;
+  return after;
+}
+
+OperationValues valuesOf(std::initializer_list<std::pair<const char*, PropertyValue>> list) {
+  OperationValues values(configurationOperation());
+  for (const auto& [id, value] : list) values.setValid(id, value);
+  return values;
+}
+
+}  // namespace
+
+// Frames that the tool is brought to, kept in a cell.
+class TargetsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    m_cell = std::make_unique<ArmCell>();
+    m_cell->stand({0.3, 0.4, 0.2, 0.5, 0.8, -0.3});
+  }
+
+  // Stored where the tool is, gone away from and come back to.
+  void storeAndComeBack() {
+    const Pose there = m_cell->tool();
+    RobotCellSnapshot cell = changedBy(valuesOf({{"add-target", std::string("T")}}), m_cell->content());
+    QVERIFY(cell.plans->target("T")->pose.isApprox(there, 1e-12));
+    const JointValues stored = cell.joints;
+    cell.joints[0] += 0.5;
+    cell = changedBy(valuesOf({{"go", std::string("T")}}), cell);
+    QVERIFY((cell.joints - stored).cwiseAbs().maxCoeff() < 1e-6);  // the nearest way
+    cell = changedBy(valuesOf({{"remove-target", std::string("T")}}), cell);
+    QVERIFY(cell.plans->targets.empty());
+  }
+
+  // On a body it moves with that.
+  void onABody() {
+    const BodyId box = m_cell->addBox({20, 20, 20}, {200, 300, 0}, {0, 0, 0.7});
+    OperationValues values = valuesOf({{"add-target", std::string("T")}, {"on", std::string("box1")}});
+    values.setValid("at", std::vector<double>{350.0, 40.0, 300.0});
+    RobotCellSnapshot cell = changedBy(values, m_cell->content());
+    const NamedTarget target = *cell.plans->target("T");
+    QCOMPARE(target.body, box);
+    const RobotModel& robot = cell.robot->model;
+    const Pose before = *poseOfTarget(target, cell.bodies, robot, cell.joints);
+    QVERIFY((before.translation() - Vec3(350.0, 40.0, 300.0)).norm() < 1e-9);
+    Body moved = *cell.bodies.withId(box);
+    const Pose way = poseOf({10.0, -5.0, 3.0}, {0.1, 0.2, 0.3});
+    moved.pose = way * moved.pose;
+    cell.bodies = cell.bodies.with(std::make_shared<const Body>(moved));
+    QVERIFY(poseOfTarget(target, cell.bodies, robot, cell.joints)->isApprox(way * before, 1e-12));
+    const BodyId gone[] = {box};
+    m_cell->document().commit("Remove", removeBodiesEdit(m_cell->document().bodies(), gone));
+    const auto stray = poseOfTarget(target, m_cell->document().bodies(), robot, cell.joints);
+    QVERIFY(!stray && stray.error().code == CellError::TargetStray);
+  }
+
+  // A box where the nearest way would be: another one is taken, and it is free.
+  void theNearestFreeWay() {
+    const auto scene = m_cell->scene();
+    const Pose pose = m_cell->tool();
+    const ArmValues stood = scene->planned(m_cell->document().joints());
+    CellPlans plans;
+    QVERIFY((*nearestFree(*scene, plans, pose, stood) - stood).cwiseAbs().maxCoeff() < 1e-6);
+    // The elbow: the third joint's place.
+    std::array<Pose, 6> joints;
+    scene->arm.jointPoses(stood, joints);
+    m_cell->addBox({60, 60, 60}, joints[2].translation());
+    const auto blocked = m_cell->scene();
+    const Result<ArmValues> other = nearestFree(*blocked, plans, pose, stood);
+    if (!other) {  // whichever way: then it says what is in the way
+      QVERIFY(other.error().code == CellError::ToolBlocked);
+      QCOMPARE(other.error().arguments.back(), std::string("box1"));
+    } else {
+      QVERIFY((*other - stood).cwiseAbs().maxCoeff() > 0.1);
+      QVERIFY(blocked->scene.isFree(*other, 0.0, 0.0));
+      QVERIFY((blocked->arm.tipPose(*other) * plans.tool).isApprox(pose, 1e-6));
+    }
+    Pose far = pose;
+    far.translation().x() = 1e4;
+    QVERIFY(nearestFree(*scene, plans, far, stood).error().code == CellError::ToolOutOfReach);
+  }
+
+  // As places of a path; the next one as near as may be to the one before.
+  void placesOfAPath() {
+    CellPlans plans;
+    plans.targets = {{"A", m_cell->tool()}};
+    Pose other = m_cell->tool();
+    other.translation() += Vec3(-30.0, 20.0, 10.0);
+    plans.targets.push_back({"B", other});
+    m_cell->plan(plans);
+    OperationValues values(planOperation());
+    values.setValid("from", std::string("A"));
+    values.setValid("to", std::string("B"));
+    const auto scene = m_cell->scene();
+    const auto places = placesOf(values, *scene, m_cell->content());
+    QVERIFY(places.hasValue());
+    QCOMPARE(places->size(), std::size_t{2});
+    QCOMPARE(places->back().name, std::string("B"));
+    const ArmValues at = scene->planned(places->back().joints);
+    QVERIFY(scene->arm.tipPose(at).isApprox(other, 1e-6));
+    QVERIFY((at - scene->planned(places->front().joints)).cwiseAbs().maxCoeff() < 0.5);
+    values.setValid("to", std::string("C"));
+    QVERIFY(placesOf(values, *scene, m_cell->content()).error().code == CellError::PlaceMissing);
+  }
+
+  // One name is one place.
+  void namesAreUnique() {
+    const RobotCellSnapshot cell = changedBy(valuesOf({{"add", std::string("home")}}), m_cell->content());
+    const auto refused = changedCell(valuesOf({{"add-target", std::string("home")}}), cell);
+    QVERIFY(!refused && refused.error().code == CellError::PlaceNameTaken);
+    QCOMPARE(cell.plans->freePlaceName("home"), std::string("home 2"));
+  }
+
+  // A pose of the tool by one property at a time, as in the panel and in `set`.
+  void typedPose() {
+    RobotCellDocument& document = m_cell->document();
+    const Vec3 before = m_cell->tool().translation();
+    const int steps = m_cell->steps();
+    QVERIFY(document.setProperty("tool.y", before.y() + 15.0).hasValue());
+    QCOMPARE(m_cell->steps(), steps + 1);
+    QVERIFY((m_cell->tool().translation() - before - Vec3(0.0, 15.0, 0.0)).norm() < 1e-6);
+    const Status far = document.setProperty("tool.x", 5000.0);
+    QVERIFY(!far && far.error().code == CellError::ToolOutOfReach);
+    QCOMPARE(far.error().arguments[0], std::string("5000"));
+    // Straight up the sixth of the joints of this arm can turn the tool all the way; behind its foot the first cannot.
+    QVERIFY(document.setProperty("tool.rz", 0.2).hasValue());
+    QVERIFY(std::abs(rollPitchYaw(m_cell->tool()).z() - 0.2) < 1e-6);
+  }
+
+ private:
+  std::unique_ptr<ArmCell> m_cell;
+};
+
+HANDWHEEL_TEST(TargetsTest)
+#include "TargetsTest.moc"

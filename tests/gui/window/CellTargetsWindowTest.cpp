@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CellWindow.h"
+#include "WindowTestMain.h"
+
+#include <QListWidget>
+#include <QTreeWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+class TargetsWindow : public CellWindow {
+ public:
+  QTreeWidget* tree() { return find<QTreeWidget>("planTree"); }
+  QTreeWidgetItem* targets() { return tree()->topLevelItem(2); }
+  double number(const char* property) { return field(property).split(' ').front().toDouble(); }
+  void bend() {
+    edit("joint.joint_2", "20");
+    edit("joint.joint_3", "30");
+    edit("joint.joint_5", "40");
+  }
+};
+
+}  // namespace
+
+// Targets in the window, and the ways of the arm to the pose of its tool.
+class CellTargetsWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void storeGoRenameRemove() {
+    TargetsWindow driver;
+    driver.bend();
+    QVERIFY(driver.settle());
+    const double z = driver.number("tool.z");
+    driver.choose("storeTarget");
+    QCOMPARE(driver.targets()->childCount(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("way"), kPatienceMs);
+    driver.edit("joint.joint_2", "0");
+    QVERIFY(std::abs(driver.number("tool.z") - z) > 1.0);
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.targets()->child(0));
+    driver.choose("goToConfiguration");
+    QVERIFY(std::abs(driver.number("tool.z") - z) < 1e-3);
+    driver.targets()->child(0)->setText(0, "spot");
+    QCOMPARE(driver.targets()->child(0)->text(0), QString("spot"));
+    driver.choose("removePlan");
+    QCOMPARE(driver.targets()->childCount(), 0);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.targets()->childCount(), 1);
+  }
+
+  // Moved away with its body it is out of reach, and says so.
+  void onABodyThatGoesAway() {
+    TargetsWindow driver;
+    driver.bend();
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "500");
+    driver.edit("body.1.y", "600");
+    driver.choose("storeTarget");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("way"), kPatienceMs);
+    driver.edit("body.1.x", "9000");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("out of reach"), kPatienceMs);
+    driver.click("quickActions/undo");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("way"), kPatienceMs);
+  }
+
+  // Chosen from a list, with the mouse alone.
+  void aWayIsChosen() {
+    TargetsWindow driver;
+    driver.bend();
+    QVERIFY(driver.settle());
+    const double z = driver.number("tool.z");
+    driver.choose("armWaysTool");
+    QVERIFY(driver.settle());
+    auto* list = driver.find<QListWidget>("propertyList/choices");
+    QTRY_VERIFY_WITH_TIMEOUT(list->count() >= 2, kPatienceMs);
+    QVERIFY(list->item(0)->text().contains("lbow"));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
+    QCOMPARE(list->currentRow(), 1);
+    auto* commit = driver.find<QAbstractButton>("toolAction/commit");
+    QTRY_VERIFY(commit->isEnabled());
+    const QString before = driver.field("joint.joint_5");
+    QTest::mouseClick(commit, Qt::LeftButton);
+    QTRY_VERIFY(driver.field("joint.joint_5") != before || driver.field("joint.joint_3") != "30 °");
+    QVERIFY(std::abs(driver.number("tool.z") - z) < 1e-3);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.field("joint.joint_5"), before);
+  }
+
+  // A number of the pose in the panel moves the arm; what is out of reach is refused at its field.
+  void aTypedPose() {
+    TargetsWindow driver;
+    driver.bend();
+    QVERIFY(driver.settle());
+    const double z = driver.number("tool.z");
+    driver.edit("tool.z", QString::number(z - 10.0));
+    QVERIFY(std::abs(driver.number("tool.z") - (z - 10.0)) < 1e-3);
+    driver.edit("tool.x", "90000");
+    QVERIFY(driver.number("tool.x") < 5000.0);
+    driver.click("quickActions/undo");
+    QVERIFY(std::abs(driver.number("tool.z") - z) < 1e-3);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(CellTargetsWindowTest)
+#include "CellTargetsWindowTest.moc"
