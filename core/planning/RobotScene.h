@@ -53,8 +53,8 @@ class RobotScene {
   Nearest nearestObstacle(const ArmValues& values, double enough, QueryCounts* counts = nullptr) const;
   // The distance of the links from a body that is none of the obstacles, where it is below `enough`.
   Nearest nearestTo(const CollisionBody& body, const Pose& pose, const ArmValues& values, double enough) const;
-  // What meets, or is nearer than it may be: of obstacles nearer than `clearance`, of links to each other `ownClearance`; the one
-  // that is nearer by most. No link: nothing is.
+  // What meets, or is nearer than it may be: of obstacles nearer than `clearance`, of links to each other
+  // `ownClearance`; the one that is nearer by most. No link: nothing is.
   Nearest tooNear(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
   // Whether nothing is. Quicker than to ask what is.
   bool isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;

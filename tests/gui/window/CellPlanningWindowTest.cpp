@@ -80,6 +80,39 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(driver.paths()->child(0)->childCount(), places);
   }
 
+  // Places in disorder are visited as they come on the way, in one step that can be undone.
+  void aPathIsOptimised() {
+    PlanningWindow driver;
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QVERIFY(!driver.find<QAction>("optimisePath")->isEnabled());  // there is nothing between its ends
+    int behind = 0;
+    for (const char* value : {"-40", "30"}) {
+      driver.edit("joint.joint_1", value);
+      driver.tree()->setCurrentItem(driver.paths()->child(0)->child(behind++));
+      driver.choose("insertPlace");
+    }
+    driver.edit("joint.joint_1", "5");  // at none of them, so that going there is a step
+    const auto turnAt = [&](int place) {
+      driver.tree()->setCurrentItem(driver.paths()->child(0)->child(place));
+      driver.choose("goToConfiguration");
+      const QString text = driver.field("joint.joint_1");
+      driver.click("quickActions/undo");
+      return text.split(QLatin1Char(' ')).front().toDouble();
+    };
+    QCOMPARE(turnAt(1), -40.0);
+    QVERIFY(driver.settle());
+    driver.choose("optimisePath");
+    QVERIFY(driver.settle());
+    QCOMPARE(turnAt(1), 30.0);
+    QCOMPARE(turnAt(2), -40.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(turnAt(1), -40.0);
+  }
+
   // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.
   void alongAnEdge() {
     PlanningWindow driver;

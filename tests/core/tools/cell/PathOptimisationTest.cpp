@@ -92,7 +92,8 @@ class PathOptimisationTest : public QObject {
     // Once more there is nothing to gain, and the path is the very same.
     const Result<OptimisedPath> again = robot.optimised(found->planned.path, {.route = {}, .mayReconfigure = false});
     QVERIFY(again && !again->isChanged && again->planned.path == found->planned.path);
-    const Result<OptimisedPath> kept = robot.optimised(path, {.route = {}, .mayReorder = false, .mayReconfigure = false});
+    const Result<OptimisedPath> kept =
+        robot.optimised(path, {.route = {}, .mayReorder = false, .mayReconfigure = false});
     QVERIFY(kept && !kept->isChanged && kept->planned.path == path);
   }
 
