@@ -113,7 +113,6 @@ void DimensionsView::refresh() {
   m_measuring.cancelAll();
   if (!m_document || !m_isVisible || !m_toggle.isChecked()) {
     m_layer->setLines(nullptr);
-    m_parts.viewport.update();
     return;
   }
   Job job;
@@ -126,7 +125,6 @@ void DimensionsView::refresh() {
     return [this, document, lines] {
       if (document != m_document || !m_toggle.isChecked()) return;
       m_layer->setLines(lines);
-      m_parts.viewport.update();
     };
   };
   m_measuring.start(std::move(job));

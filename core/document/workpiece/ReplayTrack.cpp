@@ -4,6 +4,7 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "machining/force/KienzleModel.h"
+#include "machining/target/TargetDeviation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "machining/PassesReplay.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/measure/ProfileMeasure.h"
 #include "machining/measure/TurningReview.h"
 
 #include <optional>
