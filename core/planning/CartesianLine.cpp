@@ -41,11 +41,23 @@ class Following {
     return found.values;
   }
 
-  bool isClose(const ArmValues& a, double shareA, const ArmValues& b, double shareB) const {
-    if ((a - b).cwiseAbs().maxCoeff() > m_settings.largestStep && !isShort(a, b)) return false;
+  // How far the joints are from the line between two of its places, if that is as near as is asked for. The motion and
+  // the line differ most about half way; there and at the ends the difference is known, in between it is taken for half
+  // as much again at most.
+  std::optional<ArmValues> off(const ArmValues& a, double shareA, const ArmValues& b, double shareB) const {
+    if ((a - b).cwiseAbs().maxCoeff() > m_settings.largestStep && !isShort(a, b)) return std::nullopt;
     const Pose wanted = between(m_begin, m_end, 0.5 * (shareA + shareB));
     const auto error = poseError(m_arm.tipPose(0.5 * (a + b)) * m_tool, wanted);
-    return error.head<3>().norm() <= m_settings.deviation && error.tail<3>().norm() <= m_settings.angle;
+    const bool isNear = error.head<3>().norm() <= m_settings.deviation && error.tail<3>().norm() <= m_settings.angle;
+    if (!isNear) return std::nullopt;
+    const auto exact = at(0.5 * (shareA + shareB), 0.5 * (a + b));
+    if (!exact) return std::nullopt;
+    const ArmValues off = 1.5 * (*exact - 0.5 * (a + b)).cwiseAbs();
+    for (Eigen::Index i = 0; i < off.size(); ++i) {
+      const bool isSlide = m_arm.joints()[static_cast<std::size_t>(i)].isPrismatic;
+      if (off[i] > m_settings.jointOff * (isSlide ? 1e3 : 1.0)) return std::nullopt;
+    }
+    return off;
   }
 
  private:
@@ -78,12 +90,14 @@ FollowedLine followLine(const SerialArm& arm, const Pose& tool, const ArmValues&
     const double share = std::min(1.0, line.reached + step);
     const ArmValues& before = line.path.back();
     std::optional<ArmValues> next = following.at(share, before);
-    if (next && following.isClose(before, line.reached, *next, share)) {
+    const auto off = next ? following.off(before, line.reached, *next, share) : std::nullopt;
+    if (off) {
       if (share == 1.0) {
         if ((*next - to).cwiseAbs().maxCoeff() > kSameEnd) return line;
         next = to;
       }
       line.path.push_back(*next);
+      line.offs.push_back(*off);
       line.reached = share;
       step *= 1.5;
     } else if ((step *= 0.5) < kLeastStep) {

@@ -18,6 +18,13 @@ struct MotionCheckSettings {
   bool operator==(const MotionCheckSettings&) const = default;
 };
 
+// The same for a robot whose points may be so far from where they are taken to be; mm.
+inline MotionCheckSettings widened(MotionCheckSettings settings, double off) {
+  settings.clearance += off;
+  settings.ownClearance += 2.0 * off;  // two links may be off towards each other
+  return settings;
+}
+
 // What blocks the robot at these values; no link: nothing does, and motions from there can be proven free.
 RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
                               QueryCounts* counts = nullptr);

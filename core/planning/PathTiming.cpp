@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -45,45 +46,94 @@ double RestToRest::at(double time) const {
   return 0.5 * velocity * m_ramp + velocity * (time - m_ramp);
 }
 
-TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
-                     std::span<const double> speeds)
-    : m_path(std::move(path)) {
-  m_begins.push_back(0.0);
-  for (std::size_t i = 1; i < m_path.size(); ++i) {
-    constexpr double kFastest = 1e12;  // shares of a motion per s: of one that does not move anything
-    double velocity = kFastest;
-    for (Eigen::Index k = 0; k < scene.size(); ++k) {
-      const ArmJoint& joint = scene.joint(k);
-      const double way = std::abs(m_path[i][k] - m_path[i - 1][k]);
-      const double known = joint.velocity.value_or(0.0) > 0.0 ? *joint.velocity
-                           : joint.isPrismatic                ? settings.sliding
-                                                              : settings.turning;
-      if (way > 0.0) velocity = std::min(velocity, known / way);
-    }
-    const double own = i - 1 < speeds.size() ? speeds[i - 1] : 1.0;
-    const double acceleration = velocity / settings.timeToSpeed;
-    const bool moves = velocity < kFastest;
-    velocity *= std::clamp(settings.speed * own, 1e-3, 1.0);
-    m_motions.emplace_back(moves ? 1.0 : 0.0, velocity, acceleration, acceleration / settings.timeToRamp);
-    m_begins.push_back(m_begins.back() + m_motions.back().duration());
+double RestToRest::timeOf(double way) const {
+  double before = 0.0, after = duration();
+  constexpr int kHalvings = 60;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (before + after);
+    (at(middle) < way ? before : after) = middle;
   }
+  return 0.5 * (before + after);
+}
+
+namespace {
+
+// The largest speed that the joints have for a motion, in shares of it a second; infinity: nothing moves.
+double largestShares(const RobotScene& scene, const ArmValues& way, const PathTimingSettings& settings) {
+  double shares = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < scene.size(); ++k) {
+    const ArmJoint& joint = scene.joint(k);
+    const double known = joint.velocity.value_or(0.0) > 0.0 ? *joint.velocity
+                         : joint.isPrismatic                ? settings.sliding
+                                                            : settings.turning;
+    if (way[k] != 0.0) shares = std::min(shares, known / std::abs(way[k]));
+  }
+  return shares;
+}
+
+// What the tool has to go: mm where its speed counts, otherwise a share.
+bool isOfTool(const MotionPace& pace) {
+  return pace.length > 0.0 && pace.toolSpeed > 0.0;
+}
+
+}  // namespace
+
+TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
+                     std::span<const MotionPace> paces)
+    : m_path(std::move(path)) {
+  constexpr double kSlowest = 1e-3;  // of the largest velocities
+  const auto paceOf = [&](std::size_t motion) { return motion < paces.size() ? paces[motion] : MotionPace{}; };
+  const std::size_t count = m_path.empty() ? 0 : m_path.size() - 1;
+  double time = 0.0;
+  for (std::size_t first = 0, end = 0; first < count; first = end) {
+    // The fastest of the joints bounds the whole run.
+    double largest = std::numeric_limits<double>::infinity(), wanted = largest, way = 0.0;
+    for (bool isOn = true; isOn && end < count; ++end) {
+      const MotionPace pace = paceOf(end);
+      if (end > first && !isOfTool(pace)) break;
+      const double own = isOfTool(pace) ? pace.length : 1.0;
+      const double joints = own * largestShares(scene, m_path[end + 1] - m_path[end], settings);
+      largest = std::min(largest, joints);
+      wanted = std::min(wanted, isOfTool(pace) ? pace.toolSpeed : joints * std::clamp(pace.speed, kSlowest, 1.0));
+      m_ways.push_back(own);
+      m_waysBefore.push_back(way);
+      m_runOf.push_back(m_runs.size());
+      way += own;
+      isOn = isOfTool(pace) && pace.isContinued;
+    }
+    if (!std::isfinite(largest)) {  // nothing moves
+      m_runs.push_back({first, time, RestToRest(0.0, 1.0, 1.0, 1.0)});
+    } else {
+      const double acceleration = largest / settings.timeToSpeed;
+      const double velocity = std::max(std::min(wanted, largest) * std::clamp(settings.speed, kSlowest, 1.0),
+                                       kSlowest * std::min(wanted, largest));
+      m_runs.push_back({first, time, RestToRest(way, velocity, acceleration, acceleration / settings.timeToRamp)});
+    }
+    const RestToRest& profile = m_runs.back().profile;
+    for (std::size_t motion = first; motion < end; ++motion)
+      m_begins.push_back(motion == first ? time : time + profile.timeOf(m_waysBefore[motion]));
+    time += profile.duration();
+  }
+  m_begins.push_back(time);
 }
 
 std::size_t TimedPath::motionAt(double time) const {
-  if (m_motions.empty()) return 0;
+  if (m_runs.empty()) return 0;
   const auto after = std::upper_bound(m_begins.begin() + 1, m_begins.end() - 1, time);
   return static_cast<std::size_t>(after - m_begins.begin()) - 1;
 }
 
 double TimedPath::shareAt(double time) const {
-  if (m_motions.empty()) return 0.0;
+  if (m_runs.empty()) return 0.0;
   const std::size_t motion = motionAt(time);
-  return time >= m_begins[motion + 1] ? 1.0 : m_motions[motion].at(time - m_begins[motion]);
+  if (time >= m_begins[motion + 1]) return 1.0;
+  const Run& run = m_runs[m_runOf[motion]];
+  return std::clamp((run.profile.at(time - run.begin) - m_waysBefore[motion]) / m_ways[motion], 0.0, 1.0);
 }
 
 ArmValues TimedPath::valuesAt(double time) const {
   assert(!m_path.empty());
-  if (m_motions.empty()) return m_path.front();
+  if (m_runs.empty()) return m_path.front();
   const std::size_t motion = motionAt(time);
   const double share = shareAt(time);
   if (share >= 1.0) return m_path[motion + 1];

@@ -14,7 +14,8 @@ class RestToRest {
   RestToRest(double distance, double velocity, double acceleration, double jerk);
 
   double duration() const { return 2.0 * m_ramp + m_cruise; }
-  double at(double time) const;  // the way done, 0 to the distance; before and after the motion these
+  double timeOf(double way) const;  // s, when it is done; 0 to the distance
+  double at(double time) const;     // the way done, 0 to the distance; before and after the motion these
 
  private:
   double rampAt(double time) const;  // the way done in the first ramp
@@ -34,12 +35,20 @@ struct PathTimingSettings {
   double timeToRamp = 0.1;    // s until the acceleration is there: gives the jerk
 };
 
-// A path in time: it stops at each place.
+// How a motion of a path is gone through.
+struct MotionPace {
+  double speed = 1.0;        // share of the largest velocities
+  double length = 0.0;       // mm of the tool's way, where its speed is asked for; 0: the joints alone count
+  double toolSpeed = 0.0;    // mm/s, then
+  bool isContinued = false;  // the robot does not stop where the motion ends; its tool's speed goes on in the next
+};
+
+// A path in time: it stops at each place, but where a motion is continued.
 class TimedPath {
  public:
-  // speeds: of each motion, share of the largest velocities; empty: 1.
+  // paces: of each motion; empty: as fast as the joints can.
   TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
-            std::span<const double> speeds = {});
+            std::span<const MotionPace> paces = {});
 
   double duration() const { return m_begins.back(); }
   double beginOf(std::size_t motion) const { return m_begins[motion]; }  // also of the one after the last: the end
@@ -49,9 +58,19 @@ class TimedPath {
   const JointPath& path() const { return m_path; }
 
  private:
+  // Motions from a stop to the next, with the way in mm of the tool, or in shares of a single motion.
+  struct Run {
+    std::size_t first;  // motion
+    double begin;       // s
+    RestToRest profile;
+  };
+
   JointPath m_path;
-  std::vector<RestToRest> m_motions;  // shares of the motions
-  std::vector<double> m_begins;       // s; one more than motions
+  std::vector<Run> m_runs;
+  std::vector<std::size_t> m_runOf;  // of each motion
+  std::vector<double> m_ways;        // of each motion, in the measure of its run
+  std::vector<double> m_waysBefore;  // of the motions before it in its run
+  std::vector<double> m_begins;      // s; one more than motions
 };
 
 }  // namespace handwheel

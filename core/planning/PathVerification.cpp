@@ -41,7 +41,8 @@ class CollisionList {
 // Shares of a motion at which no joint has moved by more than the step (slides a metre a radian), and one more.
 std::vector<double> marksOf(const RobotScene& scene, ArmValues way, double step, double also) {
   for (Eigen::Index k = 0; k < way.size(); ++k) way[k] *= scene.joint(k).isPrismatic ? 1e-3 : 1.0;
-  const auto parts = static_cast<std::size_t>(std::max(1.0, std::ceil(way.cwiseAbs().maxCoeff() / step)));
+  constexpr double kMostMarks = 1e5;
+  const auto parts = static_cast<std::size_t>(std::clamp(std::ceil(way.cwiseAbs().maxCoeff() / step), 1.0, kMostMarks));
   std::vector<double> shares{also};
   for (std::size_t k = 0; k <= parts; ++k) shares.push_back(static_cast<double>(k) / static_cast<double>(parts));
   std::sort(shares.begin(), shares.end());
@@ -50,13 +51,14 @@ std::vector<double> marksOf(const RobotScene& scene, ArmValues way, double step,
 
 }  // namespace
 
-VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check, double step,
-                      Progress progress) {
+VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& settings, double step,
+                      Progress progress, std::span<const double> offs) {
   VerifiedPath result;
   const std::size_t motions = path.size() == 1 ? 1 : std::max<std::size_t>(path.size(), 1) - 1;
   for (std::size_t i = 0; i < motions && !progress.cancelled(); ++i) {
     progress.set(static_cast<double>(i) / static_cast<double>(motions));
     const ArmValues &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
+    const MotionCheckSettings check = i < offs.size() ? widened(settings, offs[i]) : settings;
     MotionCheck motion(scene, from, to, check);
     while (motion.state() == MotionCheck::State::Open && !progress.cancelled()) motion.step();
     result.steps += motion.steps();

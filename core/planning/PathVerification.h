@@ -6,6 +6,7 @@
 #include "planning/Plan.h"
 
 #include <algorithm>
+#include <span>
 
 namespace handwheel {
 
@@ -31,8 +32,9 @@ inline constexpr double kVerificationStep = 0.01;
 
 // Verifies all of a path and does not stop at what it finds: each motion is proven free (MotionCheck), or is looked at
 // every `step` (rad of a joint, slides a metre a radian) and where the proof failed; all that collides is listed, each
-// pair by itself. A path of one place counts as one motion. Incomplete once cancelled.
+// pair by itself. A path of one place counts as one motion. offs: mm, of each motion, by which points of the robot may
+// be off it; empty: by nothing. Incomplete once cancelled.
 VerifiedPath verified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
-                      double step = kVerificationStep, Progress progress = {});
+                      double step = kVerificationStep, Progress progress = {}, std::span<const double> offs = {});
 
 }  // namespace handwheel

@@ -179,6 +179,8 @@ bool RobotScene::isFree(const ArmValues& values, double clearance, double ownCle
 
 std::vector<RobotScene::Nearest> RobotScene::allTooNear(const ArmValues& values, double clearance,
                                                         double ownClearance) const {
+  clearance = std::max(clearance, kTouching);
+  ownClearance = std::max(ownClearance, kTouching);
   Places places;
   placesAt(values, places);
   std::vector<Nearest> all;

@@ -17,6 +17,7 @@ constexpr double kStepSeconds = 0.05;  // what the joints have for such a step
 constexpr int kMostSteps = 40;         // of a lead; a hand that leaps further is followed less closely
 constexpr double kLongestLead = 0.05;  // rad, of a joint that follows the hand itself
 constexpr double kNoNearer = 1e-3;     // mm
+constexpr double kStill = 1e-7;        // rad, mm: of the joints
 
 double angleBetween(const Pose& a, const Pose& b) {
   return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
@@ -59,23 +60,41 @@ ArmValues Teleoperation::towards(const Pose& wanted, double seconds) const {
   return withinLimits(m_values + slower * way);
 }
 
-// Goes there, or as near as halving the way shows to be free. False: not all of the way. Where the robot meets
-// something already, it may go where it gets no deeper.
-bool Teleoperation::advance(const ArmValues& to) {
+// Goes there, or as near as halving the way shows to be free by this check. None: nowhere. Otherwise whether it is all
+// of the way.
+std::optional<bool> Teleoperation::advanceProven(const ArmValues& to, const MotionCheckSettings& check, double least) {
   constexpr int kHalvings = 4;
   const ArmValues from = m_values;
   double share = 1.0;
   for (int i = 0; i <= kHalvings; ++i, share *= 0.5) {
     const ArmValues place = i == 0 ? to : ArmValues(from + share * (to - from));
-    if (MotionCheck(m_scene, from, place, m_settings.check).run() != MotionCheck::State::Free) continue;
+    if (MotionCheck(m_scene, from, place, check).run() != MotionCheck::State::Free) continue;
+    if (least > 0.0 && m_scene.nearestObstacle(place, least).distance < least) continue;
     m_values = place;
     return i == 0;
   }
-  const RobotScene::Nearest now = blockerAt(m_scene, from, m_settings.check);
-  if (now.link == kNone) return false;
-  const RobotScene::Nearest then = blockerAt(m_scene, to, m_settings.check);
-  if (then.link != kNone && then.distance < now.distance) return false;
-  m_values = to;
+  return std::nullopt;
+}
+
+// False: not all of the way. Where the robot is nearer to something than it may be, it may go where it gets no nearer;
+// where it meets something, in small steps out of it.
+bool Teleoperation::advance(const ArmValues& to) {
+  if (const auto went = advanceProven(to, m_settings.check, 0.0)) return *went;
+  if (isFreeAt(m_scene, m_values, m_settings.check)) return false;
+  MotionCheckSettings nearer = m_settings.check;
+  const double distance = m_scene.nearestObstacle(m_values, nearer.clearance + nearer.resolution).distance;
+  if (distance > nearer.resolution) {
+    nearer.clearance = std::min(nearer.clearance, distance - nearer.resolution);
+    if (const auto went = advanceProven(to, nearer, distance)) return *went;
+    if (isFreeAt(m_scene, m_values, nearer)) return false;
+  }
+  if (!m_wayOut) m_wayOut.emplace(m_scene);
+  const ArmValues way = to - m_values;
+  const double travel = m_scene.travelBound(m_values, way.cwiseAbs());
+  const double share = travel > WayOut::kLongestStep ? WayOut::kLongestStep / travel : 1.0;
+  const ArmValues place = m_values + 0.99 * share * way;
+  if (!m_wayOut->mayGo(m_values, place, m_settings.check.resolution)) return false;
+  m_values = place;
   return true;
 }
 
@@ -125,10 +144,13 @@ Teleoperation::Step Teleoperation::lead(const Pose& wanted) {
   const double steps = std::ceil(std::max(way.norm() / kLongestStep, angleBetween(from, wanted) / kLargestTurn));
   const int count = static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(kMostSteps)));
   Step step;
-  for (int i = 1; i <= count; ++i) {
+  int held = 0;  // steps on which nothing moved: a hand that pushes on gets nowhere
+  for (int i = 1; i <= count && held < 2; ++i) {
     const double share = static_cast<double>(i) / count;
     m_wanted = Eigen::Translation3d(from.translation() + share * way) * before.slerp(share, after);
+    const ArmValues values = m_values;
     step = follow(i == count ? wanted : m_wanted, kStepSeconds);
+    held = step.isBlocked && (m_values - values).cwiseAbs().maxCoeff() < kStill ? held + 1 : 0;
   }
   m_wanted = wanted;
   for (int i = 0; i < kMostSteps && !step.isBlocked; ++i) {
@@ -136,7 +158,7 @@ Teleoperation::Step Teleoperation::lead(const Pose& wanted) {
     const ArmValues values = m_values;
     if (off < kNoNearer) break;
     step = follow(wanted, kStepSeconds);
-    if ((m_values - values).cwiseAbs().maxCoeff() < 1e-7) break;
+    if ((m_values - values).cwiseAbs().maxCoeff() < kStill) break;
   }
   return step;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "planning/MotionCheck.h"
+#include "planning/WayOut.h"
 #include "robot/arm/SerialArm.h"
 
 namespace handwheel {
@@ -51,6 +52,7 @@ class Teleoperation {
  private:
   ArmValues towards(const Pose& wanted, double seconds) const;
   ArmValues withinLimits(ArmValues to) const;
+  std::optional<bool> advanceProven(const ArmValues& to, const MotionCheckSettings& check, double least);
   bool advance(const ArmValues& to);
   bool slide(const ArmValues& to, const Pose& wanted);
   Step stepTo(const Pose& wanted) const;
@@ -60,7 +62,8 @@ class Teleoperation {
   Pose m_tool;
   TeleoperationSettings m_settings;
   ArmValues m_values;
-  Pose m_wanted;  // by lead(), last
+  Pose m_wanted;                   // by lead(), last
+  std::optional<WayOut> m_wayOut;  // made when it is needed
 };
 
 }  // namespace handwheel

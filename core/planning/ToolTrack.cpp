@@ -254,9 +254,10 @@ CheckedLine checkLine(const RobotScene& scene, const SerialArm& arm, const Pose&
                       const ArmValues& to, const LineSettings& line, MotionCheckSettings check, Progress progress) {
   const FollowedLine followed = followLine(arm, tool, from, to, line, progress);
   CheckedLine checked{.reached = followed.reached};
-  check.clearance += line.deviation;  // by which the arm may be off between its places
   for (std::size_t i = 1; i < followed.path.size() && checked.reached >= 1.0; ++i) {
-    MotionCheck motion(scene, followed.path[i - 1], followed.path[i], check);
+    const MotionCheckSettings wider =
+        widened(check, scene.travelBound(followed.path[i], followed.offs[i - 1]));  // by which the arm may be off
+    MotionCheck motion(scene, followed.path[i - 1], followed.path[i], wider);
     motion.run();
     checked.steps += motion.steps();
     if (motion.state() == MotionCheck::State::Free) continue;

@@ -17,14 +17,17 @@ namespace {
 
 nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked, const PathCollision& collision) {
   const auto [link, other] = scene.namesOf(collision.deepest);
+  const JointPath& path = checked.way.joints;
+  const ArmValues& from = path[collision.motion];
+  const ArmValues& to = path[std::min(collision.motion + 1, path.size() - 1)];
+  const ArmValues at = from + collision.deepestAt * (to - from);
   return {{"place", checked.placeOf(collision.motion)},
           {"from", collision.from},
           {"to", collision.to},
           {"link", link},
           {"with", other},
           {"distance_mm", collision.deepest.distance},
-          {"q", std::vector<double>(checked.way.joints[collision.motion].begin(),
-                                    checked.way.joints[collision.motion].end())}};
+          {"q", std::vector<double>(at.begin(), at.end())}};
 }
 
 std::string share(double value) {

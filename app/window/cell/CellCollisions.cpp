@@ -58,11 +58,11 @@ void CellCollisions::prepare() {
 void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const Body* moved) const {
   if (!m_scene) return;
   const ArmValues values = m_scene->planned(joints);
-  if (!moved) return markColliding(shown, *m_scene, m_scene->scene.tooNear(values, 0.0, 0.0));
+  if (!moved) return markColliding(shown, *m_scene, m_scene->scene.allTooNear(values, 0.0, 0.0));
   RobotScene::Nearest nearest = m_scene->scene.nearestTo(collisionBodyOf(*moved->geometry, *m_meshes), moved->pose,
                                                          values, std::numeric_limits<double>::min());
   nearest.owner = moved->id;
-  markColliding(shown, *m_scene, nearest);
+  if (nearest.link != kNone) markColliding(shown, *m_scene, std::span(&nearest, 1));
 }
 
 }  // namespace handwheel

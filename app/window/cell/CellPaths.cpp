@@ -125,7 +125,7 @@ void CellPaths::connectActions() {
   connect(&m_remove, &QAction::triggered, this, &CellPaths::removeCurrent);
   connect(m_tree, &PlanTree::currentChanged, this, [this] {
     verify();
-    update();
+    offerActions();  // not update(): the row would be another one when a double click ends
     showPath();
   });
   connect(m_tree, &PlanTree::activated, this, &CellPaths::goTo);
@@ -262,6 +262,10 @@ void CellPaths::update() {
   std::map<std::string, QString> remarks;
   for (const auto& [name, check] : m_checks) remarks[name] = remarkOf(check);
   m_tree->setPlans(plans(), remarks, m_targets.reach());
+  offerActions();
+}
+
+void CellPaths::offerActions() {
   using Kind = PlanTree::Entry::Kind;
   const PlanTree::Entry entry = m_tree->current();
   const bool isCell = m_document != nullptr, isSomething = entry.kind != Kind::None;

@@ -39,8 +39,8 @@ class CellPaths : public QObject {
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
   // Inserts the configuration of the document into the path of the selected row, or begins one with it.
   void addPlace();
-  PlanTree* tree() { return m_tree; }  // owned by the window
-  void setVisible(bool isVisible);     // the line of the path in the view
+  PlanTree* tree() const { return m_tree; }  // owned by the window
+  void setVisible(bool isVisible);           // the line of the path in the view
 
   // The present path, and what is known of it; null while nothing is.
   const RobotPath* path() const;
@@ -96,6 +96,7 @@ class CellPaths : public QObject {
   void followDocument();
   void showPath();
   void update();
+  void offerActions();
   QString remarkOf(const Check& check) const;
   bool isCurrent(const Check& check) const;
 

@@ -5,6 +5,7 @@
 #include "document/FileBytes.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
 #include "robot/program/PathFile.h"
@@ -256,9 +257,7 @@ void CellPaths::setStraight(bool isStraight) {
   CellPlans changed = plans();
   RobotPath* const of = pathOf(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
-  PathPlace& place = of->places[entry.place];
-  place.motion = isStraight ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
-  place.speed = isStraight ? 250.0 : 0.25;
+  setMotion(*of, entry.place, isStraight ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
   commit(isStraight ? tr("Straight line to place %1").arg(entry.place + 1)
                     : tr("Joint motion to place %1").arg(entry.place + 1),
          std::move(changed));

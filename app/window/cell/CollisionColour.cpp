@@ -5,17 +5,20 @@
 #include "document/cell/CellDisplay.h"
 #include "document/scene/BodyDisplay.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
-void markColliding(DisplayModel& model, const CellScene& scene, const RobotScene::Nearest& nearest) {
-  if (nearest.link == kNone) return;
+void markColliding(DisplayModel& model, const CellScene& scene, std::span<const RobotScene::Nearest> pairs) {
   constexpr std::array<float, 3> kWarning{0.86f, 0.12f, 0.10f};  // sRGB
   for (DisplayPart& part : model.parts) {
     const std::uint32_t link = linkOfPart(*scene.robot, part.name);
     const auto body = bodyOfPart(part.name);
-    const bool isMeeting = (link != kNone && (link == nearest.link || link == nearest.otherLink)) ||
-                           (body && (nearest.owner == *body || scene.bodyOfLink(nearest.link) == body ||
-                                     scene.bodyOfLink(nearest.otherLink) == body));
+    const bool isMeeting = std::ranges::any_of(pairs, [&](const RobotScene::Nearest& pair) {
+      if (link != kNone && (link == pair.link || link == pair.otherLink)) return true;
+      return body &&
+             (pair.owner == *body || scene.bodyOfLink(pair.link) == body || scene.bodyOfLink(pair.otherLink) == body);
+    });
     if (isMeeting) part.colour = kWarning;
   }
 }

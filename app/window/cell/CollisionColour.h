@@ -5,9 +5,11 @@
 #include "document/DisplayModel.h"
 #include "document/cell/CellScene.h"
 
+#include <span>
+
 namespace handwheel {
 
-// Gives the links and the body that meet a warning colour; nothing where nothing does.
-void markColliding(DisplayModel& model, const CellScene& scene, const RobotScene::Nearest& nearest);
+// Gives the links and bodies of these pairs a warning colour.
+void markColliding(DisplayModel& model, const CellScene& scene, std::span<const RobotScene::Nearest> pairs);
 
 }  // namespace handwheel

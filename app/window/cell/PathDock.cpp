@@ -89,7 +89,7 @@ void PathDock::prepare() {
                                    : tr("Select a path in the panel, or plan one, to play it here."));
     return;
   }
-  m_timed = std::make_unique<TimedPath>(timed(*scene, *m_paths.path(), m_shown->way));
+  m_timed = std::make_unique<TimedPath>(timed(*scene, m_paths.plans(), *m_paths.path(), m_shown->way, m_shown->blends));
   m_line->setRecordings({recordingOf(*m_shown)});
   show(0.0);
 }
@@ -135,7 +135,7 @@ void PathDock::show(double seconds) {
   const ArmValues values = m_timed->valuesAt(seconds);
   auto model = std::make_shared<DisplayModel>(displayOf(*scene->robot, scene->whole(values), scene->bodies));
   const RobotScene::Nearest nearest = scene->scene.tooNear(values, 0.0, 0.0);
-  markColliding(*model, *scene, nearest);
+  if (nearest.link != kNone) markColliding(*model, *scene, scene->scene.allTooNear(values, 0.0, 0.0));
   const std::size_t place = m_shown->placeOf(m_timed->motionAt(seconds));
   const Vec3 at = (scene->arm.tipPose(values) * m_paths.plans().tool).translation();
   const QLocale locale;

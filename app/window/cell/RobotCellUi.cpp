@@ -5,6 +5,7 @@
 #include "collision/ProximityFidelity.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellImport.h"
+#include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
 #include "document/scene/BodyDisplay.h"
@@ -77,6 +78,11 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_bodies, &CellBodies::added, this, [this](BodyId body, bool) { reveal(body, true); });
   connect(&m_surfaces, &PartSurfaces::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
+  connect(m_paths.tree(), &PlanTree::currentChanged, this, [this] {
+    if (!this->document()) return;
+    if (m_paths.tree()->current().kind == PlanTree::Entry::Kind::Place) m_bodies.selection().clear();
+    refreshPanel();
+  });
   m_clock.start();
 }
 
@@ -231,7 +237,13 @@ std::vector<Property> RobotCellUi::listedProperties(const Document& document) co
 std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
   if (const auto body = shownBody(document))
     return static_cast<const RobotCellDocument&>(document).propertiesOfBody(*body);
-  return RigidPartsUi::panelProperties(document);
+  std::vector<Property> all = RigidPartsUi::panelProperties(document);
+  const PlanTree::Entry entry = m_paths.tree()->current();
+  const RobotPath* const path = static_cast<const RobotCellDocument&>(document).plans()->path(entry.name);
+  if (entry.kind != PlanTree::Entry::Kind::Place || !path) return all;
+  const std::vector<Property> place = placeProperties(*path, entry.place);
+  all.insert(all.begin(), place.begin(), place.end());
+  return all;
 }
 
 // A click beside the bodies deselects them.

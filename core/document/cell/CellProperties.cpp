@@ -16,6 +16,8 @@ namespace handwheel {
 namespace {
 
 constexpr std::string_view kPrefix = "joint.";
+constexpr std::string_view kToolPrefix = "tool.";
+constexpr std::string_view kCentrePrefix = "tcp.";
 
 bool turns(const Joint& joint) {
   return joint.kind != JointKind::Prismatic;
@@ -97,6 +99,11 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
   const std::string& link = robot.links[toolLink(robot)].name;
   all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), link, Quantity::Number));
   for (Property& each : toolProperties(toolPose(robot, tool, joints))) all.push_back(std::move(each));
+  for (Property& each : toolProperties(tool)) {
+    each.id = std::string(kCentrePrefix) + each.id.substr(kToolPrefix.size());
+    each.group = QT_TRANSLATE_NOOP("Property", "Tool centre point, on the flange");
+    all.push_back(std::move(each));
+  }
   return all;
 }
 
@@ -106,12 +113,19 @@ std::vector<Property> toolProperties(const Pose& pose) {
   for (std::size_t i = 0; i < std::size(kToolFields); ++i) {
     const auto& [id, label] = kToolFields[i];
     const auto axis = static_cast<Eigen::Index>(i % 3);
-    Property property = toRead(id, kTool, label, i < 3 ? pose.translation()[axis] : angles[axis],
-                               i < 3 ? Quantity::Length : Quantity::Angle);
+    const double exact = i < 3 ? pose.translation()[axis] : angles[axis];
+    constexpr double kNothing = 1e-9;  // mm, rad: what rounding leaves
+    Property property =
+        toRead(id, kTool, label, std::abs(exact) < kNothing ? 0.0 : exact, i < 3 ? Quantity::Length : Quantity::Angle);
     property.editable = true;
     all.push_back(std::move(property));
   }
   return all;
+}
+
+std::optional<Pose> changedCentre(const Pose& centre, std::string_view id, const PropertyValue& value) {
+  if (!id.starts_with(kCentrePrefix)) return std::nullopt;
+  return changedToolPose(centre, std::string(kToolPrefix) + std::string(id.substr(kCentrePrefix.size())), value);
 }
 
 std::optional<Pose> changedToolPose(const Pose& pose, std::string_view id, const PropertyValue& value) {

@@ -13,7 +13,7 @@ namespace handwheel {
 // The properties of a robot cell. One for each degree of freedom ("joint.<name>", labelled with the joint's name), with
 // its limits; then, read-only, which joints have no known speed or effort, the robot's name and the link that carries
 // its tool; then the pose of the tool's centre point, which is `tool` in that link ("tool.x" to "tool.rz"; mm and rad
-// as of bodies, in the frame of the robot's base).
+// as of bodies, in the frame of the robot's base); then that of the centre point in the link ("tcp.x" to "tcp.rz").
 std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints, const Pose& tool);
 
 // The degree of freedom of a joint property; kNone for other properties.
@@ -23,6 +23,10 @@ std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id);
 std::vector<Property> toolProperties(const Pose& pose);
 // The pose of the tool with one of these properties changed; none for other ids and values.
 std::optional<Pose> changedToolPose(const Pose& pose, std::string_view id, const PropertyValue& value);
+
+// The tool's centre point in its link with one of the properties "tcp.x" to "tcp.rz" changed; none for other ids and
+// values.
+std::optional<Pose> changedCentre(const Pose& centre, std::string_view id, const PropertyValue& value);
 
 // Converts a property value to a joint value; a limit may be given as it is shown. Errors: ElementMalformed,
 // ValueOutOfRange {name, value, least, largest; degrees or mm}.

@@ -158,7 +158,11 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
   const JointValues rest = restValues(robot);
   ArmValues atRest(static_cast<Eigen::Index>(arm->dofs.size()));
   for (Eigen::Index i = 0; i < atRest.size(); ++i) atRest[i] = rest[arm->dofs[static_cast<std::size_t>(i)]];
-  alwaysMeeting.merge(scene.closePairsMeeting(atRest));
+  // What the robot carries is somebody's choice, and may be turned into the arm at rest: only the robot's own links
+  // count.
+  for (const LinkPair& pair : scene.closePairsMeeting(atRest)) {
+    if (pair.second < cell.robot->model.links.size()) alwaysMeeting.insert(pair);
+  }
   scene.allowPairs(alwaysMeeting);
   for (const BodyPointer& body : cell.bodies) {
     if (std::find(carried.begin(), carried.end(), body->id) == carried.end())

@@ -6,6 +6,7 @@
 #include "document/cell/CellProperties.h"
 #include "document/cell/CellReach.h"
 #include "document/cell/JointEdit.h"
+#include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
 #include "document/scene/BodyProperties.h"
 
@@ -85,6 +86,11 @@ std::vector<Property> RobotCellDocument::propertiesOfBody(const Body& body) cons
 }
 
 std::optional<Property> RobotCellDocument::property(const std::string& id) const {
+  if (const auto place = placeOfProperty(*m_plans, id)) {
+    for (const Property& each : placeProperties(*m_plans->path(place->path), place->place)) {
+      if (each.id == id) return each;
+    }
+  }
   const auto field = bodyFieldOf(id);
   const BodyPointer body = field ? bodyNamed(bodies(), field->body) : nullptr;
   const std::vector<Property> all = propertiesWith(body ? std::span(body.get(), 1) : std::span<const Body>());
@@ -101,6 +107,16 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
       return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
     const std::uint32_t link = *choice < 1.0 ? kNone : static_cast<std::uint32_t>(*choice) - 1;
     return carryEdit(bodies(), *body, link, m_robot->model, m_joints);
+  }
+  if (const auto centre = changedCentre(m_plans->tool, id, value)) {
+    CellPlans changed = *m_plans;
+    changed.tool = *centre;
+    return std::unique_ptr<Edit>(plansEdit(std::move(changed)));
+  }
+  if (const auto place = placeOfProperty(*m_plans, id)) {
+    Result<CellPlans> changed = changedPlace(*m_plans, *place, value);
+    if (!changed) return changed.error();
+    return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
   const Pose tool = toolPose(m_robot->model, m_plans->tool, m_joints);
   if (const auto pose = changedToolPose(tool, id, value)) {

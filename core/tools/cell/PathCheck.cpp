@@ -4,60 +4,12 @@
 
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
+#include "tools/cell/PathBlends.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace handwheel {
-
-namespace {
-
-// The share of a motion, counted from one of its ends, in which the tool's centre point stays within `radius` of where
-// it is there.
-double shareWithin(const CellScene& scene, const Pose& tool, const ArmValues& end, const ArmValues& other,
-                   double radius) {
-  const Vec3 place = (scene.arm.tipPose(end) * tool).translation();
-  constexpr int kParts = 64;
-  constexpr double kMost = 0.5;  // controllers give a zone half of a motion
-  for (int i = 1; i <= kParts; ++i) {
-    const double share = kMost * i / kParts;
-    const ArmValues values = end + share * (other - end);
-    if (((scene.arm.tipPose(values) * tool).translation() - place).norm() > radius) return kMost * (i - 1) / kParts;
-  }
-  return kMost;
-}
-
-// The largest zone, at most the one that is wanted, in which every way between the two motions is free. What a
-// controller does in it is not known but that it stays between the motions: everything is that far from the robot.
-double certifiedBlend(const CellScene& scene, const Pose& tool, const ArmValues& before, const ArmValues& at,
-                      const ArmValues& after, double wanted, double clearance) {
-  constexpr double kFar = 1e6;  // mm
-  const double distance =
-      std::min(scene.scene.nearestObstacle(at, kFar).distance - clearance, scene.scene.nearest(at, kFar).distance);
-  for (double radius = wanted; radius > 0.05 * wanted; radius *= 0.7) {
-    const ArmValues in = at + shareWithin(scene, tool, at, before, radius) * (before - at);
-    const ArmValues out = at + shareWithin(scene, tool, at, after, radius) * (after - at);
-    const ArmValues spread = (in - at).cwiseAbs() + (out - at).cwiseAbs();
-    // Parts of the robot may move towards each other.
-    if (2.0 * scene.scene.travelBound(at, spread) < distance) return radius;
-  }
-  return 0.0;
-}
-
-std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    double clearance) {
-  std::vector<double> blends(path.places.size(), 0.0);
-  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
-    const PathPlace &place = path.places[i], &next = path.places[i + 1];
-    const bool isJoint = place.motion == ProgramMotion::Kind::Joint && next.motion == ProgramMotion::Kind::Joint;
-    if (place.blend <= 0.0 || !isJoint) continue;
-    blends[i] = certifiedBlend(scene, plans.tool, scene.planned(path.places[i - 1].joints), scene.planned(place.joints),
-                               scene.planned(next.joints), place.blend, clearance);
-  }
-  return blends;
-}
-
-}  // namespace
 
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
   ResolvedPath way;
@@ -65,6 +17,8 @@ ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const Robo
     const ArmValues values = scene.planned(path.places[i].joints);
     if (i > 0 && path.places[i].motion == ProgramMotion::Kind::Linear) {
       const FollowedLine line = followLine(scene.arm, plans.tool, way.joints.back(), values, {}, progress);
+      for (std::size_t k = 1; k < line.path.size(); ++k)
+        way.offs.push_back(scene.scene.travelBound(line.path[k], line.offs[k - 1]));
       way.joints.insert(way.joints.end(), line.path.begin() + 1, line.path.end());
       way.placeOf.resize(way.joints.size() - 1, i);
       if (line.reached >= 1.0) continue;
@@ -73,7 +27,9 @@ ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const Robo
       return way;
     }
     way.joints.push_back(values);
-    if (i > 0) way.placeOf.push_back(i);
+    if (i == 0) continue;
+    way.placeOf.push_back(i);
+    way.offs.push_back(0.0);
   }
   return way;
 }
@@ -108,24 +64,36 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   MotionCheckSettings check;
   check.clearance = settings.clearance;
   check.resolution = settings.resolution;
-  const bool hasLines = std::any_of(path.places.begin(), path.places.end(),
-                                    [](const PathPlace& place) { return place.motion == ProgramMotion::Kind::Linear; });
-  if (hasLines) check.clearance += LineSettings().deviation;
-  checked.verification = verified(scene.scene, checked.way.joints, check, settings.step, progress.part(0.1, 0.6));
+  checked.verification =
+      verified(scene.scene, checked.way.joints, check, settings.step, progress.part(0.1, 0.6), checked.way.offs);
   checked.metrics = metricsOf(scene.scene, scene.arm, checked.way.joints, {}, progress.part(0.6, 0.95));
-  checked.blends = certifiedBlends(scene, plans, path, settings.clearance);
-  checked.seconds = timed(scene, path, checked.way).duration();
+  checked.blends = certifiedBlends(scene, plans, path, checked.way, settings.clearance);
+  checked.seconds = timed(scene, plans, path, checked.way, checked.blends).duration();
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return checked;
 }
 
-TimedPath timed(const CellScene& scene, const RobotPath& path, const ResolvedPath& way) {
-  std::vector<double> speeds;
-  for (const std::size_t place : way.placeOf) {
-    const PathPlace& to = path.places[place];
-    speeds.push_back(to.motion == ProgramMotion::Kind::Joint ? to.speed : 1.0);
+TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& way,
+                std::span<const double> blends) {
+  const auto place = [&](const ArmValues& values) {
+    return Vec3((scene.arm.tipPose(values) * plans.tool).translation());
+  };
+  std::vector<MotionPace> paces;
+  for (std::size_t i = 0; i < way.placeOf.size(); ++i) {
+    const std::size_t leadsTo = way.placeOf[i];
+    const PathPlace& to = path.places[leadsTo];
+    if (to.motion == ProgramMotion::Kind::Joint) {
+      paces.push_back({.speed = to.speed});
+      continue;
+    }
+    const bool isLast = i + 1 == way.placeOf.size() || way.placeOf[i + 1] != leadsTo;
+    const double length = (place(way.joints[i + 1]) - place(way.joints[i])).norm();
+    constexpr double kStill = 1e-6;  // mm: where the tool only turns the joints count
+    paces.push_back({.length = length > kStill ? length : 0.0,
+                     .toolSpeed = to.speed,
+                     .isContinued = !isLast || (leadsTo < blends.size() && blends[leadsTo] > 0.0)});
   }
-  return TimedPath(scene.scene, way.joints, {}, speeds);
+  return TimedPath(scene.scene, way.joints, {}, paces);
 }
 
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,

@@ -16,6 +16,7 @@ struct ResolvedPath {
   std::vector<std::size_t> placeOf;         // of each motion: the place that it leads to, from 1
   std::optional<std::size_t> stopsAt = {};  // a place that a line cannot be followed to; what is after it is missing
   double reached = 1.0;                     // of that line
+  std::vector<double> offs = {};            // mm, of each motion: how far a point of the robot may be off it
 };
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress = {});
 
@@ -29,7 +30,7 @@ struct CheckedPath {
   PathMetrics metrics;
   // mm, of each place: how far the robot may leave it by and stay free on every way within that zone. 0: an exact stop.
   std::vector<double> blends;
-  double seconds = 0.0;  // with a stop at each place
+  double seconds = 0.0;  // with a stop at each place, but between lines that blend
 
   bool isCertified() const { return !way.stopsAt && !verification.certified.empty() && verification.isCertified(); }
   // The place that a motion of the verification leads to, from 1.
@@ -47,8 +48,9 @@ struct PathCheckSettings {
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress = {});
 
-// The path in time, as the robot plays it.
-TimedPath timed(const CellScene& scene, const RobotPath& path, const ResolvedPath& way);
+// The path in time, as the robot plays it. blends: of each place, certified; lines that blend go on without a stop.
+TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& way,
+                std::span<const double> blends);
 
 // The program of a path for a controller. Blends that are not certified become exact stops.
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,

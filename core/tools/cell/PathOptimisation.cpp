@@ -6,6 +6,7 @@
 #include "planning/ToolTrack.h"
 #include "planning/VisitOrder.h"
 #include "robot/arm/ClosedFormIk.h"
+#include "tools/cell/PathBlends.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -81,7 +82,7 @@ class PathOptimisation {
       Stop::Way own;
       for (const std::size_t place : stop.places) own.values.push_back(valuesOf(place));
       const bool isEnd = s == 0 || s + 1 == m_stops.size();
-      if (stop.places.size() > 1) own.seconds = secondsOfLines(own);
+      if (stop.places.size() > 1) own.seconds = secondsOfLines(stop, own);
       stop.ways.push_back(std::move(own));
       if (!isEnd && m_settings.mayReconfigure) addWays(stop, most, progress);
       progress.set(static_cast<double>(s + 1) / static_cast<double>(m_stops.size()));
@@ -119,7 +120,7 @@ class PathOptimisation {
         way.values.push_back(*next);
       }
       if (way.values.size() < stop.places.size()) continue;
-      if (stop.places.size() > 1) way.seconds = secondsOfLines(way);
+      if (stop.places.size() > 1) way.seconds = secondsOfLines(stop, way);
       stop.ways.push_back(std::move(way));
     }
   }
@@ -139,19 +140,19 @@ class PathOptimisation {
     return std::nullopt;
   }
 
-  double secondsOfLines(const Stop::Way& way) const {
-    double seconds = 0.0;
-    for (std::size_t k = 1; k < way.values.size(); ++k) {
-      const FollowedLine line = followLine(m_scene.arm, m_plans.tool, way.values[k - 1], way.values[k]);
-      seconds += TimedPath(m_scene.scene, line.path, {}).duration();
+  double secondsOfLines(const Stop& stop, const Stop::Way& way) const {
+    RobotPath lines;
+    for (std::size_t k = 0; k < way.values.size(); ++k) {
+      lines.places.push_back((*m_places)[stop.places[k]]);
+      lines.places.back().joints = m_scene.whole(way.values[k]);
     }
-    return seconds;
+    return timed(m_scene, m_plans, lines, resolved(m_scene, m_plans, lines), {}).duration();
   }
 
   double secondsOf(JointPath path, const Visit& to) const {
     const Stop& stop = m_stops[to.stop];
-    const std::vector<double> speeds(path.size(), (*m_places)[stop.places.front()].speed);
-    return TimedPath(m_scene.scene, std::move(path), {}, speeds).duration() + stop.ways[to.way].seconds;
+    const std::vector<MotionPace> paces(path.size(), {.speed = (*m_places)[stop.places.front()].speed});
+    return TimedPath(m_scene.scene, std::move(path), {}, paces).duration() + stop.ways[to.way].seconds;
   }
 
   // No way is quicker than the straight one: each motion begins and ends at rest, and no joint goes faster.
@@ -230,7 +231,9 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
   if (!planned) return planned.error();
   result.planned = std::move(planned).value();
   result.planned.path.name = path.name;
-  result.after = timed(scene, result.planned.path, resolved(scene, plans, result.planned.path)).duration();
+  const ResolvedPath way = resolved(scene, plans, result.planned.path);
+  const std::vector<double> blends = certifiedBlends(scene, plans, result.planned.path, way, check.clearance);
+  result.after = timed(scene, plans, result.planned.path, way, blends).duration();
   constexpr double kQuicker = 1e-9;  // s
   result.isChanged = !present->isCertified() || result.after < result.before - kQuicker;
   if (!result.isChanged) {

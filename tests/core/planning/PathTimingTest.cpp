@@ -121,10 +121,40 @@ class PathTimingTest : public QObject {
     QCOMPARE(timed.motionAt(1e9), std::size_t{1});
     QVERIFY(timed.valuesAt(1e9) == path[2]);
     // Half as fast takes longer; a path of one place, and one that does not move, take no time.
-    const double half[] = {0.5, 0.5};
+    const MotionPace half[] = {{.speed = 0.5}, {.speed = 0.5}};
     QVERIFY(TimedPath(scene, path, {}, half).duration() > timed.duration());
     QCOMPARE(TimedPath(scene, {path[0]}, {}).duration(), 0.0);
     QCOMPARE(TimedPath(scene, {path[0], path[0]}, {}).duration(), 0.0);
+  }
+
+  // A line of the tool in three motions: its own speed, by the profile of the whole, and where the joints are the
+  // limit, theirs.
+  void aLineHasItsSpeed() {
+    const RobotModel robot = planarArm({500.0, 500.0}, 30.0);
+    const RobotScene scene = sceneOf(robot);
+    JointPath path(4, ArmValues::Zero(2));
+    for (int i = 1; i < 4; ++i) path[static_cast<std::size_t>(i)][0] = 0.1 * i;
+    for (const double speed : {10.0, 50.0}) {
+      const std::vector<MotionPace> paces(3, {.length = 100.0, .toolSpeed = speed, .isContinued = true});
+      const TimedPath timed(scene, path, {}, paces);
+      const double cruise = 300.0 / speed;
+      QVERIFY(timed.duration() > cruise && timed.duration() < cruise + 1.0);
+      for (std::size_t i = 0; i < 4; ++i) QVERIFY((timed.valuesAt(timed.beginOf(i)) - path[i]).norm() < 1e-6);
+      // In its middle the tool is as fast as asked for: 0.1 rad of the joint to 100 mm.
+      const double middle = 0.5 * timed.duration(), step = 1e-3;
+      const double joint = timed.valuesAt(middle + step)[0] - timed.valuesAt(middle - step)[0];
+      QVERIFY(std::abs(joint / (2.0 * step) * 1000.0 - speed) < 1e-3 * speed);
+    }
+    const std::vector<MotionPace> fast(3, {.length = 100.0, .toolSpeed = 1e9, .isContinued = true});
+    const TimedPath limited(scene, path, {}, fast);
+    double fastest = 0.0;
+    for (double t = 0.0; t < limited.duration(); t += 1e-3)
+      fastest = std::max(fastest, std::abs(limited.valuesAt(t + 1e-3)[0] - limited.valuesAt(t)[0]) / 1e-3);
+    const double allowed = scene.joint(0).velocity.value_or(0.0) > 0.0 ? *scene.joint(0).velocity : M_PI;
+    QVERIFY(fastest <= allowed * 1.001);
+    // With stops it takes longer.
+    std::vector<MotionPace> stops(3, {.length = 100.0, .toolSpeed = 50.0});
+    QVERIFY(TimedPath(scene, path, {}, stops).duration() > 6.5);
   }
 };
 

@@ -30,6 +30,19 @@ class HandledRobot {
     values << 0.2, 0.1, 0.3, 0.1, 0.7, 0.0;
     return values;
   }
+  // Where the robot ends along an axis at its start, downwards: by a plate that is brought near.
+  static double leastOf(const RobotScene& scene, const SerialArm& arm, Eigen::Index axis) {
+    const Vec3 tip = arm.tipPose(start()).translation();
+    double least = tip[axis] - 300.0, most = tip[axis];
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (least + most);
+      Vec3 at(300.0, 0.0, 500.0);
+      at[axis] = middle - 2.0;
+      const CollisionBody plate({CollisionPiece::box(Pose::Identity(), {400.0, 4.0, 1200.0})});
+      (scene.nearestTo(plate, Pose(Eigen::Translation3d(at)), start(), 1e3).distance > 0.0 ? least : most) = middle;
+    }
+    return least;
+  }
   Teleoperation teleoperation() const { return {m_scene, arm(), Pose::Identity(), start(), {}}; }
 
  private:
@@ -147,6 +160,63 @@ class TeleoperationTest : public QObject {
       following.lead(wanted);
     }
     QVERIFY(scene.nearest(following.values(), 1.0).distance > 0.0);
+  }
+
+  // A bar of 4 mm that the flange almost touches: no leap of the hand, however long, brings the robot behind it.
+  void neverThroughAThinBar() {
+    const HandledRobot robot;
+    const SerialArm arm = robot.arm();
+    for (const double gap : {0.5, 0.02}) {
+      RobotScene scene = robot.scene();
+      const double edge = robot.leastOf(scene, arm, 1);
+      scene.addObstacle(CollisionBody({CollisionPiece::box(Pose::Identity(), {400.0, 4.0, 1200.0})}),
+                        Pose(Eigen::Translation3d(300.0, edge - gap - 2.0, 500.0)), 2);
+      QVERIFY(scene.nearest(HandledRobot::start(), 1e3).distance > 0.0);
+      for (const double leap : {10.0, 60.0, 80.0, 300.0}) {
+        Teleoperation following(scene, arm, Pose::Identity(), HandledRobot::start(), {});
+        Pose wanted = following.tool();
+        wanted.translation().y() -= leap;
+        for (int i = 0; i < 10; ++i) {
+          following.follow(wanted, 0.05);
+          QVERIFY2(following.tool().translation().y() > edge - gap, qPrintable(QString::number(leap)));
+          QVERIFY(scene.nearest(following.values(), 1.0).distance > 0.0);
+        }
+      }
+    }
+  }
+
+  // Nearer to the wall than it may be: it can go along and away, and not nearer.
+  void withinTheClearance() {
+    const HandledRobot robot;
+    const SerialArm arm = robot.arm();
+    TeleoperationSettings settings;
+    const double begin = robot.scene().nearestObstacle(HandledRobot::start(), 1e3).distance;
+    settings.check.clearance = begin + 5.0;
+    Teleoperation following(robot.scene(), arm, Pose::Identity(), HandledRobot::start(), settings);
+    Pose wanted = following.tool();
+    wanted.translation().x() += 30.0;
+    for (int i = 0; i < 10; ++i) following.follow(wanted, 0.05);
+    QVERIFY(robot.scene().nearestObstacle(following.values(), 1e3).distance >= begin - 1e-6);
+    wanted.translation().x() -= 130.0;
+    for (int i = 0; i < 40; ++i) following.follow(wanted, 0.05);
+    QVERIFY(robot.scene().nearestObstacle(following.values(), 1e3).distance > begin + 5.0);
+  }
+
+  // Begun inside of a box, the robot is not led through it, and comes out where it went in.
+  void neverDeeperInABox() {
+    const HandledRobot robot;
+    const SerialArm arm = robot.arm();
+    RobotScene scene = robot.scene();
+    const Vec3 at = arm.tipPose(HandledRobot::start()).translation();
+    // Its top is 5 mm above the flange's centre.
+    scene.addObstacle(CollisionBody({CollisionPiece::box(Pose::Identity(), {300.0, 300.0, 200.0})}),
+                      Pose(Eigen::Translation3d(at + Vec3(0.0, 0.0, -95.0))), 2);
+    QVERIFY(scene.nearest(HandledRobot::start(), 1.0).distance <= 0.0);
+    Teleoperation following(scene, arm, Pose::Identity(), HandledRobot::start(), {});
+    Pose wanted = following.tool();
+    wanted.translation().z() -= 100.0;
+    for (int i = 0; i < 30; ++i) following.follow(wanted, 0.05);
+    QVERIFY((following.tool().translation() - at).norm() < 5.0);
   }
 
   // However wild the hand is: within the limits, no faster than the joints, free, finite.

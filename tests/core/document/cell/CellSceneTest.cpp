@@ -4,6 +4,8 @@
 
 #include "Cells.h"
 #include "TestClass.h"
+#include "document/cell/CellImport.h"
+#include "robot/dh/DhTable.h"
 #include "scene/PrimitiveGeometry.h"
 
 #include <QTest>
@@ -66,6 +68,29 @@ class CellSceneTest : public QObject {
     const Result<CellScene> allowed = sceneOf(*cell, meshes);
     QVERIFY(allowed.hasValue());
     QVERIFY(allowed->scene.nearest(allowed->planned(values({0.0, 0.0, 0.0})), 1.0).distance > 0.0);
+  }
+
+  // What the robot carries and is turned into its arm collides with it, also where it does so at rest; not with what
+  // carries it.
+  void aToolInTheArm() {
+    const auto cell = cellOf(*libraryTable("irb120"));
+    auto changed = std::make_shared<RobotCellSnapshot>(*cell);
+    Body bar{.id = 3, .name = "bar", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {300.0, 20.0, 20.0})};
+    bar.carrier = "flange";
+    bar.pose.translation() = Vec3(0.0, 0.0, -150.0);  // back into the forearm
+    bar.pose.rotate(Eigen::AngleAxisd(M_PI / 2.0, Vec3::UnitY()));
+    changed->bodies = changed->bodies.with(std::make_shared<const Body>(std::move(bar)));
+    CollisionMeshes meshes;
+    const Result<CellScene> scene = sceneOf(*changed, meshes);
+    QVERIFY(scene.hasValue());
+    JointValues bent = changed->joints;
+    bent[4] = 1.0;
+    for (const JointValues& joints : {changed->joints, bent}) {
+      bool isFound = false;
+      for (const auto& pair : scene->scene.allTooNear(scene->planned(joints), 0.0, 0.0))
+        isFound = isFound || scene->namesOf(pair).first == "bar" || scene->namesOf(pair).second == "bar";
+      QVERIFY(isFound);
+    }
   }
 
   // A ball of 20 mm on the tool, 500 mm out on the arm: it goes where the joints bring it, and is measured against what

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/PlaceProperties.h"
+
+#include "base/NumberText.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kPercent = 100.0;
+constexpr double kLeastPercent = 0.1;
+constexpr double kLeastSpeed = 0.01, kLargestSpeed = 1e4;  // mm/s
+constexpr double kLargestBlend = 1e3;                      // mm
+
+bool isLine(const PathPlace& place) {
+  return place.motion == ProgramMotion::Kind::Linear;
+}
+
+}  // namespace
+
+std::vector<Property> placeProperties(const RobotPath& path, std::size_t place) {
+  if (place == 0 || place >= path.places.size()) return {};
+  const PathPlace& at = path.places[place];
+  const std::string prefix = "path." + path.name + "." + std::to_string(place + 1) + ".";
+  const char* const kGroup = QT_TRANSLATE_NOOP("Property", "Place of the path");
+  Property motion{.id = prefix + "motion",
+                  .group = kGroup,
+                  .label = QT_TRANSLATE_NOOP("Property", "Motion to it"),
+                  .value = isLine(at) ? 1.0 : 0.0};
+  motion.choices = {QT_TRANSLATE_NOOP("Property", "joints"), QT_TRANSLATE_NOOP("Property", "straight line")};
+  const Property speed{
+      .id = prefix + "speed",
+      .group = kGroup,
+      .label = isLine(at) ? QT_TRANSLATE_NOOP("Property", "Speed (mm/s)") : QT_TRANSLATE_NOOP("Property", "Speed (%)"),
+      .value = isLine(at) ? at.speed : kPercent * at.speed,
+      .least = isLine(at) ? kLeastSpeed : kLeastPercent,
+      .largest = isLine(at) ? kLargestSpeed : kPercent};
+  const Property blend{.id = prefix + "blend",
+                       .group = kGroup,
+                       .label = QT_TRANSLATE_NOOP("Property", "Blend"),
+                       .value = at.blend,
+                       .quantity = Quantity::Length,
+                       .least = 0.0,
+                       .largest = kLargestBlend};
+  return {motion, speed, blend};
+}
+
+std::optional<PlaceField> placeOfProperty(const CellPlans& plans, std::string_view id) {
+  constexpr std::string_view kPrefix = "path.";
+  if (!id.starts_with(kPrefix)) return std::nullopt;
+  id.remove_prefix(kPrefix.size());
+  const std::size_t last = id.rfind('.');
+  const std::size_t before = last == id.npos || last == 0 ? id.npos : id.rfind('.', last - 1);
+  if (before == id.npos) return std::nullopt;
+  std::size_t number = 0;
+  const std::string_view digits = id.substr(before + 1, last - before - 1);
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const RobotPath* const path = plans.path(id.substr(0, before));
+  const bool isPlace = read.ec == std::errc() && read.ptr == digits.data() + digits.size() && path && number > 1 &&
+                       number <= path->places.size();
+  if (!isPlace) return std::nullopt;
+  return PlaceField{path->name, number - 1, std::string(id.substr(last + 1))};
+}
+
+void setMotion(RobotPath& path, std::size_t place, ProgramMotion::Kind kind) {
+  PathPlace& at = path.places[place];
+  if (at.motion == kind) return;
+  at.motion = kind;
+  at.speed = kind == ProgramMotion::Kind::Linear ? 250.0 : 0.25;
+  for (std::size_t i = 1; i < path.places.size(); ++i) {
+    if (i != place && path.places[i].motion == kind) at.speed = path.places[i].speed;
+    if (i > place && path.places[i].motion == kind) break;
+  }
+}
+
+Result<CellPlans> changedPlace(const CellPlans& plans, const PlaceField& field, const PropertyValue& value) {
+  CellPlans changed = plans;
+  const auto found = std::ranges::find(changed.paths, field.path, &RobotPath::name);
+  const std::string id = field.path + "." + std::to_string(field.place + 1) + "." + field.field;
+  const auto* const number = std::get_if<double>(&value);
+  if (found == changed.paths.end() || field.place >= found->places.size() || !number || !std::isfinite(*number))
+    return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
+  PathPlace& place = found->places[field.place];
+  for (const Property& each : placeProperties(*found, field.place)) {
+    if (!each.id.ends_with("." + field.field)) continue;
+    if (!each.choices.empty()) {
+      setMotion(*found, field.place, *number >= 0.5 ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
+      return changed;
+    }
+    const auto kept = withinShownLimits(*number, each.least, each.largest);
+    if (!kept)
+      return Error{
+          ErrorCode::ValueOutOfRange, {id, shownText(*number), shownText(each.least), shownText(each.largest)}, {}, {}};
+    if (field.field == "blend") place.blend = *kept;
+    if (field.field == "speed") place.speed = isLine(place) ? *kept : *kept / kPercent;
+    return changed;
+  }
+  return Error{ErrorCode::ElementMalformed, {id, "it is no property of a place"}, {}, {}};
+}
+
+}  // namespace handwheel
