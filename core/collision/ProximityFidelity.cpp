@@ -14,9 +14,9 @@ FidelitySetting proximityToleranceSetting() {
   s.unit = "mm";
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-5;
-  s.largest = 1.0;
+  s.largest = 0.3;
   s.standard = DistanceForceSettings().tolerance;
-  s.presets = {1e-3, 1e-3, 1e-3};
+  s.presets = {0.3, 0.13, 1e-3};
   s.error = {translatable("Fidelity", "largest error of a distance"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a query"), "us"};
   return s;

@@ -17,7 +17,7 @@ FidelitySetting planResolutionSetting() {
   s.least = 1e-3;
   s.largest = 1.0;
   s.standard = MotionCheckSettings().resolution;
-  s.presets = {0.05, 0.05, 0.05};
+  s.presets = {1.0, 0.056, 0.0032};
   s.error = {translatable("Fidelity", "free motions along obstacles that are refused"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to prove a motion free"), "us"};
   return s;
@@ -32,7 +32,7 @@ FidelitySetting planShortcutsSetting() {
   s.largest = 500.0;
   s.whole = true;
   s.standard = RouteSettings().shortcuts;
-  s.presets = {100.0, 100.0, 100.0};
+  s.presets = {5.0, 38.0, 500.0};
   s.error = {translatable("Fidelity", "mean length of paths beyond the shortest one known"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to plan a path and make it shorter"), "ms"};
   return s;
@@ -47,7 +47,7 @@ FidelitySetting verifyStepSetting() {
   s.least = 1e-3;
   s.largest = 0.3;
   s.standard = kVerificationStep;
-  s.presets = {0.01, 0.01, 0.01};
+  s.presets = {0.3, 0.072, 0.011};
   s.error = {translatable("Fidelity", "colliding motions that looks at this step alone take for free"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to look at a motion"), "us"};
   return s;

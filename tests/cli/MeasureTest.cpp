@@ -70,11 +70,30 @@ void MeasureTest::list() {
   const Ran ran = bench.run({"measure", "--list"});
   QCOMPARE(ran.code, 0);
   QCOMPARE(ran.err, QByteArray());
-  for (const char* id :
-       {"mesh.near_weld", "mesh.fill_method", "mesh.fill_continuity", "mesh.patch_density", "mesh.piece_edges",
-        "mesh.decimation_error", "mesh.decimation_method", "nurbs.chord_mm", "step.chord", "document.undo_granularity",
-        "view.block_faces", "view.coarse_triangles", "cell.shape_sides", "snap.radius", "snap.features",
-        "proxy.tolerance", "contact.stiffness", "servo.rate", "servo.velocity_window"}) {
+  for (const char* id : {"mesh.near_weld",
+                         "mesh.fill_method",
+                         "mesh.fill_continuity",
+                         "mesh.patch_density",
+                         "mesh.piece_edges",
+                         "mesh.decimation_error",
+                         "mesh.decimation_method",
+                         "nurbs.chord_mm",
+                         "step.chord",
+                         "document.undo_granularity",
+                         "view.block_faces",
+                         "view.coarse_triangles",
+                         "cell.shape_sides",
+                         "ik.tolerance",
+                         "plan.resolution",
+                         "plan.shortcuts",
+                         "verify.step",
+                         "proximity.tolerance",
+                         "snap.radius",
+                         "snap.features",
+                         "proxy.tolerance",
+                         "contact.stiffness",
+                         "servo.rate",
+                         "servo.velocity_window"}) {
     QVERIFY2(ran.out.contains(QByteArray(id) + ": "), id);
   }
 }

@@ -16,7 +16,7 @@ FidelitySetting ikToleranceSetting() {
   s.least = 1e-9;
   s.largest = 1e-2;
   s.standard = NumericalIkSettings().tolerance;
-  s.presets = {1e-5, 1e-5, 1e-5};
+  s.presets = {1e-5, 1e-5, 1e-9};
   s.error = {translatable("Fidelity", "largest distance of the flange from its pose"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a solution"), "us"};
   return s;
