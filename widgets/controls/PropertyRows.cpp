@@ -293,8 +293,9 @@ void ListRow::showValue(const Property& property, LengthUnit) {
   while (m_list->count() < count) m_list->addItem(QString());
   for (int i = 0; i < count; ++i) m_list->item(i)->setText(translated(property.choices[static_cast<std::size_t>(i)]));
   m_list->setCurrentRow(choiceOf(property));
-  const int lines = 2 * std::clamp(count, 1, kMostListed);
-  m_list->setFixedHeight(lines * m_list->fontMetrics().lineSpacing() + 2 * m_list->frameWidth() + 8);
+  constexpr int kPadding = 8;  // pixels of a row
+  const int row = 2 * m_list->fontMetrics().lineSpacing() + kPadding;
+  m_list->setFixedHeight(std::clamp(count, 1, kMostListed) * row + 2 * m_list->frameWidth());
 }
 
 void ListRow::setLabel(const QString& label) {

@@ -127,6 +127,7 @@ void CellPaths::connectActions() {
     verify();
     offerActions();  // not update(): the row would be another one when a double click ends
     showPath();
+    emit rowChanged();
   });
   connect(m_tree, &PlanTree::activated, this, &CellPaths::goTo);
   connect(m_tree, &PlanTree::renameRequested, this, &CellPaths::rename);
@@ -162,6 +163,11 @@ RobotCellDocument& CellPaths::cell() const {
 const CellPlans& CellPaths::plans() const {
   static const CellPlans kNothing;
   return m_document ? *cell().plans() : kNothing;
+}
+
+const NamedTarget* CellPaths::target() const {
+  const PlanTree::Entry entry = m_tree->current();
+  return entry.kind == PlanTree::Entry::Kind::Target ? plans().target(entry.name) : nullptr;
 }
 
 const RobotPath* CellPaths::path() const {

@@ -42,6 +42,7 @@ class CellPaths : public QObject {
   PlanTree* tree() const { return m_tree; }  // owned by the window
   void setVisible(bool isVisible);           // the line of the path in the view
 
+  const NamedTarget* target() const;  // of the selected row; null: that is none
   // The present path, and what is known of it; null while nothing is.
   const RobotPath* path() const;
   std::shared_ptr<const CheckedPath> checked() const;
@@ -49,6 +50,7 @@ class CellPaths : public QObject {
   const CellPlans& plans() const;
 
  signals:
+  void rowChanged();   // another row is selected
   void pathChanged();  // the present path, or what is known of it
   void message(const handwheel::Message& message);
 

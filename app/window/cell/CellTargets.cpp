@@ -25,10 +25,12 @@ TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedT
   const Result<Pose> pose = poseOfTarget(target, scene.bodies, scene.robot->model, joints);
   if (!pose) return {false, CellTargets::tr("its body was removed")};
   const std::vector<CellWay> ways = waysTo(scene, plans, *pose, scene.planned(joints));
-  if (ways.empty()) return {false, CellTargets::tr("out of reach")};
   const auto count = std::count_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isFree(); });
-  if (count > 0) return {true, CellTargets::tr("%Ln way(s) there", nullptr, static_cast<int>(count))};
-  return {false, problemText(scene, ways.front())};
+  const QString remark = ways.empty() ? CellTargets::tr("out of reach")
+                         : count > 0  ? CellTargets::tr("%Ln way(s) there", nullptr, static_cast<int>(count))
+                                      : problemText(scene, ways.front());
+  const BodyPointer body = scene.bodies.withId(target.body);
+  return {count > 0, body ? CellTargets::tr("%1 (on %2)").arg(remark, QString::fromStdString(body->name)) : remark};
 }
 
 }  // namespace

@@ -69,7 +69,12 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
     show();
     tools.refresh();
   });
+  connect(&m_paths, &CellPaths::rowChanged, this, [this] {
+    m_showsTarget = m_paths.target() != nullptr;
+    refreshPanel();
+  });
   connect(&m_bodies, &CellBodies::selectionChanged, this, [this, &tools = window.tools] {
+    m_showsTarget = false;
     markSelected(false);
     refreshPanel();
     tools.refresh();
@@ -235,6 +240,8 @@ std::vector<Property> RobotCellUi::listedProperties(const Document& document) co
 }
 
 std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
+  if (const NamedTarget* const target = m_showsTarget ? m_paths.target() : nullptr)
+    return RobotCellDocument::propertiesOfTarget(*target);
   if (const auto body = shownBody(document))
     return static_cast<const RobotCellDocument&>(document).propertiesOfBody(*body);
   std::vector<Property> all = RigidPartsUi::panelProperties(document);

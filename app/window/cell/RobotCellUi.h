@@ -78,6 +78,7 @@ class RobotCellUi : public RigidPartsUi {
   QPointer<QWidget> m_panel;
   QElapsedTimer m_clock;
   std::map<const DocumentTab*, std::vector<LeadTry>> m_tries;
+  bool m_showsTarget = false;     // in the panel, not the selected body: it was selected later
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged
 };

@@ -16,22 +16,21 @@ namespace handwheel {
 namespace {
 
 constexpr std::string_view kPrefix = "joint.";
-constexpr std::string_view kToolPrefix = "tool.";
-constexpr std::string_view kCentrePrefix = "tcp.";
 
 bool turns(const Joint& joint) {
   return joint.kind != JointKind::Prismatic;
 }
 
 constexpr const char* kTool = QT_TRANSLATE_NOOP("Property", "Tool");
-constexpr std::pair<const char*, const char*> kToolFields[] = {
-    {"tool.x", QT_TRANSLATE_NOOP("Property", "X")},
-    {"tool.y", QT_TRANSLATE_NOOP("Property", "Y")},
-    {"tool.z", QT_TRANSLATE_NOOP("Property", "Z")},
-    {"tool.rx", QT_TRANSLATE_NOOP("Property", "Rotate about X")},
-    {"tool.ry", QT_TRANSLATE_NOOP("Property", "Rotate about Y")},
-    {"tool.rz", QT_TRANSLATE_NOOP("Property", "Rotate about Z")},
+constexpr std::pair<const char*, const char*> kPoseFields[] = {
+    {"x", QT_TRANSLATE_NOOP("Property", "X")},
+    {"y", QT_TRANSLATE_NOOP("Property", "Y")},
+    {"z", QT_TRANSLATE_NOOP("Property", "Z")},
+    {"rx", QT_TRANSLATE_NOOP("Property", "Rotate about X")},
+    {"ry", QT_TRANSLATE_NOOP("Property", "Rotate about Y")},
+    {"rz", QT_TRANSLATE_NOOP("Property", "Rotate about Z")},
 };
+constexpr double kRounding = 1e-9;  // mm, rad: what kinematics leave of a 0
 constexpr const char* kJoints = QT_TRANSLATE_NOOP("Property", "Joints");
 
 Property jointProperty(const Joint& joint, double value) {
@@ -99,41 +98,37 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
   const std::string& link = robot.links[toolLink(robot)].name;
   all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), link, Quantity::Number));
   for (Property& each : toolProperties(toolPose(robot, tool, joints))) all.push_back(std::move(each));
-  for (Property& each : toolProperties(tool)) {
-    each.id = std::string(kCentrePrefix) + each.id.substr(kToolPrefix.size());
-    each.group = QT_TRANSLATE_NOOP("Property", "Tool centre point, on the flange");
-    all.push_back(std::move(each));
-  }
+  const char* const kCentre = QT_TRANSLATE_NOOP("Property", "Tool centre point, on the flange");
+  for (Property& each : poseProperties("tcp.", kCentre, tool)) all.push_back(std::move(each));
   return all;
 }
 
-std::vector<Property> toolProperties(const Pose& pose) {
+std::vector<Property> poseProperties(const std::string& prefix, const std::string& group, const Pose& pose) {
   const Vec3 angles = rollPitchYaw(pose);
   std::vector<Property> all;
-  for (std::size_t i = 0; i < std::size(kToolFields); ++i) {
-    const auto& [id, label] = kToolFields[i];
+  for (std::size_t i = 0; i < std::size(kPoseFields); ++i) {
+    const auto& [field, label] = kPoseFields[i];
     const auto axis = static_cast<Eigen::Index>(i % 3);
-    const double exact = i < 3 ? pose.translation()[axis] : angles[axis];
-    constexpr double kNothing = 1e-9;  // mm, rad: what rounding leaves
-    Property property =
-        toRead(id, kTool, label, std::abs(exact) < kNothing ? 0.0 : exact, i < 3 ? Quantity::Length : Quantity::Angle);
+    const double value = i < 3 ? pose.translation()[axis] : angles[axis];
+    Property property = toRead("", group.c_str(), label, std::abs(value) < kRounding ? 0.0 : value,
+                               i < 3 ? Quantity::Length : Quantity::Angle);
+    property.id = prefix + field;
     property.editable = true;
     all.push_back(std::move(property));
   }
   return all;
 }
 
-std::optional<Pose> changedCentre(const Pose& centre, std::string_view id, const PropertyValue& value) {
-  if (!id.starts_with(kCentrePrefix)) return std::nullopt;
-  return changedToolPose(centre, std::string(kToolPrefix) + std::string(id.substr(kCentrePrefix.size())), value);
+std::vector<Property> toolProperties(const Pose& pose) {
+  return poseProperties("tool.", kTool, pose);
 }
 
-std::optional<Pose> changedToolPose(const Pose& pose, std::string_view id, const PropertyValue& value) {
-  const auto* const field =
-      std::find_if(std::begin(kToolFields), std::end(kToolFields), [&](const auto& each) { return each.first == id; });
+std::optional<Pose> changedPose(const Pose& pose, std::string_view field, const PropertyValue& value) {
+  const auto* const found = std::find_if(std::begin(kPoseFields), std::end(kPoseFields),
+                                         [&](const auto& each) { return each.first == field; });
   const auto* const number = std::get_if<double>(&value);
-  if (field == std::end(kToolFields) || !number || !std::isfinite(*number)) return std::nullopt;
-  const auto index = field - std::begin(kToolFields);
+  if (found == std::end(kPoseFields) || !number || !std::isfinite(*number)) return std::nullopt;
+  const auto index = found - std::begin(kPoseFields);
   Vec3 place = pose.translation(), angles = rollPitchYaw(pose);
   (index < 3 ? place : angles)[index % 3] = *number;
   return poseOf(place, angles);

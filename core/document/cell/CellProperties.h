@@ -19,14 +19,12 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
 // The degree of freedom of a joint property; kNone for other properties.
 std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id);
 
-// The properties of a pose of the tool, "tool.x" to "tool.rz".
+// The properties of a pose: prefix and x, y, z (mm), rx, ry, rz (rad).
+std::vector<Property> poseProperties(const std::string& prefix, const std::string& group, const Pose& pose);
+// Those of a pose of the tool, "tool.x" to "tool.rz".
 std::vector<Property> toolProperties(const Pose& pose);
-// The pose of the tool with one of these properties changed; none for other ids and values.
-std::optional<Pose> changedToolPose(const Pose& pose, std::string_view id, const PropertyValue& value);
-
-// The tool's centre point in its link with one of the properties "tcp.x" to "tcp.rz" changed; none for other ids and
-// values.
-std::optional<Pose> changedCentre(const Pose& centre, std::string_view id, const PropertyValue& value);
+// The pose with one of these fields changed; none for others, and for values that are no finite numbers.
+std::optional<Pose> changedPose(const Pose& pose, std::string_view field, const PropertyValue& value);
 
 // Converts a property value to a joint value; a limit may be given as it is shown. Errors: ElementMalformed,
 // ValueOutOfRange {name, value, least, largest; degrees or mm}.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/RobotCellDocument.h"
 
+#include "base/NumberText.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellProperties.h"
 #include "document/cell/CellReach.h"
@@ -9,6 +10,7 @@
 #include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
 #include "document/scene/BodyProperties.h"
+#include "scene/RigidPose.h"
 
 #include <algorithm>
 #include <charconv>
@@ -26,6 +28,13 @@ struct BodyField {
 std::optional<BodyField> bodyFieldOf(const std::string& id) {
   const std::size_t first = id.find('.'), last = id.rfind('.');
   if (!id.starts_with("body.") || last == first) return std::nullopt;
+  return BodyField{id.substr(first + 1, last - first - 1), id.substr(last + 1)};
+}
+
+// "target.drop.x": the target and the field.
+std::optional<BodyField> targetFieldOf(const std::string& id) {
+  const std::size_t first = id.find('.'), last = id.rfind('.');
+  if (!id.starts_with("target.") || last == first) return std::nullopt;
   return BodyField{id.substr(first + 1, last - first - 1), id.substr(last + 1)};
 }
 
@@ -64,8 +73,33 @@ std::vector<Property> RobotCellDocument::properties() const {
   for (const BodyPointer& body : bodies()) {
     for (Property& ofBody : propertiesOfBody(*body)) all.push_back(std::move(ofBody));
   }
+  for (const NamedTarget& target : m_plans->targets) {
+    for (Property& ofTarget : propertiesOfTarget(target)) all.push_back(std::move(ofTarget));
+  }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
+}
+
+std::vector<Property> RobotCellDocument::propertiesOfTarget(const NamedTarget& target) {
+  std::vector<Property> all = poseProperties("target." + target.name + '.', target.name, target.pose);
+  for (Property& each : all) each.groupTranslated = false;
+  return all;
+}
+
+Result<std::unique_ptr<Edit>> RobotCellDocument::targetEdit(const std::string& id, const PropertyValue& value) const {
+  const auto field = targetFieldOf(id);
+  CellPlans plans = *m_plans;
+  const auto target = std::find_if(plans.targets.begin(), plans.targets.end(),
+                                   [&](const NamedTarget& each) { return field && each.name == field->body; });
+  if (target == plans.targets.end()) return Error{ErrorCode::ReferenceMissing, {"the property", id}, {}, {}};
+  const auto pose = changedPose(target->pose, field->field, value);
+  if (!pose) return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
+  if (!isRigid(*pose)) {
+    const std::string most = shownText(kFarthestBody);
+    return Error{ErrorCode::ValueOutOfRange, {id, shownText(std::get<double>(value)), "-" + most, most}, {}, {}};
+  }
+  target->pose = *pose;
+  return plansEdit(std::move(plans));
 }
 
 std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
@@ -91,6 +125,13 @@ std::optional<Property> RobotCellDocument::property(const std::string& id) const
       if (each.id == id) return each;
     }
   }
+  if (const auto ofTarget = targetFieldOf(id)) {
+    const NamedTarget* const target = m_plans->target(ofTarget->body);
+    for (Property& each : target ? propertiesOfTarget(*target) : std::vector<Property>()) {
+      if (each.id == id) return each;
+    }
+    return std::nullopt;
+  }
   const auto field = bodyFieldOf(id);
   const BodyPointer body = field ? bodyNamed(bodies(), field->body) : nullptr;
   const std::vector<Property> all = propertiesWith(body ? std::span(body.get(), 1) : std::span<const Body>());
@@ -108,7 +149,8 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     const std::uint32_t link = *choice < 1.0 ? kNone : static_cast<std::uint32_t>(*choice) - 1;
     return carryEdit(bodies(), *body, link, m_robot->model, m_joints);
   }
-  if (const auto centre = changedCentre(m_plans->tool, id, value)) {
+  const std::string ofCentre = id.starts_with("tcp.") ? id.substr(4) : std::string();
+  if (const auto centre = changedPose(m_plans->tool, ofCentre, value)) {
     CellPlans changed = *m_plans;
     changed.tool = *centre;
     return std::unique_ptr<Edit>(plansEdit(std::move(changed)));
@@ -118,8 +160,10 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
+  if (id.starts_with("target.")) return targetEdit(id, value);
   const Pose tool = toolPose(m_robot->model, m_plans->tool, m_joints);
-  if (const auto pose = changedToolPose(tool, id, value)) {
+  const std::string field = id.starts_with("tool.") ? id.substr(5) : std::string();
+  if (const auto pose = changedPose(tool, field, value)) {
     if (pose->isApprox(tool, 1e-12)) return std::unique_ptr<Edit>();
     const Result<JointValues> joints = jointsReaching(m_robot->model, m_plans->tool, *pose, m_joints);
     if (!joints) return joints.error();

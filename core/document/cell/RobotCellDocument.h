@@ -23,12 +23,14 @@ class RobotCellDocument : public Document, public BodyOwner {
   const std::shared_ptr<const CellPlans>& plans() const { return m_plans; }  // never null
 
   SnapshotPointer snapshot() const override;
-  // Those of cellProperties(), of bodyProperties(), then those of every document.
+  // Those of cellProperties(), of bodyProperties(), of the targets, then those of every document.
   std::vector<Property> properties() const override;
   // Of the bodies those of these only: there may be very many.
   std::vector<Property> propertiesWith(std::span<const Body> shown) const;
   // Those of one body: of propertiesOf(), and what carries it.
   std::vector<Property> propertiesOfBody(const Body& body) const;
+  // Those of a target, "target.NAME.x" to "target.NAME.rz", in the frame that it is stored in.
+  static std::vector<Property> propertiesOfTarget(const NamedTarget& target);
   // A body may be named by its name, too: "body.Table.x"; the property then has the id with the number.
   std::optional<Property> property(const std::string& id) const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
@@ -42,6 +44,8 @@ class RobotCellDocument : public Document, public BodyOwner {
   friend class JointEdit;
   friend class PlansEdit;
   void bodiesChanged() override { wasChanged(); }
+
+  Result<std::unique_ptr<Edit>> targetEdit(const std::string& id, const PropertyValue& value) const;
 
   std::shared_ptr<const CellRobot> m_robot;
   JointValues m_joints;

@@ -11,7 +11,7 @@ namespace handwheel {
 
 // How the reach of an arm is looked for.
 struct ReachSectionSettings {
-  int cells = 40;            // of the grid, to a reach of the arm
+  int cells = 64;            // of the grid, to a reach of the arm
   double tolerance = 1.0;    // mm that the outline is off along the lines of the grid
   std::uint32_t starts = 6;  // from which a place is tried before it counts as out of reach
 };

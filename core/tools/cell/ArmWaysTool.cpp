@@ -144,10 +144,8 @@ std::vector<Property> ArmWaysTool::settings() const {
   all.front().continuous = true;
   all.front().group = all.front().label;
   if (isOut) all.front().problem = QT_TRANSLATE_NOOP("Property", "this pose is out of reach");
-  for (Property& each : toolProperties(m_pose)) {
-    each.id = each.id.substr(each.id.find('.') + 1);
+  for (Property& each : poseProperties("", QT_TRANSLATE_NOOP("Property", "Tool"), m_pose))
     all.push_back(std::move(each));
-  }
   return all;
 }
 
@@ -155,7 +153,7 @@ void ArmWaysTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* const number = std::get_if<double>(&value);
   if (id == "way" && number && *number >= 0.0) {
     choose(static_cast<std::size_t>(*number));
-  } else if (const auto changed = changedToolPose(m_pose, "tool." + std::string(id), value)) {
+  } else if (const auto changed = changedPose(m_pose, id, value)) {
     m_pose = *changed;
     forgetWays();
   }

@@ -33,6 +33,7 @@ constexpr double kTurnStep = 5.0 * kRadiansPerDegree;    // of snapped turns
 constexpr Limits kMoves{-kFarthestBody, kFarthestBody};  // mm
 constexpr Limits kTurns{-2.0 * M_PI, 2.0 * M_PI};
 
+constexpr const char* kAxisNames[] = {"X", "Y", "Z"};
 constexpr const char* kMoveIds[] = {"move_x", "move_y", "move_z"};
 constexpr const char* kTurnIds[] = {"turn_x", "turn_y", "turn_z"};
 
@@ -283,6 +284,11 @@ ToolPreview PlaceTool::preview() const {
     PlacingHandles wider = *at;
     wider.length *= 1.02;
     for (std::vector<Vec3>& line : wider.linesOf(*chosen)) preview.lines.push_back(std::move(line));
+  }
+  if (m_drag && m_drag->handle && !m_drag->handle->isRing) {
+    const auto axis = static_cast<std::size_t>(m_drag->handle->axis);
+    const double way = (m_shown.translation() - m_drag->start.translation()).dot(m_drag->handles.axes[axis]);
+    preview.label = ToolLabel{m_drag->grip + way * m_drag->handles.axes[axis], {{kAxisNames[axis], way}}};
   }
   const Pose there = wanted();
   Body moved = *body();

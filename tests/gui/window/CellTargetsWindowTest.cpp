@@ -43,7 +43,12 @@ class CellTargetsWindowTest : public QObject {
     QVERIFY(driver.settle());
     driver.tree()->setCurrentItem(driver.targets()->child(0));
     driver.choose("goToConfiguration");
-    QVERIFY(std::abs(driver.number("tool.z") - z) < 1e-3);
+    QVERIFY(std::abs(driver.number("target.Target 1.z") - z) < 1e-3);  // in the panel, as it is selected
+    driver.edit("target.Target 1.z", QString::number(z + 5.0));
+    driver.choose("goToConfiguration");
+    driver.tree()->setCurrentItem(driver.tree()->topLevelItem(0));
+    QVERIFY(std::abs(driver.number("tool.z") - (z + 5.0)) < 1e-3);
+    driver.tree()->setCurrentItem(driver.targets()->child(0));
     driver.targets()->child(0)->setText(0, "spot");
     QCOMPARE(driver.targets()->child(0)->text(0), QString("spot"));
     driver.choose("removePlan");

@@ -61,6 +61,8 @@ class PlaceToolTest : public QObject {
     tool.pointer(down(Kind::Drag, 570, 130));
     tool.pointer(down(Kind::Drag, 583, 160));
     QVERIFY(tool.preview().replaced);
+    QCOMPARE(tool.preview().label->figures.front().prefix, std::string("X"));
+    QVERIFY(std::abs(tool.preview().label->figures.front().value - 23.0) < 1e-9);
     QCOMPARE(m_cell->steps(), m_steps);
     tool.pointer(down(Kind::Release, 583, 160));
     QCOMPARE(m_cell->steps(), m_steps + 1);

@@ -134,6 +134,26 @@ class TargetsTest : public QObject {
     QCOMPARE(cell.plans->freePlaceName("home"), std::string("home 2"));
   }
 
+  // Its numbers are properties, of the frame that it is in.
+  void numbersOfATarget() {
+    const BodyId box = m_cell->addBox({20, 20, 20}, {200, 300, 0}, {0, 0, 0.7});
+    CellPlans plans;
+    plans.targets = {{"drop.off", poseOf({10, 20, 30}, {0.1, 0.2, 0.3}), box}};
+    m_cell->plan(plans);
+    RobotCellDocument& document = m_cell->document();
+    QCOMPARE(std::get<double>(document.property("target.drop.off.y")->value), 20.0);
+    QVERIFY(!document.property("target.drop.off.w") && !document.property("target.other.x"));
+    const int steps = m_cell->steps();
+    QVERIFY(document.setProperty("target.drop.off.rz", -0.4).hasValue());
+    QCOMPARE(m_cell->steps(), steps + 1);
+    const NamedTarget changed = *document.plans()->target("drop.off");
+    QVERIFY(changed.pose.isApprox(poseOf({10, 20, 30}, {0.1, 0.2, -0.4}), 1e-12));
+    QCOMPARE(changed.body, box);
+    QVERIFY(document.setProperty("target.other.x", 1.0).error().code == ErrorCode::ReferenceMissing);
+    QVERIFY(document.setProperty("target.drop.off.x", 1e9).error().code == ErrorCode::ValueOutOfRange);
+    QVERIFY(document.setProperty("target.drop.off.x", std::nan("")).error().code == ErrorCode::ElementMalformed);
+  }
+
   // A pose of the tool by one property at a time, as in the panel and in `set`.
   void typedPose() {
     RobotCellDocument& document = m_cell->document();
