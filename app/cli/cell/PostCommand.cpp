@@ -42,12 +42,17 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<WrittenProgram> written = writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output);
   if (!written) return fail(written.error());
   const PostCheck& check = written->check;
+  if (!written->otherRobot.empty()) {
+    complain(std::string("warning: ") + post->title() + " is not the language of the controller of this robot, " +
+             written->otherRobot);
+  }
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", check.motions},
                          {"error_mm", check.distance},
                          {"error_deg", check.angle},
                          {"exact_stops", written->exactStops},
+                         {"other_robot", !written->otherRobot.empty()},
                          {"certified", true}}));
   }
   std::string text = output + ": " + post->title() + ", " + std::to_string(check.motions) +
