@@ -178,7 +178,7 @@ Command ikCommand() {
       "Finds joint values for a pose of a robot's flange, in the frame of its base.\n"
       "ROBOT is a URDF, a table after Denavit and Hartenberg (docs/robots.md), a robot cell, or a built-in\n"
       "name: irb120, irb140, irb1600, irb2400, irb6640, kr6r900, kr6r700, lrmate200id, ur5, ur10, rx160, tx90,\n"
-      "tx40, puma560. Of a cell it is the pose of the tool's centre point. Ends with 2 where the pose cannot be "
+      "tx40, puma560. Of a cell it is the pose of the tool's centre point. Ends with 2 where the pose cannot be\n"
       "reached within the limits.",
       {}};
   spec.options = optionsOf(ikOperation());

@@ -43,7 +43,10 @@ class RapidReading {
     while (line.takeWord("LOCAL") || line.takeWord("TASK")) {
     }
     if (line.takeWord("CONST") || line.takeWord("PERS") || line.takeWord("VAR")) return readData(line);
-    if (line.takeWord("VelSet")) return readOverride(line);
+    if (line.takeWord("VelSet")) {
+      readOverride(line);
+      return Done{};
+    }
     if (line.takeWord("MoveAbsJ")) return readMotion(line, number, ProgramMotion::Kind::Joint, true);
     if (line.takeWord("MoveJ")) return readMotion(line, number, ProgramMotion::Kind::Joint, false);
     if (line.takeWord("MoveL")) return readMotion(line, number, ProgramMotion::Kind::Linear, false);
@@ -79,14 +82,12 @@ class RapidReading {
     return Done{};
   }
 
-  // VelSet percent, largest speed of the tool's centre point.
-  Status readOverride(LineReader& line) {
+  // VelSet percent, largest speed of the tool's centre point. Where these are no numbers no speed is known.
+  void readOverride(LineReader& line) {
     const auto percent = line.number();
     const auto most = line.take(",") ? line.number() : std::nullopt;
-    if (!percent || !most) return line.malformed("VelSet", "two numbers were expected");
-    m_share = 0.01 * *percent;
-    m_most = *most;
-    return Done{};
+    m_share = percent && most ? 0.01 * *percent : 0.0;
+    m_most = most.value_or(0.0);
   }
 
   // "[[…],…]", a name, CalcRobT(joints,tool): the numbers, and whether they are joint values.
@@ -170,7 +171,7 @@ class RapidReading {
   }
 
   std::size_t m_joints;
-  double m_share = 1.0, m_most = 5'000.0;  // of VelSet
+  double m_share = 1.0, m_most = 5'000.0;  // of VelSet; 0: not known
   Table m_jointTargets, m_robTargets, m_speeds;
 };
 

@@ -185,6 +185,7 @@ class PostLanguagesTest : public QObject {
     row("rapid", "LOCAL CONST speeddata vSeam:=[50,500,5000,1000];", "MoveL $P, VSEAM ,fine,tool0;", 50.0);
     row("rapid", "CONST speeddata v100:=[50,500,5000,1000];", "MoveL $P,v100,fine,tool0;", 50.0);
     row("rapid", "VelSet 50,800;", "MoveL $P,v100,fine,tool0;", 50.0);
+    row("rapid", "VelSet nShare,800;", "MoveL $P,v100,fine,tool0;", 0.0);
     row("rapid", "VelSet 50,800;", "MoveL $P,v2000,fine,tool0;", 800.0);
     row("rapid", "", "MoveL $P,v100\\V:=40,fine,tool0;", 40.0);
     row("rapid", "", "MoveL CalcRobT([[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0\\WObj:=wobj0),v20,fine,tool0;",
