@@ -237,6 +237,57 @@ class PlanTest : public QObject {
     QVERIFY(cell.read("no.src").isEmpty());
   }
 
+  // A line of 50 mm/s and a motion with 30 % come back as such from each language, as a path that is written once more.
+  void speedsComeBack() {
+    const PlannedCell cell;
+    cell.put("path.json", R"({"places": [
+      {"joints": {"joint_1": 1.2, "joint_2": 0.5}, "name": "begin"},
+      {"joints": {"joint_1": 1.2, "joint_2": 0.6}, "name": "end", "motion": "linear", "speed": 50},
+      {"joints": {"joint_1": 1.0, "joint_2": 0.6}, "speed": 0.3}]})");
+    for (const auto& [controller, file] :
+         {std::pair("rapid", "p.mod"), std::pair("krl", "p.src"), std::pair("fanuc", "p.ls"),
+          std::pair("urscript", "p.script"), std::pair("csv", "p.csv"), std::pair("json", "p.program.json")}) {
+      const Ran ran = cell.run({"post", "cell.handwheel", "path.json", "--controller", controller, "-o", file});
+      QVERIFY2(ran.code == 0, ran.err);
+      const Ran again = cell.run({"post", "cell.handwheel", file, "--controller", "csv", "-o", "again.csv"});
+      QVERIFY2(again.code == 0, again.err);
+      const QList<QByteArray> rows = cell.read("again.csv").split('\n');
+      QVERIFY2(rows.value(2).contains(",linear,50.000000,"), rows.value(2));
+      QVERIFY2(rows.value(3).contains(",joint,0.300000,"), rows.value(3));
+    }
+  }
+
+  // MoveAbsJ with v100: the tool's centre point goes with 100 mm/s. With joint 1 it is 374 mm from the axis, which
+  // turns by at most 250 degrees a second (data sheet of the IRB 120).
+  void speedsOfTheTool() {
+    const PlannedCell cell;
+    cell.put("p.mod",
+             "MODULE m\n PROC main()\n"
+             "  MoveAbsJ [[60,0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+             "  MoveAbsJ [[80,0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+             " ENDPROC\nENDMODULE\n");
+    const Ran ran = cell.run({"post", "cell.handwheel", "p.mod", "--controller", "csv", "-o", "p.csv"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const double share = 100.0 / 374.0 / (250.0 * M_PI / 180.0);
+    const double got = cell.read("p.csv").split('\n').value(2).split(',').value(3).toDouble();
+    QVERIFY2(std::abs(got - share) < 1e-3 * share, cell.read("p.csv"));
+  }
+
+  // An ABB robot does not understand KRL: written all the same, and said.
+  void anotherMakersController() {
+    const PlannedCell cell;
+    cell.put("path.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [1.0, 0.5, 0, 0, 0, 0]]})");
+    for (const auto& [controller, isOther] :
+         {std::pair("krl", true), std::pair("rapid", false), std::pair("csv", false)}) {
+      const QStringList words{"post", "cell.handwheel", "path.json", "--controller", controller, "-o", "p.txt"};
+      const Ran ran = cell.run(words);
+      QCOMPARE(ran.code, 0);
+      QCOMPARE(ran.err.contains("warning") && ran.err.contains("ABB IRB 120"), isOther);
+      QCOMPARE(jsonOf(cell.run(words + QStringList{"--json"}).out)["other_robot"].get<bool>(), isOther);
+      if (!cell.read("p.txt").startsWith("motion,")) QVERIFY(cell.read("p.txt").contains("simplified shapes"));
+    }
+  }
+
   void configurations() {
     const PlannedCell cell;
     QCOMPARE(cell.run({"configuration", "cell.handwheel", "--remove", "up", "-o", "cell.handwheel"}).code, 0);

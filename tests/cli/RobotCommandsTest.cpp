@@ -105,6 +105,39 @@ class RobotCommandsTest : public QObject {
     QCOMPARE(bench.run({"ik", "bad.json", "--pose=0,0,0,1,0,0,0"}).code, 1);
   }
 
+  // Where a program of a cell says that its tool is, the joints stand as the program says.
+  void ofACell() {
+    const Bench bench;
+    const QString cell = QStringLiteral(SOURCE_SAMPLES "/robot-cell.handwheel");
+    const Ran posted = bench.run({"post", cell, "edge", "--controller", "csv", "-o", "edge.csv"});
+    QVERIFY2(posted.code == 0, posted.err);
+    const QList<QByteArray> row = bench.content("edge.csv").split('\n').at(1).split(',');
+    QCOMPARE(row.size(), 5 + 6 + 7);
+    const QString pose = QStringLiteral("--pose=") + QString::fromLatin1(row.mid(11).join(','));
+    const Ran run = bench.run({"ik", cell, pose, "--all", "--json"});
+    QVERIFY2(run.code == 0, run.err);
+    bool isFound = false;
+    for (const nlohmann::json& solution : reportOf(run)["solutions"]) {
+      double off = 0.0;
+      for (int i = 0; i < 6; ++i)
+        off = std::max(off, std::abs(solution["q"][i].get<double>() - row[5 + i].toDouble() * M_PI / 180.0));
+      isFound = isFound || off < 1e-5;
+    }
+    QVERIFY2(isFound, run.out);
+  }
+
+  // The four that there are, by their names.
+  void noRobot() {
+    const Bench bench;
+    bench.put("letter.txt", "Dear robot,");
+    for (const char* robot : {"letter.txt", "irb121"}) {
+      const Ran run = bench.run({"ik", robot, "--pose=0,0,0,1,0,0,0"});
+      QCOMPARE(run.code, 1);
+      for (const char* word : {robot, "URDF", "table", "cell", "built-in robot"})
+        QVERIFY2(run.err.contains(word), run.err);
+    }
+  }
+
   void aBenchmarkOfTwo() {
     const Bench bench;
     bench.put("arm.urdf", planarUrdf());

@@ -6,7 +6,10 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
+#include "cli/cell/CellFile.h"
+#include "document/Container.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellErrors.h"
 #include "robot/UrdfReader.h"
 #include "robot/arm/ClosedFormIk.h"
 #include "robot/arm/IkFidelity.h"
@@ -15,6 +18,7 @@
 
 #include <QtGlobal>
 #include <algorithm>
+#include <filesystem>
 
 namespace handwheel {
 
@@ -34,7 +38,7 @@ const Operation& ikOperation() {
            .parts = {{"x"}, {"y"}, {"z"}, {"qw"}, {"qx"}, {"qy"}, {"qz"}},
            .hasDefault = false},
           {.property = {.id = "tip", .group = {}, .label = {}, .value = ""},
-           .meaning = "The link whose pose it is, of a URDF; without it the last one",
+           .meaning = "The link whose pose it is, of a URDF or a cell; without it the last one",
            .word = "LINK",
            .hasDefault = false},
           {.property = {.id = "all", .group = {}, .label = {}, .value = false},
@@ -53,25 +57,43 @@ Error withSubject(Error error, const std::string& subject) {
   return error;
 }
 
-// A robot by its built-in name, a table in JSON or a URDF.
-Result<SerialArm> armCalled(const std::string& name, const std::string& tip) {
+// From the root of a robot to a link, or to its last one.
+Result<SerialArm> armTo(const RobotModel& robot, const std::string& tip, const std::string& subject) {
+  const std::uint32_t link = tip.empty() ? toolLink(robot) : linkNamed(robot, tip);
+  if (link == kNone) return Error{ErrorCode::ReferenceMissing, {"link", tip, {}}, {}, subject};
+  const auto arm = SerialArm::of(robot, robot.root, link);
+  return arm ? Result<SerialArm>(arm->arm) : withSubject(arm.error(), subject);
+}
+
+// That of a cell ends at its tool's centre point, unless another link is named.
+Result<SerialArm> armOfCell(const std::string& name, const std::string& tip, const DocumentKinds& kinds) {
+  const Result<CellFile> file = openCell(name, kinds);
+  if (!file) return file.error();
+  const Result<SerialArm> arm = armTo(file->cell->robot->model, tip, name);
+  if (!arm || !tip.empty()) return arm;
+  return SerialArm({arm->joints().begin(), arm->joints().end()}, arm->tip() * file->cell->plans->tool);
+}
+
+// A robot by its built-in name, a table in JSON, a URDF or a cell.
+Result<SerialArm> armCalled(const std::string& name, const std::string& tip, const DocumentKinds& kinds) {
   const auto ofTable = [](const DhTable& table) {
     return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
   };
   if (const DhTable* const table = libraryTable(name)) return ofTable(*table);
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored)) return Error{CellError::RobotUnknown, {name}, {}, {}};
   const Result<std::string> bytes = readFileBytes(name);
   if (!bytes) return withSubject(bytes.error(), name);
-  if (!looksLikeUrdf(*bytes)) {
-    const Result<DhTable> table = readDhTable(*bytes);
-    return table ? Result<SerialArm>(ofTable(*table)) : withSubject(table.error(), name);
+  if (looksLikeContainer(*bytes)) return armOfCell(name, tip, kinds);
+  if (looksLikeUrdf(*bytes)) {
+    const Result<ReadRobot> read = readUrdf(*bytes);
+    return read ? armTo(read->robot, tip, name) : withSubject(read.error(), name);
   }
-  const Result<ReadRobot> read = readUrdf(*bytes);
-  if (!read) return withSubject(read.error(), name);
-  const RobotModel& robot = read->robot;
-  const std::uint32_t link = tip.empty() ? toolLink(robot) : linkNamed(robot, tip);
-  if (link == kNone) return Error{ErrorCode::ReferenceMissing, {"link", tip, {}}, {}, name};
-  const auto arm = SerialArm::of(robot, robot.root, link);
-  return arm ? Result<SerialArm>(arm->arm) : withSubject(arm.error(), name);
+  const std::size_t begin = bytes->find_first_not_of(" \t\r\n");
+  const bool isJson = begin != bytes->npos && (*bytes)[begin] == '{';
+  if (!isJson) return Error{CellError::RobotUnknown, {name}, {}, {}};
+  const Result<DhTable> table = readDhTable(*bytes);
+  return table ? Result<SerialArm>(ofTable(*table)) : withSubject(table.error(), name);
 }
 
 struct FoundValues {
@@ -134,7 +156,7 @@ std::string ikReport(const std::vector<FoundValues>& found, bool asJson) {
   return text;
 }
 
-int runIk(const Arguments& arguments, const DocumentKinds&) {
+int runIk(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(ikOperation());
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, "ik");
   if (!values.isSet("pose")) return failUsage("The option --pose=X,Y,Z,QW,QX,QY,QZ is missing.", "ik");
@@ -144,7 +166,7 @@ int runIk(const Arguments& arguments, const DocumentKinds&) {
   Pose pose(turn.normalized());
   pose.translation() = Vec3(numbers[0], numbers[1], numbers[2]);
   const std::string tip = values.isSet("tip") ? values.text("tip") : std::string();
-  const Result<SerialArm> arm = armCalled(arguments.operands[0], tip);
+  const Result<SerialArm> arm = armCalled(arguments.operands[0], tip, kinds);
   if (!arm) return fail(arm.error());
   const std::vector<FoundValues> found = solutionsFor(*arm, pose, values);
   const int printed = print(ikReport(found, arguments.has("json")));
@@ -158,9 +180,10 @@ Command ikCommand() {
       ikOperation().id,
       "ROBOT",
       "Finds joint values for a pose of a robot's flange, in the frame of its base.\n"
-      "ROBOT is a URDF, a table after Denavit and Hartenberg (docs/robots.md), or a built-in name: irb120,\n"
-      "irb140, irb1600, irb2400, irb6640, kr6r900, kr6r700, lrmate200id, ur5, ur10, rx160, tx90, tx40,\n"
-      "puma560. Ends with 2 where the pose cannot be reached within the limits.",
+      "ROBOT is a URDF, a table after Denavit and Hartenberg (docs/robots.md), a robot cell, or a built-in\n"
+      "name: irb120, irb140, irb1600, irb2400, irb6640, kr6r900, kr6r700, lrmate200id, ur5, ur10, rx160, tx90,\n"
+      "tx40, puma560. Of a cell it is the pose of the tool's centre point. Ends with 2 where the pose cannot be\n"
+      "reached within the limits.",
       {}};
   spec.options = optionsOf(ikOperation());
   spec.options.push_back({"json", 0, "", "Report as JSON"});

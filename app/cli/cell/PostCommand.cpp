@@ -44,19 +44,25 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<WrittenProgram> written = writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output);
   if (!written) return fail(written.error());
   const PostCheck& readBack = written->check;
+  if (!written->otherRobot.empty()) {
+    complain(std::string("warning: ") + post->title() + " is not the language of the controller of this robot, " +
+             written->otherRobot);
+  }
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", readBack.motions},
                          {"error_mm", readBack.distance},
                          {"error_deg", readBack.angle},
                          {"exact_stops", written->exactStops},
+                         {"other_robot", !written->otherRobot.empty()},
                          {"certified", true}}));
   }
   std::string text = output + ": " + post->title() + ", " + std::to_string(readBack.motions) +
                      " motions, read back within " + roundedText(readBack.distance, 2) + " mm and " +
                      roundedText(readBack.angle, 2) + " degrees\n";
   if (written->exactStops > 0)
-    text += std::to_string(written->exactStops) + " blends became exact stops: their zones are not free everywhere\n";
+    text +=
+        std::to_string(written->exactStops) + " blends became exact stops: not every way within their zones is free\n";
   return print(text);
 }
 

@@ -329,9 +329,10 @@ void CellPaths::askForProgram() {
   for (const auto& post : posts())
     filters += QStringLiteral("%1 (*%2)").arg(QLatin1String(post->title()), QLatin1String(post->ending()));
   const QString folder = QFileInfo(m_document->document.path()).path();
-  auto* dialog = new QFileDialog(m_parts.window, tr("Export a robot program"),
-                                 folder + QLatin1Char('/') + QString::fromStdString(path()->name),
-                                 filters.join(QStringLiteral(";;")));
+  auto* dialog = new QFileDialog(
+      m_parts.window, tr("Export a robot program"),
+      folder + QLatin1Char('/') + QString::fromStdString(path()->name).replace(QLatin1Char(' '), QLatin1Char('_')),
+      filters.join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("exportProgramDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -358,7 +359,12 @@ void CellPaths::exportProgram(const Post& post, const QString& file) {
     detail += QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as their zones are not free everywhere.", nullptr,
                                     static_cast<int>(written->exactStops));
   }
-  emit message({Message::Weight::Info,
+  const bool isOther = !written->otherRobot.empty();
+  if (isOther) {
+    detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")
+                                     .arg(QLatin1String(post.title()), QString::fromStdString(written->otherRobot));
+  }
+  emit message({isOther ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),
                 detail,
                 {},

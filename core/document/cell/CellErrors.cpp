@@ -11,6 +11,13 @@ const ErrorDescription CellError::PlaceMissing{
     .advice = {translatable("ErrorText",
                             "Name a configuration or a target, or give the joint values in radians ('0 0.5 -1 …').")}};
 
+const ErrorDescription CellError::RobotUnknown{
+    .id = "RobotUnknown",
+    .sentences = {translatable("ErrorText",
+                               "'%1' is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot "
+                               "cell, the name of a built-in robot")},
+    .advice = {translatable("ErrorText", "Name a file of one of these kinds, or a robot as irb120 or ur5.")}};
+
 const ErrorDescription CellError::PathMissing{
     .id = "PathMissing",
     .sentences = {translatable("ErrorText", "'%1' is neither a path of the cell nor a file")},

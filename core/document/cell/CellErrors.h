@@ -8,6 +8,7 @@
 namespace handwheel::CellError {
 
 extern const ErrorDescription PlaceMissing;       // {text} it names no configuration, nor are these joint values
+extern const ErrorDescription RobotUnknown;       // {text} neither a robot of the program nor a file with one
 extern const ErrorDescription PathMissing;        // {text} the cell has no such path, nor is it a file
 extern const ErrorDescription PathTooShort;       // {path} it has fewer than two places
 extern const ErrorDescription PlaceCollides;      // {place, link, link or body}

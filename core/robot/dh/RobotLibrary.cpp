@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/dh/DhTable.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -199,6 +200,18 @@ std::span<const LibraryRobot> robotLibrary() {
     return robots;
   }();
   return kRobots;
+}
+
+const LibraryRobot* libraryRobot(const RobotModel& model) {
+  for (const LibraryRobot& robot : robotLibrary()) {
+    if (model.name == robot.title) return &robot;
+  }
+  return nullptr;
+}
+
+bool hasPlainShapes(const RobotModel& model) {
+  return std::none_of(model.shapes.begin(), model.shapes.end(),
+                      [](const Shape& shape) { return std::holds_alternative<MeshShape>(shape); });
 }
 
 const DhTable* libraryTable(std::string_view id) {

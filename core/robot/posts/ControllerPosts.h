@@ -12,12 +12,14 @@ class ControllerPost : public Post {
   std::vector<Error> refusals(const RobotProgram& program) const override;
 };
 
-// ABB: a module with MoveAbsJ for joint motions and MoveL for lines. Quaternions, mm, degrees.
+// ABB: a module with a procedure of the path's name, MoveAbsJ for joint motions and MoveL for lines. Quaternions, mm,
+// degrees. Where the base is not the controller's, lines end where CalcRobT says that joint values are.
 class RapidPost : public ControllerPost {
  public:
   const char* id() const override { return "rapid"; }
   const char* title() const override { return "ABB RAPID"; }
   const char* ending() const override { return ".mod"; }
+  const char* maker() const override { return "ABB"; }
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
@@ -29,27 +31,31 @@ class KrlPost : public ControllerPost {
   const char* id() const override { return "krl"; }
   const char* title() const override { return "KUKA KRL"; }
   const char* ending() const override { return ".src"; }
+  const char* maker() const override { return "KUKA"; }
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
-// Fanuc: J by joints, with the third as this maker counts it (less the second), L by X, Y, Z, W, P, R. The way of CNT
-// is not defined: all motions stop exactly (FINE).
+// Fanuc: J by joints, with the third as this maker counts it (less the second), L by X, Y, Z, W, P, R in the world
+// frame, which lies at the height of axis 2. The way of CNT is not defined: all motions stop exactly (FINE).
 class FanucPost : public ControllerPost {
  public:
   const char* id() const override { return "fanuc"; }
   const char* title() const override { return "Fanuc LS"; }
   const char* ending() const override { return ".ls"; }
+  const char* maker() const override { return "Fanuc"; }
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
-// Universal Robots: movej by joints, movel by poses; metres and radians.
+// Universal Robots: movej and movel by joints; metres and radians. ROS turns the base of these robots by 180° against
+// the controller's: poses would lead there, joint values do not depend on it.
 class UrScriptPost : public ControllerPost {
  public:
   const char* id() const override { return "urscript"; }
   const char* title() const override { return "URScript"; }
   const char* ending() const override { return ".script"; }
+  const char* maker() const override { return "Universal Robots"; }
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };

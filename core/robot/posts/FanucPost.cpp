@@ -5,8 +5,8 @@
 #include "robot/posts/PostText.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace handwheel {
@@ -14,6 +14,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kLongestFanucName = 8;  // that every controller takes
+constexpr std::size_t kLongestPlaceName = 16;
 
 // This maker counts the third joint from the horizontal: less what the second has turned.
 ArmValues counted(ArmValues values, double sign) {
@@ -35,8 +36,17 @@ std::string fanucConfiguration(const SerialArm& arm, const ArmValues& values) {
          std::to_string(turnsOf(values[5]));
 }
 
+// The world frame in the base: this maker puts it at the height of the second axis.
+Pose fanucWorld(const SerialArm& arm) {
+  std::array<Pose, 6> axes;
+  arm.jointPoses(ArmValues::Zero(6), axes);
+  const Vec3 up = axes[0].linear().col(2);
+  return Pose(Eigen::Translation3d(up.dot(axes[1].translation()) * up));
+}
+
+// In the world frame, which is user frame 0 and needs no entry on the controller.
 std::string placeText(const RobotProgram& program, const ProgramMotion& motion) {
-  std::string text = "   GP1:\n   UF : 1, UT : 1,";
+  std::string text = "   GP1:\n   UF : 0, UT : 1,";
   if (motion.kind == ProgramMotion::Kind::Joint) {
     text += "\n";
     const std::vector<double> degrees = degreesOf(counted(motion.joints, 1.0));
@@ -46,7 +56,7 @@ std::string placeText(const RobotProgram& program, const ProgramMotion& motion) 
     }
     return text;
   }
-  const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+  const Pose place = fanucWorld(program.arm).inverse(Eigen::Isometry) * program.tipOf(motion);
   const Vec3 at = place.translation(), turn = zyxAngles(place.linear()) / kRadiansPerDegree;
   text += " CONFIG : '" + fanucConfiguration(program.arm, motion.joints) + "',\n";
   text += "   X = " + fixedText(at.x(), 5) + " mm, Y = " + fixedText(at.y(), 5) + " mm, Z = " + fixedText(at.z(), 5) +
@@ -55,12 +65,33 @@ std::string placeText(const RobotProgram& program, const ProgramMotion& motion) 
          " deg, R = " + fixedText(turn.x(), 7) + " deg\n";
 }
 
+std::string fanucSpeed(const ProgramMotion& motion) {
+  if (motion.kind == ProgramMotion::Kind::Joint)
+    return std::to_string(std::clamp(static_cast<int>(std::lround(100.0 * motion.speed)), 1, 100)) + "%";
+  const std::string tenths = fixedText(std::max(motion.speed, 0.1), 1);
+  return (tenths.ends_with(".0") ? tenths.substr(0, tenths.size() - 2) : tenths) + "mm/sec";
+}
+
+// What stands before the motions. Remarks are short, as teach pendants cut them.
+std::vector<std::string> headLines(const RobotProgram& program) {
+  std::vector<std::string> lines;
+  if (program.hasPlainShapes) lines = {"!Collisions were checked", "!with simplified shapes", "!of the robot"};
+  if (needsControllersBase(program)) lines.insert(lines.end(), {"!Lines: test whether the", "!base is the robot foot"});
+  const Vec3 at = program.tool.translation(), turn = zyxAngles(program.tool.linear()) / kRadiansPerDegree;
+  const auto pair = [](const char* first, double a, const char* second, double b) {
+    return std::string("!") + first + " " + fixedText(a, 3) + " " + second + " " + fixedText(b, 3);
+  };
+  lines.insert(lines.end(), {"!Enter as UTOOL[1]:", pair("X", at.x(), "Y", at.y()), pair("Z", at.z(), "W", turn.z()),
+                             pair("P", turn.y(), "R", turn.x()), "UFRAME_NUM=0", "UTOOL_NUM=1"});
+  return lines;
+}
+
 // The places of a /POS section, by their numbers: what they set, by name.
 using FanucPlace = std::map<std::string, double, std::less<>>;
 
-// "J1 = 1.5 deg, X = 2 mm": each name with its number. Others are passed over.
+// "UF : 0, J1 = 1.5 deg, X = 2 mm": each name with its number. Others are passed over.
 void readAssignments(std::string_view text, FanucPlace& place) {
-  for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1)) {
+  for (std::size_t at = text.find_first_of("=:"); at != text.npos; at = text.find_first_of("=:", at + 1)) {
     std::size_t end = at;
     while (end > 0 && text[end - 1] == ' ') --end;
     std::size_t begin = end;
@@ -81,13 +112,30 @@ std::optional<std::vector<double>> valuesOf(const FanucPlace& place, std::initia
   return values;
 }
 
-// "P[12]", perhaps with a remark: the number. 0: none.
+// "P[12]", or with a remark "P[12:home]": the number. 0: none.
 std::size_t placeNumber(LineReader& line) {
   if (!line.take("P[")) return 0;
   const auto number = line.number();
-  return number && *number >= 1.0 && *number <= static_cast<double>(Post::kMostMotions)
-             ? static_cast<std::size_t>(*number)
-             : 0;
+  if (!number || !(*number >= 1.0 && *number <= static_cast<double>(Post::kMostMotions))) return 0;
+  line.skip(line.rest().find(']') + 1);
+  return static_cast<std::size_t>(*number);
+}
+
+// What follows the target: "50%", "100mm/sec", "60cm/min", "4inch/min". None: another unit, as seconds.
+std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
+  const auto value = line.number();
+  if (!value || !(*value > 0.0)) return std::nullopt;
+  if (isJoint) return line.take("%") ? std::optional(std::min(1.0, 0.01 * *value)) : std::nullopt;
+  if (line.take("mm/sec")) return *value;
+  if (line.take("cm/min")) return *value * 10.0 / 60.0;
+  if (line.take("inch/min")) return *value * 25.4 / 60.0;
+  return std::nullopt;
+}
+
+// User frames but the world are on the controller, not in the file.
+bool isInWorld(const FanucPlace& place) {
+  const auto frame = place.find("UF");
+  return frame != place.end() && frame->second == 0.0;
 }
 
 }  // namespace
@@ -96,20 +144,22 @@ std::string FanucPost::write(const RobotProgram& program) const {
   std::string name = identifierOf(program.name, kLongestFanucName);
   std::transform(name.begin(), name.end(), name.begin(),
                  [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  const std::vector<std::string> head = headLines(program);
   std::string lines, places;
+  std::size_t count = 0;
+  for (const std::string& line : head) lines += "   " + std::to_string(++count) + ":  " + line + " ;\n";
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const ProgramMotion& motion = program.motions[i];
     const std::string number = std::to_string(i + 1);
-    const bool isJoint = motion.kind == ProgramMotion::Kind::Joint;
-    const std::string speed =
-        isJoint ? std::to_string(std::clamp(static_cast<int>(std::lround(100.0 * motion.speed)), 1, 100)) + "%"
-                : fixedText(std::max(motion.speed, 0.1), 1) + "mm/sec";
-    lines += "   " + number + ":" + (isJoint ? "J" : "L") + " P[" + number + "] " + speed + " FINE    ;\n";
-    places += "P[" + number + "]{\n" + placeText(program, motion) + "};\n";
+    const std::string remark = motion.name.empty() ? "" : identifierOf(motion.name, kLongestPlaceName);
+    lines += "   " + std::to_string(++count) + (motion.kind == ProgramMotion::Kind::Joint ? ":J P[" : ":L P[") +
+             number + (remark.empty() ? "" : ":" + remark) + "] " + fanucSpeed(motion) + " FINE    ;\n";
+    places +=
+        "P[" + number + (remark.empty() ? "" : ":\"" + remark + "\"") + "]{\n" + placeText(program, motion) + "};\n";
   }
-  const std::string count = std::to_string(program.motions.size());
   return "/PROG  " + name + "\n/ATTR\nOWNER\t\t= MNEDITOR;\nCOMMENT\t\t= \"HANDWHEEL\";\nPROTECT\t\t= READ_WRITE;\n" +
-         "LINE_COUNT\t= " + count + ";\nDEFAULT_GROUP\t= 1,*,*,*,*;\n/MN\n" + lines + "/POS\n" + places + "/END\n";
+         "LINE_COUNT\t= " + std::to_string(count) + ";\nDEFAULT_GROUP\t= 1,*,*,*,*;\n/MN\n" + lines + "/POS\n" +
+         places + "/END\n";
 }
 
 Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {
@@ -139,8 +189,9 @@ Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const Rob
     const std::size_t number = placeNumber(line);
     if (number == 0) return line.malformed("target", "P[number] was expected");
     if (motions.size() >= kMostMotions) return line.malformed("J", "there are too many motions");
-    motions.push_back(
-        {number, {isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1}});
+    ReadMotion motion{isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1};
+    motion.speed = fanucSpeedFrom(line, isJoint);
+    motions.emplace_back(number, std::move(motion));
   }
   std::vector<ReadMotion> all;
   for (auto& [number, motion] : motions) {
@@ -148,8 +199,13 @@ Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const Rob
     if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"}); joints && frame.arm.size() == 6) {
       motion.joints = counted(radiansOf(*joints), -1.0);
     } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
-      motion.pose = Pose(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
-      motion.pose->linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
+      if (!isInWorld(place) || frame.arm.size() != 6) {
+        return Error{
+            ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
+      }
+      Pose inWorld(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
+      inWorld.linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
+      motion.pose = frame.frame.inverse(Eigen::Isometry) * fanucWorld(frame.arm) * inWorld;
     } else {
       return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
     }

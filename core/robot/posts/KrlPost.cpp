@@ -4,6 +4,7 @@
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 
+#include <algorithm>
 #include <array>
 
 namespace handwheel {
@@ -11,6 +12,8 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kLongestKrlName = 24;
+constexpr const char* kBaseRemark =
+    "; Lines hold if the base of the robot's description is $ROBROOT: test this first.\n";
 
 std::string krlFrame(const Pose& pose) {
   const Vec3 at = pose.translation(), turn = zyxAngles(pose.linear()) / kRadiansPerDegree;
@@ -25,6 +28,60 @@ std::string statusText(const SerialArm& arm, const ArmValues& values) {
   return std::string(",S 'B") + (posture.isFlipped ? '1' : '0') + (posture.isElbowDown ? '0' : '1') +
          (posture.isRear ? '1' : '0') + "',T 'B" + turn + "'";
 }
+
+// What a program has set of speeds and zones so far.
+struct KrlSettings {
+  std::array<std::optional<double>, 6> axes = {};  // shares of the largest
+  std::optional<double> lineSpeed = {};            // mm/s
+  double blend = 0.0;                              // mm
+
+  // Of the slowest axis: all axes of a motion end together.
+  std::optional<double> share() const {
+    std::optional<double> least;
+    for (const auto& axis : axes) {
+      if (axis && *axis < least.value_or(2.0)) least = axis;
+    }
+    return least;
+  }
+
+  // $VEL_AXIS[2]=50, in a loop $VEL_AXIS[I]=50; BAS(#VEL_PTP,50); $VEL.CP=0.1; BAS(#VEL_CP,0.1); $APO.CDIS=5. False: it
+  // is none of these.
+  bool take(LineReader line) {
+    if (line.take("$VEL_AXIS[")) {
+      const auto axis = line.number();
+      line.name();
+      if (!line.take("]") || !line.take("=")) return true;
+      const std::optional<double> share = positive(line, 0.01);
+      for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (!axis || *axis == static_cast<double>(i + 1)) axes[i] = share;
+      }
+    } else if (line.take("$VEL.CP")) {
+      line.take("=");
+      lineSpeed = positive(line, kMillimetresOfMetre);
+    } else if (line.take("$APO.CDIS")) {
+      line.take("=");
+      blend = line.number().value_or(0.0);
+    } else if (line.takeWord("BAS")) {
+      line.take("(");
+      const bool isShare = line.take("#VEL_PTP") || line.take("#PTP_PARAMS");
+      const bool isSpeed = !isShare && (line.take("#VEL_CP") || line.take("#CP_PARAMS"));
+      line.take(",");
+      if (isShare) axes.fill(positive(line, 0.01));
+      if (isSpeed) lineSpeed = positive(line, kMillimetresOfMetre);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double kMillimetresOfMetre = 1e3;
+
+  static std::optional<double> positive(LineReader& line, double unit) {
+    const auto value = line.number();
+    return value && *value > 0.0 ? std::optional(unit * *value) : std::nullopt;
+  }
+};
 
 // The values of "{X 1,Y 2,…}" under these names; none where one is missing.
 std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::array<const char*, 6>& names) {
@@ -60,11 +117,13 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
 }  // namespace
 
 std::string KrlPost::write(const RobotProgram& program) const {
-  std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierOf(program.name, kLongestKrlName) + "()\n; " +
-                     identifierOf(program.robot, 60) + "\nBAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) +
-                     "}\n$BASE={" + krlFrame(program.frame) + "}\n";
+  std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierOf(program.name, kLongestKrlName) + "()\n";
+  for (const std::string& remark : headRemarks(program)) text += "; " + remark + "\n";
+  if (needsControllersBase(program)) text += kBaseRemark;
+  text += "BAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) + "}\n$BASE={" + krlFrame(program.frame) + "}\n";
   double share = -1.0, speed = -1.0;
   for (const ProgramMotion& motion : program.motions) {
+    if (!motion.name.empty()) text += "; " + identifierOf(motion.name, 60) + "\n";
     if (motion.kind == ProgramMotion::Kind::Joint) {
       if (motion.speed != share) text += "BAS(#VEL_PTP," + fixedText(100.0 * motion.speed, 2) + ")\n";
       share = motion.speed;
@@ -74,7 +133,7 @@ std::string KrlPost::write(const RobotProgram& program) const {
         text += (i > 0 ? ",A" : "A") + std::to_string(i + 1) + " " + fixedText(degrees[i], 7);
       text += "}\n";
     } else {
-      if (motion.speed != speed) text += "$VEL.CP=" + fixedText(1e-3 * motion.speed, 5) + "\n";
+      if (motion.speed != speed) text += "$VEL.CP=" + fixedText(1e-3 * std::max(motion.speed, 0.01), 5) + "\n";
       speed = motion.speed;
       if (motion.blend > 0.0) text += "$APO.CDIS=" + fixedText(motion.blend, 3) + "\n";
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
@@ -89,14 +148,10 @@ Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const Robot
   const Result<std::vector<std::string_view>> lines = programLines(text, ";");
   if (!lines) return lines.error();
   std::vector<ReadMotion> motions;
-  double blend = 0.0;
+  KrlSettings settings;
   for (std::size_t i = 0; i < lines->size(); ++i) {
     LineReader line((*lines)[i], i + 1);
-    if (line.take("$APO.CDIS")) {
-      line.take("=");
-      blend = line.number().value_or(0.0);
-      continue;
-    }
+    if (settings.take(line)) continue;
     const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
     for (const char* const other : {"CIRC", "SPTP", "SLIN", "SCIRC", "PTP_REL", "LIN_REL", "SPLINE"}) {
       if (line.takeWord(other)) return Error{ErrorCode::Unsupported, {other}, InputPosition::line(i + 1), {}};
@@ -104,6 +159,7 @@ Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const Robot
     if (!isPtp && !isLinear) continue;
     if (motions.size() >= kMostMotions) return line.malformed("PTP", "there are too many motions");
     ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1};
+    motion.speed = isPtp ? settings.share() : settings.lineSpeed;
     LineReader other = line;
     if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
       motion.joints = radiansOf(*joints);
@@ -111,7 +167,7 @@ Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const Robot
       Pose pose(Eigen::Translation3d((*frame)[0], (*frame)[1], (*frame)[2]));
       pose.linear() = fromZyx(Vec3((*frame)[3], (*frame)[4], (*frame)[5]) * kRadiansPerDegree);
       motion.pose = pose;
-      if (other.takeWord("C_DIS")) motion.blend = blend;
+      if (other.takeWord("C_DIS")) motion.blend = settings.blend;
     } else {
       return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
     }

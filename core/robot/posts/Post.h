@@ -20,6 +20,8 @@ struct ReadMotion {
   std::optional<Pose> pose = {};         // in the program's frame
   double blend = 0.0;                    // mm
   std::size_t line = 0;                  // from 1
+  std::optional<double> speed = {};      // as in ProgramMotion, above 0; none: the program does not say
+  std::optional<double> toolSpeed = {};  // mm/s: where a language gives a joint motion that of the tool's centre point
 };
 
 // Writes programs in the language of a controller, and reads them back. docs/posts.md tells how to write one.
@@ -33,6 +35,8 @@ class Post {
   virtual const char* id() const = 0;      // on the command line: "rapid"
   virtual const char* title() const = 0;   // of its language and maker: "ABB RAPID"
   virtual const char* ending() const = 0;  // of its files: ".mod"
+  // Whose robots its controllers move, as the titles of the library begin (robot/dh/DhTable.h). Empty: anybody's.
+  virtual const char* maker() const { return ""; }
 
   // What this controller cannot do of a program, before anything is written (PostErrors.h). Empty: it can do all.
   virtual std::vector<Error> refusals(const RobotProgram& program) const;
@@ -57,8 +61,9 @@ struct PostCheck {
   double angle = 0.0;     // degrees
   std::size_t motions = 0;
 };
-// Reads a program back, computes where its motions end and compares these with the program (forward kinematics).
-// Errors: those of Post::read(), CountMismatch {"motions", written, read}.
+// Reads a program back, computes where its motions end and compares these with the program (forward kinematics), and so
+// their kinds, speeds and blends: a speed is the one wanted as far as the languages can say it, a blend never larger.
+// Errors: those of Post::read(), CountMismatch {"motions", written, read}, MotionDiffers.
 Result<PostCheck> checkWritten(const Post& post, const RobotProgram& program, std::string_view text);
 
 }  // namespace handwheel

@@ -24,4 +24,9 @@ const ErrorDescription PostError::NotFinite{
     .sentences = {translatable("ErrorText", "motion %1 has a value that is not a number")},
     .advice = {translatable("ErrorText", "Plan the path again.")}};
 
+const ErrorDescription PostError::MotionDiffers{
+    .id = "PostMotionDiffers",
+    .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},
+    .advice = {translatable("ErrorText", "Report this to the author of the post; the program was not written.")}};
+
 }  // namespace handwheel

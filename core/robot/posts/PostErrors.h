@@ -11,5 +11,6 @@ extern const ErrorDescription WrongJoints;  // {language, wanted, count} the con
 extern const ErrorDescription NoSlides;     // {language, joint}
 extern const ErrorDescription TooManyMotions;  // {count, most}
 extern const ErrorDescription NotFinite;       // {motion}
+extern const ErrorDescription MotionDiffers;   // {motion, "kind", "speed" or "blend", wanted, read}
 
 }  // namespace handwheel::PostError

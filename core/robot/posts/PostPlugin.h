@@ -6,7 +6,7 @@
 
 // Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
 // the plugin is loaded. Increment it with every change of Post.h, RobotProgram.h, SerialArm.h, Error.h or of this file.
-#define HANDWHEEL_POST_PLUGIN "handwheel.post/1"
+#define HANDWHEEL_POST_PLUGIN "handwheel.post/2"
 
 namespace handwheel {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/PostText.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -15,6 +16,18 @@ bool isLetter(char c) {
 
 bool isNameCharacter(char c) {
   return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
+}
+
+// So many decimal digits of the FNV-1a hash of a text.
+std::string hashDigits(const std::string& text, std::size_t count) {
+  std::uint32_t hash = 2166136261u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  std::string digits(count, '0');
+  for (char& digit : digits) {
+    digit = static_cast<char>('0' + hash % 10);
+    hash /= 10;
+  }
+  return digits;
 }
 
 char lowered(char c) {
@@ -39,12 +52,27 @@ std::string fixedList(std::span<const double> values, int digits) {
 
 std::string identifierOf(const std::string& name, std::size_t longest) {
   std::string made;
-  for (const char c : name) {
-    if (made.size() >= longest) break;
-    made += isNameCharacter(c) ? c : '_';
-  }
-  if (made.empty() || !isLetter(made[0])) made = ("P" + made).substr(0, longest);
-  return made;
+  for (const char c : name) made += isNameCharacter(c) ? c : '_';
+  if (made.empty() || !isLetter(made[0])) made = "P" + made;
+  if (made.size() <= longest) return made;
+  std::string number = made.substr(made.find_last_not_of("0123456789") + 1);
+  constexpr std::size_t kShortestHead = 3;
+  if (number.empty() || number.size() + kShortestHead >= longest) number = hashDigits(name, longest > 12 ? 4 : 2);
+  std::string head = made.substr(0, longest - number.size() - 1);
+  while (head.ends_with('_')) head.pop_back();
+  return head + "_" + number;
+}
+
+std::vector<std::string> headRemarks(const RobotProgram& program) {
+  std::vector<std::string> remarks{identifierOf(program.robot, 60)};
+  if (program.hasPlainShapes) remarks.emplace_back("Collisions were checked with simplified shapes of the robot.");
+  return remarks;
+}
+
+bool needsControllersBase(const RobotProgram& program) {
+  return !program.isBaseOfController &&
+         std::any_of(program.motions.begin(), program.motions.end(),
+                     [](const ProgramMotion& motion) { return motion.kind == ProgramMotion::Kind::Linear; });
 }
 
 Vec3 zyxAngles(const Eigen::Matrix3d& turn) {

@@ -7,6 +7,7 @@
 #include "base/Units.h"
 #include "robot/posts/Post.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +19,20 @@ std::string fixedText(double value, int digits);
 // Numbers like this, with commas between them.
 std::string fixedList(std::span<const double> values, int digits);
 
-// A name that the language takes: letters, digits and underscores, a letter first, at most so long.
+// A name that the language takes: letters, digits and underscores, a letter first, at most so long. Where it is cut,
+// the number at its end stays, or one is added that other names hardly have ("Process 2" within 8: "Proces_2").
 std::string identifierOf(const std::string& name, std::size_t longest);
 
 // Turns about z, y and x, in this order about axes that move along (KUKA's A, B, C; Fanuc's R, P, W); rad. Where two
 // axes are in line the last is 0.
 Vec3 zyxAngles(const Eigen::Matrix3d& turn);
 Eigen::Matrix3d fromZyx(const Vec3& angles);
+
+// What is said of a program in comments at its head: the robot, and what was assumed.
+std::vector<std::string> headRemarks(const RobotProgram& program);
+
+// Whether there are lines by poses, and the base may not be the one that the controller counts from.
+bool needsControllersBase(const RobotProgram& program);
 
 // The joints of a program's arm in degrees.
 std::vector<double> degreesOf(const ArmValues& values);
@@ -36,6 +44,7 @@ class LineReader {
   LineReader(std::string_view text, std::size_t line) : m_rest(text), m_line(line) {}
 
   void skipSpace();
+  void skip(std::size_t characters) { m_rest.remove_prefix(std::min(characters, m_rest.size())); }
   bool take(std::string_view word);      // if it comes next
   bool takeWord(std::string_view word);  // likewise, and no letter or digit follows
   std::optional<double> number();        // finite

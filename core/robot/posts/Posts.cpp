@@ -5,6 +5,7 @@
 #include "robot/posts/PostText.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -89,6 +90,30 @@ const Post* postForEnding(std::string_view fileName) {
   return nullptr;
 }
 
+namespace {
+
+// Fanuc's steps, which are the coarsest: whole percent, tenths of mm/s. What is slower than a step becomes one.
+bool isSameSpeed(ProgramMotion::Kind kind, double wanted, double got) {
+  const double step = kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
+  return std::abs(wanted - got) <= 0.501 * step || (wanted <= step && got <= step);
+}
+
+std::optional<Error> differenceOf(const ProgramMotion& wanted, const ReadMotion& got, std::size_t number) {
+  const auto differs = [&](const char* what, const std::string& was, const std::string& is) {
+    return Error{PostError::MotionDiffers, {std::to_string(number), what, was, is}, {}, {}};
+  };
+  constexpr double kBlendStep = 1e-3;  // mm
+  const auto word = [](ProgramMotion::Kind kind) { return kind == ProgramMotion::Kind::Joint ? "joint" : "linear"; };
+  if (wanted.kind != got.kind) return differs("kind", word(wanted.kind), word(got.kind));
+  if (got.speed && !isSameSpeed(wanted.kind, wanted.speed, *got.speed))
+    return differs("speed", fixedText(wanted.speed, 4), fixedText(*got.speed, 4));
+  if (!(got.blend <= wanted.blend + kBlendStep))
+    return differs("blend", fixedText(wanted.blend, 4), fixedText(got.blend, 4));
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<PostCheck> checkWritten(const Post& post, const RobotProgram& program, std::string_view text) {
   const Result<std::vector<ReadMotion>> read = post.read(text, program);
   if (!read) return read.error();
@@ -102,6 +127,7 @@ Result<PostCheck> checkWritten(const Post& post, const RobotProgram& program, st
   }
   for (std::size_t i = 0; i < read->size(); ++i) {
     const ReadMotion& motion = (*read)[i];
+    if (const auto difference = differenceOf(program.motions[i], motion, i + 1)) return *difference;
     const Pose wanted = program.frame.inverse(Eigen::Isometry) * program.tipOf(program.motions[i]);
     const Pose got =
         motion.joints

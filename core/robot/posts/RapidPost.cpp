@@ -6,15 +6,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
 namespace handwheel {
 
 namespace {
 
 constexpr std::size_t kLongestRapidName = 32;
+constexpr std::size_t kLongestRapidSuffix = 7;  // "_module"
 constexpr std::size_t kMotionsOfARoutine = 1'000;
+constexpr double kLargestRapidSpeed = 5'000.0;  // mm/s, of VelSet at the start of a task
 constexpr const char* kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+// Words of the language that a path may be called, and the procedure that a task begins with.
+constexpr const char* kRapidWords[] = {"alias", "and",    "case",  "connect", "default", "div",  "do",   "else",
+                                       "error", "exit",   "false", "for",     "from",    "func", "goto", "if",
+                                       "inout", "local",  "main",  "mod",     "module",  "not",  "or",   "proc",
+                                       "raise", "record", "retry", "return",  "step",    "test", "then", "to",
+                                       "trap",  "true",   "undo",  "while",   "with",    "xor"};
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+std::string rapidName(const std::string& name) {
+  const std::string made = identifierOf(name, kLongestRapidName - kLongestRapidSuffix);
+  const std::string lower = lowerCase(made);
+  const bool isWord =
+      std::any_of(std::begin(kRapidWords), std::end(kRapidWords), [&](const char* word) { return lower == word; });
+  return isWord ? made + "_path" : made;
+}
 
 std::string rapidPose(const Pose& pose) {
   const Vec3 at = pose.translation();
@@ -42,140 +64,95 @@ std::string zoneText(double blend) {
   return "[FALSE," + fixedList(numbers, 3) + "]";
 }
 
-std::string motionLine(const RobotProgram& program, const ProgramMotion& motion) {
-  std::string line = "    ";
-  if (motion.kind == ProgramMotion::Kind::Joint) {
-    line += "MoveAbsJ [[" + fixedList(degreesOf(motion.joints), 7) + "]," + kNoAxes + "]\\NoEOffs,vmax,";
-  } else {
-    const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-    line += "MoveL [" + rapidPose(place) + "," + configurationText(program.arm, motion.joints) + "," + kNoAxes + "],[" +
-            fixedText(motion.speed, 2) + ",500,5000,1000],";
-  }
-  return line + zoneText(motion.blend) + ",hwTool\\WObj:=hwFrame;\n";
-}
-
-class RapidReading {
+// Several of these modules may be loaded into one task: all that is known outside of one carries the path's name.
+class RapidWriting {
  public:
-  explicit RapidReading(Eigen::Index joints) : m_joints(static_cast<std::size_t>(joints)) {}
-
-  Status readLine(std::string_view text, std::size_t number) {
-    LineReader line(text, number);
-    while (line.takeWord("LOCAL") || line.takeWord("TASK")) {
+  explicit RapidWriting(const RobotProgram& program) : m_program(program), m_name(rapidName(program.name)) {
+    for (const ProgramMotion& motion : program.motions) {
+      if (motion.kind == ProgramMotion::Kind::Linear) m_largestSpeed = std::max(m_largestSpeed, motion.speed);
     }
-    if (line.takeWord("CONST") || line.takeWord("PERS") || line.takeWord("VAR")) return readData(line);
-    if (line.takeWord("MoveAbsJ")) return readMotion(line, number, ProgramMotion::Kind::Joint, true);
-    if (line.takeWord("MoveJ")) return readMotion(line, number, ProgramMotion::Kind::Joint, false);
-    if (line.takeWord("MoveL")) return readMotion(line, number, ProgramMotion::Kind::Linear, false);
-    line.skipSpace();
-    LineReader other = line;
-    const std::string_view word = other.name();
-    if (word.size() >= 4 && LineReader(word, number).take("Move"))
-      return Error{ErrorCode::Unsupported, {std::string(word)}, InputPosition::line(number), {}};
-    return Done{};
   }
-  std::vector<ReadMotion> motions;
+
+  std::string text() {
+    const std::size_t count = m_program.motions.size();
+    std::string body, routines;
+    if (count <= kMotionsOfARoutine) body = motionLines(0, count);
+    for (std::size_t begin = 0; count > kMotionsOfARoutine && begin < count; begin += kMotionsOfARoutine) {
+      const std::string routine = m_name + "_" + std::to_string(begin / kMotionsOfARoutine + 1);
+      body += "    " + routine + ";\n";
+      routines += "  LOCAL PROC " + routine + "()\n" + motionLines(begin, std::min(count, begin + kMotionsOfARoutine)) +
+                  "  ENDPROC\n";
+    }
+    return "MODULE " + m_name + "_module\n" + head() + m_targets + "  PROC " + m_name + "()\n    ConfL\\Off;\n" + body +
+           "    VelSet 100," + fixedText(kLargestRapidSpeed, 0) + ";\n    ConfL\\On;\n  ENDPROC\n" + routines +
+           "ENDMODULE\n";
+  }
 
  private:
-  using Numbers = std::vector<double>;
-
-  Status readData(LineReader& line) {
-    const bool isJoints = line.takeWord("jointtarget");
-    if (!isJoints && !line.takeWord("robtarget")) return Done{};
-    const std::string name(line.name());
-    if (name.empty() || !line.take(":=")) return line.malformed("target", "a name and := were expected");
-    const auto numbers = line.numbersWithin('[', ']', 20);
-    if (!numbers) return line.malformed("target", "numbers in brackets were expected");
-    (isJoints ? m_jointTargets : m_robTargets)[name] = *numbers;
-    return Done{};
+  std::string head() const {
+    std::string text;
+    for (const std::string& remark : headRemarks(m_program)) text += "  ! " + remark + "\n";
+    text += "  ! To run it: " + m_name + ";\n";
+    const std::string mass = fixedText(std::max(0.001, m_program.toolMass), 3);
+    text += "  ! The load of the tool is an assumption (" + mass + " kg): enter mass and centre of gravity of yours.\n";
+    text += "  PERS tooldata " + m_name + "_tool:=[TRUE,[" + rapidPose(m_program.tool) + "],[" + mass +
+            ",[0,0,1],[1,0,0,0],0,0,0]];\n";
+    return text + "  PERS wobjdata " + m_name + "_frame:=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) +
+           "],[[0,0,0],[1,0,0,0]]];\n";
   }
 
-  Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool isJoints) {
-    if (motions.size() >= Post::kMostMotions) return line.malformed("MoveAbsJ", "there are too many motions");
-    while (line.take("\\")) {  // as \Conc
-      line.name();
-      line.take(",");
+  std::string motionLines(std::size_t begin, std::size_t end) {
+    std::string text;
+    double share = -1.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const ProgramMotion& motion = m_program.motions[i];
+      const double wanted = motion.kind == ProgramMotion::Kind::Joint ? std::min(motion.speed, 1.0) : 1.0;
+      if (wanted != share)
+        text += "    VelSet " + fixedText(100.0 * wanted, 2) + "," + fixedText(m_largestSpeed, 0) + ";\n";
+      share = wanted;
+      text += motionLine(motion);
     }
-    auto numbers = line.numbersWithin('[', ']', 20);
-    if (!numbers) {
-      const std::string name(line.name());
-      const auto& known = isJoints ? m_jointTargets : m_robTargets;
-      const auto found = known.find(name);
-      if (found == known.end()) return line.malformed("target", "it is neither numbers nor a name given before");
-      numbers = found->second;
-      if (line.take("(")) return line.malformed("target", "functions as Offs are not read");
-    }
-    ReadMotion motion{kind, {}, {}, 0.0, number};
-    if (numbers->size() < (isJoints ? m_joints : 7)) return line.malformed("target", "it has too few numbers");
-    if (isJoints)
-      motion.joints = radiansOf(std::span(*numbers).first(m_joints));
-    else if (auto pose = poseFrom(*numbers))
-      motion.pose = *pose;
-    else
-      return line.malformed("target", "its quaternion has no direction");
-    motion.blend = blendFrom(line.rest());
-    motions.push_back(std::move(motion));
-    return Done{};
+    return text;
   }
 
-  static std::optional<Pose> poseFrom(const Numbers& n) {
-    Eigen::Quaterniond turn(n[3], n[4], n[5], n[6]);
-    if (!(turn.norm() > 1e-3) || !(turn.norm() < 1e3)) return std::nullopt;
-    Pose pose(Eigen::Translation3d(n[0], n[1], n[2]));
-    pose.linear() = turn.normalized().toRotationMatrix();
-    return pose;
+  std::string motionLine(const ProgramMotion& motion) {
+    const std::string frame = m_name + "_tool\\WObj:=" + m_name + "_frame";
+    const std::string end = zoneText(motion.blend) + "," + frame + ";\n";
+    const std::string joints = "[[" + fixedList(degreesOf(motion.joints), 7) + "]," + kNoAxes + "]";
+    if (motion.kind == ProgramMotion::Kind::Joint)
+      return "    MoveAbsJ " + target("jointtarget", joints, motion) + "\\NoEOffs,vmax," + end;
+    const std::string speed = ",[" + fixedText(std::max(motion.speed, 0.01), 2) + ",500,5000,1000],";
+    // A pose would lead elsewhere where a description has turned or raised the base: the controller computes its own.
+    if (!m_program.isBaseOfController)
+      return "    MoveL CalcRobT(" + target("jointtarget", joints, motion) + "," + frame + ")" + speed + end;
+    const Pose place = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
+    const std::string pose =
+        "[" + rapidPose(place) + "," + configurationText(m_program.arm, motion.joints) + "," + kNoAxes + "]";
+    return "    MoveL " + target("robtarget", pose, motion) + speed + end;
   }
 
-  // Of "…,z10,…" or "[FALSE,10,…]"; 0 for fine.
-  static double blendFrom(std::string_view rest) {
-    const std::size_t own = rest.find("[FALSE,");
-    if (own != rest.npos) return LineReader(rest.substr(own + 7), 0).number().value_or(0.0);
-    for (std::size_t at = rest.find(','); at != rest.npos; at = rest.find(',', at + 1)) {
-      LineReader word(rest.substr(at + 1), 0);
-      if (!word.take("z")) continue;
-      if (const auto zone = word.number()) return *zone;
-    }
-    return 0.0;
+  // Places with names are data with names, which can be touched up.
+  std::string target(const char* type, const std::string& numbers, const ProgramMotion& motion) {
+    if (motion.name.empty()) return numbers;
+    constexpr std::size_t kLongestNumber = 7;
+    const std::string wish = "p_" + identifierOf(motion.name, kLongestRapidName - kLongestNumber - 2);
+    std::string name = wish;
+    for (std::size_t n = 2; !m_names.insert(lowerCase(name)).second; ++n) name = wish + "_" + std::to_string(n);
+    m_targets += std::string("  LOCAL CONST ") + type + " " + name + ":=" + numbers + ";\n";
+    return name;
   }
 
-  std::size_t m_joints;
-  std::map<std::string, Numbers> m_jointTargets, m_robTargets;
+  const RobotProgram& m_program;
+  std::string m_name;
+  double m_largestSpeed = kLargestRapidSpeed;  // mm/s
+  std::string m_targets;
+  std::set<std::string> m_names;  // of targets; the language does not tell cases apart
 };
 
 }  // namespace
 
 std::string RapidPost::write(const RobotProgram& program) const {
-  const std::string name = identifierOf(program.name, kLongestRapidName - 4);
-  std::string text = "MODULE " + name + "\n  ! " + identifierOf(program.robot, 60) + "\n";
-  text += "  PERS tooldata hwTool:=[TRUE,[" + rapidPose(program.tool) + "],[" +
-          fixedText(std::max(0.001, program.toolMass), 3) + ",[0,0,1],[1,0,0,0],0,0,0]];\n";
-  text += "  PERS wobjdata hwFrame:=[FALSE,TRUE,\"\",[" + rapidPose(program.frame) + "],[[0,0,0],[1,0,0,0]]];\n";
-  std::string calls, routines;
-  for (std::size_t begin = 0; begin < program.motions.size(); begin += kMotionsOfARoutine) {
-    const std::string routine = name + "_" + std::to_string(begin / kMotionsOfARoutine + 1);
-    calls += "    " + routine + ";\n";
-    routines += "  PROC " + routine + "()\n";
-    double share = -1.0;
-    const std::size_t end = std::min(program.motions.size(), begin + kMotionsOfARoutine);
-    for (std::size_t i = begin; i < end; ++i) {
-      const ProgramMotion& motion = program.motions[i];
-      const double wanted = motion.kind == ProgramMotion::Kind::Joint ? motion.speed : 1.0;
-      if (wanted != share) routines += "    VelSet " + fixedText(100.0 * wanted, 2) + ",5000;\n";
-      share = wanted;
-      routines += motionLine(program, motion);
-    }
-    routines += "  ENDPROC\n";
-  }
-  return text + "  PROC main()\n    ConfL\\Off;\n" + calls + "  ENDPROC\n" + routines + "ENDMODULE\n";
-}
-
-Result<std::vector<ReadMotion>> RapidPost::read(std::string_view text, const RobotProgram& frame) const {
-  const Result<std::vector<std::string_view>> lines = programLines(text, "!");
-  if (!lines) return lines.error();
-  RapidReading reading(frame.arm.size());
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    if (const Status read = reading.readLine((*lines)[i], i + 1); !read) return read.error();
-  }
-  return std::move(reading.motions);
+  return RapidWriting(program).text();
 }
 
 }  // namespace handwheel

@@ -84,6 +84,7 @@ class CsvPost : public Post {
             numbers[k + 2] * (frame.arm.joints()[k].isPrismatic ? 1.0 : kRadiansPerDegree);
       motion.joints = joints;
       motion.blend = numbers[1];
+      if (numbers[0] > 0.0) motion.speed = numbers[0];
       motions.push_back(std::move(motion));
     }
     return motions;
@@ -102,6 +103,7 @@ class JsonPost : public Post {
                                    {"robot", program.robot},
                                    {"tool", poseNumbers(program.tool)},
                                    {"frame", poseNumbers(program.frame)},
+                                   {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"},
                                    {"motions", nlohmann::ordered_json::array()}};
     for (const ProgramMotion& motion : program.motions) {
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
@@ -134,6 +136,9 @@ class JsonPost : public Post {
       motion.joints = Eigen::Map<const Eigen::VectorXd>(q.data(), frame.arm.size());
       if (const auto blend = each.find("blend_mm"); blend != each.end() && blend->is_number())
         motion.blend = blend->get<double>();
+      if (const auto speed = each.find("speed");
+          speed != each.end() && speed->is_number() && speed->get<double>() > 0.0)
+        motion.speed = speed->get<double>();
       motions.push_back(std::move(motion));
     }
     return motions;

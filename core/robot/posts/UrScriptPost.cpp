@@ -21,11 +21,11 @@ std::string urPose(const Pose& pose) {
   return "p[" + fixedList(numbers, 9) + "]";
 }
 
-// rad/s of the fastest joint; hinges without a known velocity turn 180° a second.
-double urSpeed(const RobotProgram& program, const ProgramMotion& motion) {
+// rad/s that any joint may turn by; hinges without a known velocity turn 180° a second.
+double urFullSpeed(const RobotProgram& program) {
   double fastest = M_PI;
   for (const ArmJoint& joint : program.arm.joints()) fastest = std::min(fastest, joint.velocity.value_or(M_PI));
-  return fastest * std::clamp(motion.speed, 0.001, 1.0);
+  return fastest;
 }
 
 // Zones of neighbours must not overlap, and the last motion has none; mm.
@@ -34,6 +34,21 @@ double zoneOf(const RobotProgram& program, std::size_t i) {
   const auto at = [&](std::size_t k) { return Vec3(program.tipOf(program.motions[k]).translation()); };
   const double near = std::min((at(i) - at(i - 1)).norm(), (at(i + 1) - at(i)).norm());
   return std::min(program.motions[i].blend, 0.49 * near);
+}
+
+// The value of "v=0.5" among the arguments after the target.
+std::optional<double> namedArgument(std::string_view rest, char name) {
+  for (std::size_t at = rest.find(','); at != rest.npos; at = rest.find(',', at + 1)) {
+    LineReader word(rest.substr(at + 1), 0);
+    if (word.take({&name, 1}) && word.take("=")) return word.number();
+  }
+  return std::nullopt;
+}
+
+// The second of the numbers that follow the target without names, a, v, t, r: as people write them.
+std::optional<double> unnamedSpeed(LineReader rest) {
+  const bool hasBoth = rest.take(",") && rest.number() && rest.take(",");
+  return hasBoth ? rest.number() : std::nullopt;
 }
 
 Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind) {
@@ -51,34 +66,42 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
   } else {
     motion.joints = Eigen::Map<const Eigen::VectorXd>(n.data(), 6);
   }
-  const std::size_t zone = line.rest().find("r=");
-  if (zone != std::string_view::npos)
-    motion.blend = LineReader(line.rest().substr(zone + 2), 0).number().value_or(0.0) / kMetresOfMillimetre;
+  motion.blend = namedArgument(line.rest(), 'r').value_or(0.0) / kMetresOfMillimetre;
+  motion.speed = namedArgument(line.rest(), 'v');
+  if (!motion.speed) motion.speed = unnamedSpeed(line);
+  const bool isByTime = namedArgument(line.rest(), 't').value_or(0.0) > 0.0;
+  if (isByTime || !(motion.speed.value_or(0.0) > 0.0)) motion.speed = std::nullopt;
   return motion;
+}
+
+std::string urMotion(const RobotProgram& program, std::size_t i) {
+  const ProgramMotion& motion = program.motions[i];
+  const bool isJoint = motion.kind == ProgramMotion::Kind::Joint;
+  constexpr double kRampsASecond = 4.0;  // full speed after a quarter of a second
+  const double speed = isJoint ? urFullSpeed(program) * std::clamp(motion.speed, 0.001, 1.0)
+                               : kMetresOfMillimetre * std::max(motion.speed, 0.01);
+  // movel by joint values, too: the controller computes the pose by its own kinematics, with the TCP that is set above.
+  // A pose would have to be in the controller's base, which ROS' base_link is turned by 180° against.
+  std::string text = motion.name.empty() ? "" : "  # " + identifierOf(motion.name, 60) + "\n";
+  text += std::string(isJoint ? "  movej([" : "  movel([") + fixedList(std::span(motion.joints.data(), 6), 9) + "]";
+  text += ",a=" + fixedText(kRampsASecond * speed, 5) + ",v=" + fixedText(speed, 5);
+  return text + ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
 }
 
 }  // namespace
 
 std::string UrScriptPost::write(const RobotProgram& program) const {
-  std::string text = "# " + identifierOf(program.robot, 60) + "\ndef " + identifierOf(program.name, 60) +
-                     "():\n  set_tcp(" + urPose(program.tool) + ")\n";
-  for (std::size_t i = 0; i < program.motions.size(); ++i) {
-    const ProgramMotion& motion = program.motions[i];
-    const std::string zone = ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
-    if (motion.kind == ProgramMotion::Kind::Joint) {
-      const double speed = urSpeed(program, motion);
-      text += "  movej([" + fixedList(std::span(motion.joints.data(), 6), 9) + "],a=" + fixedText(4.0 * speed, 4) +
-              ",v=" + fixedText(speed, 5) + zone;
-    } else {
-      text += "  movel(" + urPose(program.tipOf(motion)) +
-              ",a=" + fixedText(4.0 * kMetresOfMillimetre * motion.speed, 4) +
-              ",v=" + fixedText(kMetresOfMillimetre * motion.speed, 5) + zone;
-    }
-  }
-  return text + "end\n";
+  const std::string name = identifierOf(program.name, 60);
+  std::string text;
+  for (const std::string& remark : headRemarks(program)) text += "# " + remark + "\n";
+  text += "def " + name + "():\n  set_tcp(" + urPose(program.tool) + ")\n";
+  text += "  # The load is that of the installation. An assumption was: set_payload(" +
+          fixedText(std::max(0.001, program.toolMass), 3) + ")\n";
+  for (std::size_t i = 0; i < program.motions.size(); ++i) text += urMotion(program, i);
+  return text + "end\n\n# Leave this call out where the file is sent to a port of the controller.\n" + name + "()\n";
 }
 
-// Poses of URScript are in the base: they are brought into the frame of the program.
+// Poses of URScript are in the base, taken as that of the arm: they are brought into the frame of the program.
 Result<std::vector<ReadMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "#");
   if (!lines) return lines.error();
@@ -95,6 +118,10 @@ Result<std::vector<ReadMotion>> UrScriptPost::read(std::string_view text, const 
     Result<ReadMotion> motion =
         urTarget(line, i + 1, isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear);
     if (!motion) return motion.error();
+    if (motion->speed && isJoint)
+      motion->speed = std::min(1.0, *motion->speed / urFullSpeed(frame));
+    else if (motion->speed)
+      *motion->speed /= kMetresOfMillimetre;
     if (motion->pose) motion->pose = frame.frame.inverse(Eigen::Isometry) * *motion->pose;
     motions.push_back(std::move(motion).value());
   }

@@ -30,7 +30,12 @@ struct RobotProgram {
   SerialArm arm{{}, Pose::Identity()};
   Pose tool = Pose::Identity();   // of the tool's centre point in the flange
   Pose frame = Pose::Identity();  // that the places are written in, in the base
-  double toolMass = 1.0;          // kg
+  double toolMass = 1.0;          // kg; an assumption, which programs say they make
+  // The base is the one that the controller counts from, as in its maker's table. Else a description may have turned or
+  // raised it, and only joint values mean the same to both.
+  bool isBaseOfController = false;
+  // Collisions were checked against plain shapes in place of the robot's own.
+  bool hasPlainShapes = false;
   std::vector<ProgramMotion> motions;
 
   Pose tipOf(const ProgramMotion& motion) const { return arm.tipPose(motion.joints) * tool; }  // in the base

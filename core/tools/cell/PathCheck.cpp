@@ -4,6 +4,7 @@
 
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
+#include "robot/dh/DhTable.h"
 #include "tools/cell/PathBlends.h"
 
 #include <algorithm>
@@ -103,6 +104,8 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.robot = scene.robot->model.name;
   program.arm = scene.arm;
   program.tool = plans.tool;
+  program.isBaseOfController = libraryRobot(scene.robot->model) != nullptr;
+  program.hasPlainShapes = hasPlainShapes(scene.robot->model);
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const PathPlace& place = path.places[i];
     ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};

@@ -7,7 +7,11 @@
 #include "document/DocumentErrors.h"
 #include "document/cell/CellErrors.h"
 #include "robot/arm/NumericalIk.h"
+#include "robot/dh/DhTable.h"
 #include "robot/program/PathFile.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -27,6 +31,41 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
   return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
 }
 
+std::string otherRobot(const CellScene& scene, const Post& post) {
+  const LibraryRobot* const robot = libraryRobot(scene.robot->model);
+  return robot && !std::string_view(robot->title).starts_with(post.maker()) ? robot->title : "";
+}
+
+// The share of the largest joint speeds at which the tool's centre point takes a joint motion with this speed (mm/s) on
+// average. None: it stays where it is.
+std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
+                               double toolSpeed) {
+  constexpr int kParts = 32;
+  double length = 0.0, fastest = 0.0;  // mm, s
+  Vec3 before = (arm.tipPose(from) * tool).translation();
+  for (int i = 1; i <= kParts; ++i) {
+    const ArmValues at = from + (static_cast<double>(i) / kParts) * (to - from);
+    const Vec3 now = (arm.tipPose(at) * tool).translation();
+    length += (now - before).norm();
+    before = now;
+  }
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
+    const double usual = joint.isPrismatic ? 1e3 : M_PI;  // mm/s, rad/s
+    fastest = std::max(fastest, std::abs(to[i] - from[i]) / joint.velocity.value_or(usual));
+  }
+  constexpr double kLeastLength = 1e-3;  // mm
+  if (length < kLeastLength) return std::nullopt;
+  return fastest * toolSpeed / length;
+}
+
+// As paths have it: of a joint motion 0.001 to 1, of a line up to 100 m/s.
+double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional<double> share) {
+  if (kind == ProgramMotion::Kind::Linear) return std::clamp(motion.speed.value_or(250.0), 1e-3, 1e5);
+  const std::optional<double> own = motion.kind == kind ? motion.speed : std::nullopt;
+  return std::clamp(own ? *own : share.value_or(PathPlace().speed), 1e-3, 1.0);
+}
+
 }  // namespace
 
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
@@ -41,7 +80,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
     return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
   const Status written = writeFileAtomically(output, text, {});
   if (!written) return written.error();
-  WrittenProgram result{*check, 0};
+  WrittenProgram result{*check, 0, otherRobot(scene, post)};
   for (std::size_t i = 0; i < path.places.size(); ++i)
     result.exactStops += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
   return result;
@@ -57,6 +96,7 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
   RobotPath path{"program", {}};
   ArmValues before = scene.planned(cell.joints);
   for (const ReadMotion& motion : *motions) {
+    const ArmValues from = before;
     const auto located = [&](Error error) {
       error.position = InputPosition::line(motion.line);
       return error;
@@ -73,7 +113,9 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
     PathPlace place{.joints = scene.whole(before)};
     if (const Status within = checkLimits(cell.robot->model, place.joints); !within) return located(within.error());
     place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
-    if (place.motion == ProgramMotion::Kind::Linear) place.speed = 250.0;
+    const bool hasShare = motion.toolSpeed && !path.places.empty();
+    place.speed = speedOf(motion, place.motion,
+                          hasShare ? shareFor(scene.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
     place.blend = std::max(0.0, motion.blend);
     path.places.push_back(std::move(place));
   }

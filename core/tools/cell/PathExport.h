@@ -13,6 +13,8 @@ namespace handwheel {
 struct WrittenProgram {
   PostCheck check;
   std::size_t exactStops = 0;  // places whose blend was not certified, or that the language has none for
+  // The robot, if it comes with the program and the controller is known to move those of another maker; else empty.
+  std::string otherRobot = {};
 };
 
 // Writes a certified path as a program. What the controller cannot do is an error before anything is written; so is a
@@ -22,7 +24,8 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
                                     const CheckedPath& checked, const Post& post, const std::filesystem::path& output);
 
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
-// of the place before. Errors: those of Post::read(); PoseUnreachable {motion, line}.
+// of the place before. Speeds are those of the program; where it gives a joint motion the speed of the tool, the share
+// is that with which the tool comes to it on average. Errors: those of Post::read(); PoseUnreachable {motion, line}.
 Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
                                   std::string_view text);
 

@@ -4,6 +4,8 @@
 
 #include "robot/posts/PostText.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -28,6 +30,12 @@ std::vector<double> numbersOf(LineReader& line, std::size_t most) {
     numbers.push_back(*number);
   }
   return numbers;
+}
+
+// The number after a word in the rest of the line.
+std::optional<double> wordValue(const LineReader& line, std::string_view word) {
+  const std::size_t at = line.rest().find(word);
+  return at == std::string_view::npos ? std::nullopt : LineReader(line.rest().substr(at + word.size()), 0).number();
 }
 
 Result<ReadMotion> jointMotion(LineReader& line, std::size_t joints) {
@@ -80,12 +88,9 @@ Result<std::vector<ReadMotion>> ExamplePost::read(std::string_view text, const R
     Result<ReadMotion> motion =
         isJoint ? jointMotion(line, static_cast<std::size_t>(frame.arm.size())) : lineMotion(line);
     if (!motion) return motion.error();
-    const std::size_t zone = line.rest().find("ZONE");
-    if (zone != std::string_view::npos) {
-      LineReader after(line.rest().substr(zone + 4), i + 1);
-      after.skipSpace();
-      motion->blend = after.number().value_or(0.0);
-    }
+    motion->blend = wordValue(line, "ZONE").value_or(0.0);
+    if (const auto speed = wordValue(line, "SPEED"); speed && *speed > 0.0)
+      motion->speed = isJoint ? std::min(1.0, 0.01 * *speed) : *speed;
     motion->line = i + 1;
     motions.push_back(*motion);
   }

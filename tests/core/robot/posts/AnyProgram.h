@@ -36,15 +36,32 @@ inline ProgramMotion anyMotion(const SerialArm& arm) {
   motion.kind = *rc::gen::arbitrary<bool>() ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear;
   motion.speed = motion.kind == ProgramMotion::Kind::Joint ? anyNumber(0.01, 1.0) : anyNumber(1.0, 2000.0);
   motion.blend = *rc::gen::arbitrary<bool>() ? anyNumber(0.5, 20.0) : 0.0;
+  motion.name = *rc::gen::element<std::string>("", "", "start", "Move here 2", "\xe8\xb5\xb7\xe7\x82\xb9; END");
   return motion;
 }
 
-// A property: what a post writes of any program for this robot is read back as the same motions.
+// A speed is what was wanted to half a step of the coarsest language, which counts whole percent and tenths of mm/s;
+// the blend is none, or not larger.
+inline bool isDoneAs(const ProgramMotion& wanted, const ReadMotion& read) {
+  const double step = wanted.kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
+  return read.kind == wanted.kind && read.speed && std::abs(*read.speed - wanted.speed) <= 0.501 * step &&
+         read.blend >= 0.0 && read.blend <= wanted.blend + 1e-3;
+}
+
+// A property: what a post writes of any program for this robot is read back as the same motions, with their speeds.
 inline void checkAnyProgram(const Post& post, const char* robot) {
   RobotProgram program = programOf(robot);
+  program.isBaseOfController = *rc::gen::arbitrary<bool>();
+  program.hasPlainShapes = *rc::gen::arbitrary<bool>();
+  program.name = *rc::gen::element<std::string>("weld seam 1", "Move", "test", "a name that is longer than any takes");
   for (int i = *rc::gen::inRange(0, 8); i >= 0; --i) program.motions.push_back(anyMotion(program.arm));
   RC_ASSERT(post.refusals(program).empty());
-  const auto check = checkWritten(post, program, post.write(program));
+  const std::string text = post.write(program);
+  const auto read = post.read(text, program);
+  RC_ASSERT(read.hasValue());
+  RC_ASSERT(read->size() == program.motions.size());
+  for (std::size_t i = 0; i < read->size(); ++i) RC_ASSERT(isDoneAs(program.motions[i], (*read)[i]));
+  const auto check = checkWritten(post, program, text);
   RC_ASSERT(check.hasValue());
   RC_ASSERT(check->distance <= 1e-3);
   RC_ASSERT(check->angle <= 1e-3);

@@ -3,6 +3,7 @@
 #include "AnyProgram.h"
 #include "TestClass.h"
 #include "robot/posts/ArmPosture.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 
 #include <QTest>
@@ -60,51 +61,28 @@ class PostsTest : public QObject {
     }));
   }
 
-  // The rules of the languages, word by word.
-  void rapidText() {
+  // A program that does not do what the path says is not written: a faster line, a wider zone. A narrower one is right.
+  void differences() {
     RobotProgram program = programOf("irb120");
-    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}});
-    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 10.0, {}});
-    const std::string text = postCalled("rapid")->write(program);
-    QVERIFY(text.starts_with("MODULE weld_seam_1\n"));
-    QVERIFY(text.ends_with("ENDMODULE\n"));
-    QVERIFY(text.find("MoveAbsJ [[0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],"
-                      "[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,vmax,fine,hwTool\\WObj:=hwFrame;") != text.npos);
-    QVERIFY(text.find("[FALSE,10.000,") != text.npos);
-    QVERIFY(text.find("VelSet 50.00,5000;") != text.npos);
-    QVERIFY(text.find("weld_seam_1_1;") != text.npos);  // called without parentheses
-    QVERIFY(text.find("PROC weld_seam_1_1()") != text.npos);
-  }
-
-  // J3 of the controller is J3 of the model less J2.
-  void fanucCoupling() {
-    RobotProgram program = programOf("lrmate200id");
-    ArmValues joints = ArmValues::Zero(6);
-    joints[1] = 10.0 * kRadiansPerDegree;
-    joints[2] = 30.0 * kRadiansPerDegree;
-    program.motions.push_back({ProgramMotion::Kind::Joint, joints, 0.5, 0.0, {}});
-    const std::string text = postCalled("fanuc")->write(program);
-    QVERIFY(text.find("J2 = 10.000000 deg, J3 = 20.000000 deg") != text.npos);
-    QVERIFY(text.find("LINE_COUNT\t= 1;") != text.npos);
-    QVERIFY(text.find("1:J P[1] 50% FINE") != text.npos);
-    QVERIFY(text.find("/PROG  WELD_SEA\n") != text.npos);
-  }
-
-  // Zones of neighbours that would overlap are made smaller; the last motion has none.
-  void urZonesDoNotOverlap() {
-    RobotProgram program = programOf("ur5");
-    for (int i = 0; i < 4; ++i) {
-      ArmValues joints = ArmValues::Constant(6, 0.5);
-      joints[0] = 0.01 * i;
-      program.motions.push_back({ProgramMotion::Kind::Joint, joints, 0.5, 100.0, {}});
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}},
+                       {ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 10.0, {}},
+                       {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.2), 50.0, 0.0, {}}};
+    const Post& rapid = *postCalled("rapid");
+    const QString text = QString::fromStdString(rapid.write(program));
+    const auto changed = [&](const char* from, const char* to) {
+      QString other = text;
+      if (!other.contains(from)) qFatal("the text has changed: %s", from);
+      return checkWritten(rapid, program, other.replace(from, to).toStdString());
+    };
+    QVERIFY(changed("fine", "fine").hasValue());
+    QVERIFY(changed("[FALSE,10.000,", "[FALSE,5.000,").hasValue());
+    for (const auto& [from, to] :
+         {std::pair("[50.00,500", "[250.00,500"), std::pair("[50.00,500", "[5.00,500"),
+          std::pair("VelSet 50.00", "VelSet 100.00"), std::pair("[FALSE,10.000,", "[FALSE,20.000,"),
+          std::pair("MoveL CalcRobT", "MoveJ CalcRobT")}) {
+      const auto check = changed(from, to);
+      QVERIFY2(!check.hasValue() && check.error().code == PostError::MotionDiffers, to);
     }
-    const auto read = postCalled("urscript")->read(postCalled("urscript")->write(program), program);
-    QVERIFY(read.hasValue());
-    QCOMPARE(read->front().blend, 0.0);
-    QCOMPARE(read->back().blend, 0.0);
-    const auto at = [&](std::size_t i) { return Vec3(program.tipOf(program.motions[i]).translation()); };
-    QVERIFY((*read)[1].blend + (*read)[2].blend < (at(2) - at(1)).norm());
-    QVERIFY((*read)[1].blend > 0.0);
   }
 
   // As people write them.
@@ -151,6 +129,9 @@ class PostsTest : public QObject {
     row("fanuc", "/MN\n 1:J P[1] 10% FINE ;\n/POS\n/END", "ElementMalformed");
     row("fanuc", "/MN\n 1:J P[99999999999] 10% FINE ;", "ElementMalformed");
     row("fanuc", "/MN\n 1:C P[1] ;", "Unsupported");
+    row("fanuc", "/MN\n1:L P[1] 9mm/sec FINE;\n/POS\nP[1]{\nUF : 1,\nX = 1, Y = 1, Z = 1, W = 0, P = 0, R = 0\n};",
+        "Unsupported");
+    row("rapid", "MoveL CalcRobT(home,tool0),v100,fine,tool0;", "ElementMalformed");
     row("urscript", "movej([0,0,0])", "ElementMalformed");
     row("urscript", "movej(get_inverse_kin(p))", "ElementMalformed");
     row("urscript", "movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])", "Unsupported");

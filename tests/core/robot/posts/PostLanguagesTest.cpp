@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnyProgram.h"
+#include "TestClass.h"
+#include "robot/posts/PostText.h"
+
+#include <QRegularExpression>
+#include <QTest>
+#include <cmath>
+#include <set>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// The rules of the languages of controllers, word by word.
+class PostLanguagesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cutNames() {
+    QCOMPARE(identifierOf("Process 2", 8), std::string("Proces_2"));
+    QCOMPARE(identifierOf("Process 12", 8), std::string("Proce_12"));
+    QCOMPARE(identifierOf("weld", 8), std::string("weld"));
+    const std::string left = identifierOf("weld seam left", 8), right = identifierOf("weld seam right", 8);
+    QVERIFY(left != right);
+    QVERIFY(left.size() <= 8 && right.size() <= 8 && left.starts_with("weld"));
+    QVERIFY(rc::check("at most so long, a letter first", [] {
+      const std::size_t longest = *rc::gen::inRange<std::size_t>(8, 40);
+      const std::string name = identifierOf(*rc::gen::arbitrary<std::string>(), longest);
+      RC_ASSERT(!name.empty() && name.size() <= longest);
+      RC_ASSERT((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z'));
+    }));
+  }
+
+  // The rules of the languages, word by word.
+  void rapidText() {
+    RobotProgram program = programOf("irb120");
+    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}});
+    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 10.0, {}});
+    const std::string text = postCalled("rapid")->write(program);
+    QVERIFY(text.starts_with("MODULE weld_seam_1_module\n"));
+    QVERIFY(text.ends_with("ENDMODULE\n"));
+    QVERIFY(text.find("MoveAbsJ [[0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],"
+                      "[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,vmax,fine,weld_seam_1_tool\\WObj:=weld_seam_1_frame;") !=
+            text.npos);
+    QVERIFY(text.find("[FALSE,10.000,") != text.npos);
+    QVERIFY(text.find("VelSet 50.00,5000;") != text.npos);
+    QVERIFY(text.find("PROC weld_seam_1()") != text.npos);
+    QVERIFY(text.find("! To run it: weld_seam_1;") != text.npos);  // called without parentheses
+    QVERIFY(text.find("main") == text.npos);
+    QVERIFY(text.find("VelSet 100,5000;\n    ConfL\\On;\n  ENDPROC") != text.npos);
+    program.motions.resize(1001, program.motions.back());
+    const std::string longer = postCalled("rapid")->write(program);
+    QVERIFY(longer.find("    weld_seam_1_2;\n") != text.npos);
+    QVERIFY(longer.find("LOCAL PROC weld_seam_1_2()") != text.npos);
+    QVERIFY(checkWritten(*postCalled("rapid"), program, longer).hasValue());
+  }
+
+  // All global names of two modules in one task are different, in any case of letters, and have 32 characters at most.
+  void rapidModulesSideBySide() {
+    std::set<std::string> names;
+    for (const char* path : {"the seam on the left side of the part, tacked",
+                             "the seam on the left side of the part, whole", "Path 1", "path 2", "test"}) {
+      RobotProgram program = programOf("irb120");
+      program.name = path;
+      program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, "start"},
+                         {ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, "Start"}};
+      const std::string written = postCalled("rapid")->write(program);
+      int count = 0;
+      for (const QString& line : QString::fromStdString(written).split('\n')) {
+        static const QRegularExpression kDeclared("^ *(LOCAL )?(?:MODULE|PROC|(?:PERS|CONST) [a-z]+) ([A-Za-z]\\w*)");
+        const QRegularExpressionMatch match = kDeclared.match(line);
+        if (!match.hasMatch()) continue;
+        QVERIFY2(match.captured(2).size() <= 32, qPrintable(line));
+        const bool isLocal = !match.captured(1).isEmpty();
+        const std::string name = match.captured(2).toLower().toStdString() + (isLocal ? program.name : "");
+        QVERIFY2(names.insert(name).second, qPrintable(line));
+        ++count;
+      }
+      QCOMPARE(count, 6);                                    // module, procedure, tool, frame, two places
+      QVERIFY(written.find("PROC test()") == written.npos);  // a word of the language
+    }
+  }
+
+  // Named places are data that can be touched up. A line by a pose is right only where the base is the controller's.
+  void rapidTargets() {
+    RobotProgram program = programOf("irb120");
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 0.0, "approach"},
+                       {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.2), 50.0, 0.0, "seam begin"}};
+    const std::string unknown = postCalled("rapid")->write(program);
+    QVERIFY(unknown.find("LOCAL CONST jointtarget p_approach:=[[5.7295780,") != unknown.npos);
+    QVERIFY(unknown.find("MoveAbsJ p_approach\\NoEOffs,vmax,") != unknown.npos);
+    QVERIFY(
+        unknown.find("MoveL CalcRobT(p_seam_begin,weld_seam_1_tool\\WObj:=weld_seam_1_frame),[50.00,500,5000,1000],") !=
+        unknown.npos);
+    const auto read = postCalled("rapid")->read(unknown, program);
+    QVERIFY(read.hasValue() && (*read)[1].joints && (*read)[1].kind == ProgramMotion::Kind::Linear);
+    program.isBaseOfController = true;
+    const std::string known = postCalled("rapid")->write(program);
+    QVERIFY(known.find("LOCAL CONST robtarget p_seam_begin:=[[") != known.npos);
+    QVERIFY(known.find("MoveL p_seam_begin,[50.00,") != known.npos);
+    QVERIFY(known.find("simplified shapes") == known.npos);
+    program.hasPlainShapes = true;
+    for (const char* post : {"rapid", "krl", "fanuc", "urscript"})
+      QVERIFY2(postCalled(post)->write(program).find("simplified shapes") != known.npos, post);
+  }
+
+  // J3 of the controller is J3 of the model less J2.
+  void fanucCoupling() {
+    RobotProgram program = programOf("lrmate200id");
+    ArmValues joints = ArmValues::Zero(6);
+    joints[1] = 10.0 * kRadiansPerDegree;
+    joints[2] = 30.0 * kRadiansPerDegree;
+    program.motions.push_back({ProgramMotion::Kind::Joint, joints, 0.5, 0.0, {}});
+    const std::string text = postCalled("fanuc")->write(program);
+    QVERIFY(text.find("J2 = 10.000000 deg, J3 = 20.000000 deg") != text.npos);
+    QVERIFY(text.find("LINE_COUNT\t= 7;") != text.npos);  // four remarks, two numbers, a motion
+    QVERIFY(text.find("7:J P[1] 50% FINE") != text.npos);
+    QVERIFY(text.find("/PROG  WELD_S_1\n") != text.npos);
+  }
+
+  // The world of the LR Mate is 330 mm above its foot: with all joints at 0 the flange is 50 + 335 + 80 mm ahead, and
+  // 330 + 35 mm above axis 2 (drawing of B-83494EN/03).
+  void fanucWorldFrame() {
+    RobotProgram program = programOf("lrmate200id");
+    program.tool = program.frame = Pose::Identity();
+    program.motions = {{ProgramMotion::Kind::Linear, ArmValues::Zero(6), 50.0, 0.0, "seam"}};
+    const std::string text = postCalled("fanuc")->write(program);
+    QVERIFY(text.find("X = 465.00000 mm, Y = 0.00000 mm, Z = 365.00000 mm") != text.npos);
+    QVERIFY(text.find("L P[1:seam] 50mm/sec FINE") != text.npos);
+    QVERIFY(text.find("P[1:\"seam\"]{\n   GP1:\n   UF : 0, UT : 1,") != text.npos);
+    for (const char* line : {":  UFRAME_NUM=0 ;", ":  UTOOL_NUM=1 ;", "!X 0.000 Y 0.000 ;"})
+      QVERIFY2(text.find(line) != text.npos, line);
+    const auto read = postCalled("fanuc")->read(text, program);
+    QVERIFY(read.hasValue());
+    QVERIFY(((*read)[0].pose->translation() - Vec3(465, 0, 695)).norm() < 1e-4);
+  }
+
+  // Zones of neighbours that would overlap are made smaller; the last motion has none.
+  void urZonesDoNotOverlap() {
+    RobotProgram program = programOf("ur5");
+    for (int i = 0; i < 4; ++i) {
+      ArmValues joints = ArmValues::Constant(6, 0.5);
+      joints[0] = 0.01 * i;
+      program.motions.push_back({ProgramMotion::Kind::Joint, joints, 0.5, 100.0, {}});
+    }
+    const auto read = postCalled("urscript")->read(postCalled("urscript")->write(program), program);
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->front().blend, 0.0);
+    QCOMPARE(read->back().blend, 0.0);
+    const auto at = [&](std::size_t i) { return Vec3(program.tipOf(program.motions[i]).translation()); };
+    QVERIFY((*read)[1].blend + (*read)[2].blend < (at(2) - at(1)).norm());
+    QVERIFY((*read)[1].blend > 0.0);
+  }
+
+  // The controller computes where the joints are by its own kinematics, whatever the base of a description is.
+  void urLinesByJoints() {
+    RobotProgram program = programOf("ur5");
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.5), 0.5, 0.0, "start"},
+                       {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.6), 50.0, 0.0, {}}};
+    const std::string text = postCalled("urscript")->write(program);
+    QVERIFY(text.find("  # start\n  movej([") != text.npos);
+    QVERIFY(text.find("  movel([0.600000000,0.600000000,0.600000000,0.600000000,0.600000000,0.600000000],"
+                      "a=0.20000,v=0.05000,r=0.000000)\nend\n") != text.npos);
+    QVERIFY(text.ends_with("\nweld_seam_1()\n"));
+    QVERIFY(text.find("set_payload(1.000)") != text.npos);
+    QVERIFY(text.find("\n  set_payload") == text.npos);  // in a comment: the load of the installation counts
+  }
+
+  // Speeds as the manuals of the languages define them.
+  void speeds_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<QByteArray>("before");
+    QTest::addColumn<QByteArray>("motion");
+    QTest::addColumn<double>("speed");  // mm/s, share; 0: none
+    QTest::addColumn<double>("toolSpeed");
+    const auto row = [](const char* post, const char* before, const char* motion, double speed,
+                        double toolSpeed = 0.0) {
+      QTest::addRow("%s %s %s", post, before, motion)
+          << QByteArray(post) << QByteArray(before) << QByteArray(motion) << speed << toolSpeed;
+    };
+    row("rapid", "", "MoveL $P,v100,z10,tool0;", 100.0);
+    row("rapid", "", "MoveL $P,vmax,z10,tool0;", 0.0);
+    row("rapid", "", "MoveL $P,[25,500,5000,1000],fine,tool0;", 25.0);
+    row("rapid", "LOCAL CONST speeddata vSeam:=[50,500,5000,1000];", "MoveL $P, VSEAM ,fine,tool0;", 50.0);
+    row("rapid", "CONST speeddata v100:=[50,500,5000,1000];", "MoveL $P,v100,fine,tool0;", 50.0);
+    row("rapid", "VelSet 50,800;", "MoveL $P,v100,fine,tool0;", 50.0);
+    row("rapid", "VelSet nShare,800;", "MoveL $P,v100,fine,tool0;", 0.0);
+    row("rapid", "VelSet 50,800;", "MoveL $P,v2000,fine,tool0;", 800.0);
+    row("rapid", "", "MoveL $P,v100\\V:=40,fine,tool0;", 40.0);
+    row("rapid", "", "MoveL CalcRobT([[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0\\WObj:=wobj0),v20,fine,tool0;",
+        20.0);
+    row("rapid", "VelSet 40,5000;", "MoveAbsJ $J,vmax,fine,tool0;", 0.4);
+    row("rapid", "VelSet 50,5000;", "MoveAbsJ $J\\NoEOffs,v200,fine,tool0;", 0.0, 100.0);
+    row("krl", "$VEL.CP=0.05", "LIN $K", 50.0);
+    row("krl", "BAS(#VEL_CP,2)", "LIN $K", 2000.0);
+    row("krl", "$VEL_AXIS[1]=20", "LIN $K", 0.0);
+    row("krl", "BAS(#VEL_PTP,30)", "PTP $A", 0.3);
+    row("krl", "$VEL_AXIS[I]=60", "PTP $A", 0.6);
+    row("krl", "BAS(#VEL_PTP,30)\n$VEL_AXIS[2]=10", "PTP $A", 0.1);
+    row("krl", "$VEL.CP=0.05", "PTP $A", 0.0);
+    row("fanuc", "", "1:J P[1] 50% FINE ;", 0.5);
+    row("fanuc", "", "1:L P[1:weld] 100mm/sec CNT50 ;", 100.0);
+    row("fanuc", "", "1:L P[1] 60cm/min FINE ;", 10.0);
+    row("fanuc", "", "1:L P[1] 60.0inch/min FINE ;", 25.4);
+    row("fanuc", "", "1:L P[1] 3.0sec FINE ;", 0.0);
+    row("fanuc", "", "1:J P[1] 3.0sec FINE ;", 0.0);
+    row("urscript", "", "movel(p[0.1,0.2,0.3,0,0,0], a=1.2, v=0.05, r=0.01)", 50.0);
+    row("urscript", "", "movel([0,0,0,0,0,0],1.2,0.05)", 50.0);
+    row("urscript", "", "movel([0,0,0,0,0,0],a=1.2,v=0.05,t=2)", 0.0);
+    row("urscript", "", "movej([0,0,0,0,0,0],v=1.5707963267948966)", 0.5);  // of 180°/s
+    row("urscript", "", "movej([0,0,0,0,0,0])", 0.0);
+  }
+  void speeds() {
+    QFETCH(const QByteArray, post);
+    QFETCH(const QByteArray, before);
+    QFETCH(QByteArray, motion);
+    QFETCH(const double, speed);
+    QFETCH(const double, toolSpeed);
+    motion.replace("$P", "[[300,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    motion.replace("$J", "[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    motion.replace("$K", "{X 300,Y 0,Z 500,A 0,B 90,C 0}");
+    motion.replace("$A", "{A1 0,A2 -90,A3 90,A4 0,A5 0,A6 0}");
+    QByteArray text = before + "\n" + motion + "\n";
+    if (post == "fanuc")
+      text = "/MN\n" + text + "/POS\nP[1]{\n GP1:\n UF : 0, UT : 1,\n J1= 0 deg, J2= 0 deg, J3= 0 deg,\n" +
+             " J4= 0 deg, J5= 0 deg, J6= 0 deg\n};\n/END\n";
+    const auto read = postCalled(post.toStdString())->read(text.toStdString(), programOf("ur5"));
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->size(), std::size_t{1});
+    QCOMPARE((*read)[0].speed.value_or(0.0), speed);
+    QCOMPARE((*read)[0].toolSpeed.value_or(0.0), toolSpeed);
+  }
+};
+
+HANDWHEEL_TEST(PostLanguagesTest)
+#include "PostLanguagesTest.moc"
