@@ -3,9 +3,11 @@
 #include "cli/cell/PathReport.h"
 
 #include "base/NumberText.h"
+#include "cli/Messages.h"
 #include "document/FileBytes.h"
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
+#include "robot/dh/DhTable.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/PathExport.h"
 
@@ -72,6 +74,16 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
             share(each.to) + ": " + link + " with " + other + "\n";
   }
   return text;
+}
+
+void warnOfShapes(const CellScene& scene) {
+  for (const std::uint32_t link : scene.shapeless)
+    complain("The mesh of the link " + scene.robot->model.links[link].name + " is missing: it collides with nothing.");
+  if (hasPlainShapes(scene.robot->model)) {
+    complain(
+        "The robot has simplified shapes, smaller than its own in places: keep a clearance, or use its meshes by a "
+        "URDF.");
+  }
 }
 
 std::string readProof(const Arguments& arguments, PathCheckSettings& settings) {

@@ -14,6 +14,8 @@ namespace handwheel {
 // manipulability, security_mm, limit_margin, cycle_s, collisions.
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
+// Says on stderr what a proof rests on: links without meshes, simplified shapes.
+void warnOfShapes(const CellScene& scene);
 
 // Reads how a path is verified: "resolution" and "step". Returns what is wrong, or nothing.
 std::string readProof(const Arguments& arguments, PathCheckSettings& settings);

@@ -44,9 +44,7 @@ Result<PlannedAndChecked> checkedAs(PlannedPath path, const OperationValues& val
 
 int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const CellFile& file,
                const Arguments& arguments, const PathRemarks& remarks) {
-  for (const std::uint32_t link : scene.shapeless)
-    complain("The mesh of the link " + file.cell->robot->model.links[link].name +
-             " is missing: it collides with nothing.");
+  warnOfShapes(scene);
   if (arguments.has("output")) {
     if (const int code = writePath(planned, scene, file, arguments.valueOf("output")); code != kExitDone) return code;
   }

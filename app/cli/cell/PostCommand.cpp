@@ -40,6 +40,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());
   if (!checked) return fail(checked.error());
+  warnOfShapes(*scene);
   const std::string output = arguments.valueOf("output");
   const Result<WrittenProgram> written = writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output);
   if (!written) return fail(written.error());

@@ -44,11 +44,12 @@ int runProcess(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 Command processCommand() {
-  CommandSpec spec = {processOperation().id,
-                      "CELL",
-                      "Plans a path of the robot's tool along an edge, a section or a drawn curve of a part, proven free "
-                      "of collisions.",
-                      {}};
+  CommandSpec spec = {
+      processOperation().id,
+      "CELL",
+      "Plans a path of the robot's tool along an edge, a section or a drawn curve of a part, proven free "
+      "of collisions.",
+      {}};
   spec.options = pathOptions(processOperation());
   return {std::move(spec), runProcess};
 }

@@ -32,6 +32,7 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());
   if (!checked) return fail(checked.error());
+  warnOfShapes(*scene);
   const int code =
       print(arguments.has("json") ? textOf(toJson(*scene, *path, *checked)) : textOf(*scene, *path, *checked));
   return code == kExitDone && !checked->isCertified() ? kExitSomethingLeft : code;

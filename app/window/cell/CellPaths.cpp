@@ -232,8 +232,11 @@ void CellPaths::verify() {
 QString CellPaths::remarkOf(const Check& check) const {
   if (!check.problem.isEmpty()) return check.problem;
   if (!check.result) return tr("verifying…");
-  if (check.result->isCertified())
-    return tr("free of collisions, %1 s").arg(QLocale().toString(check.result->seconds, 'f', 1));
+  if (check.result->isCertified()) {
+    const QString seconds = QLocale().toString(check.result->seconds, 'f', 1);
+    return check.scene->shapeless.empty() ? tr("free of collisions, %1 s").arg(seconds)
+                                          : tr("free of collisions but for links without meshes, %1 s").arg(seconds);
+  }
   if (check.result->way.stopsAt) return tr("line cannot be followed");
   return tr("%Ln collision(s)", nullptr, static_cast<int>(check.result->verification.collisions.size()));
 }

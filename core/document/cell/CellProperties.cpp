@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/cell/CellReach.h"
+#include "robot/dh/DhTable.h"
 #include "scene/RigidPose.h"
 
 #include <QtGlobal>
@@ -95,6 +96,11 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
   }
   const char* const kRobot = QT_TRANSLATE_NOOP("Property", "Robot");
   all.push_back(toRead("robot", kRobot, QT_TRANSLATE_NOOP("Property", "Name"), robot.name, Quantity::Number));
+  if (hasPlainShapes(robot)) {
+    Property shapes = toRead("robot.shapes", kRobot, QT_TRANSLATE_NOOP("Property", "Shapes"), 0.0, Quantity::Number);
+    shapes.choices = {QT_TRANSLATE_NOOP("Property", "simplified: keep a clearance")};
+    all.push_back(std::move(shapes));
+  }
   const std::string& link = robot.links[toolLink(robot)].name;
   all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), link, Quantity::Number));
   for (Property& each : toolProperties(toolPose(robot, tool, joints))) all.push_back(std::move(each));
