@@ -11,7 +11,8 @@
 namespace handwheel {
 namespace {
 
-constexpr double kLongestSearch = 60.0;  // s; a path is found in far less
+constexpr double kLongestSearch = 1e3;          // s: no time decides on the result, but
+constexpr std::size_t kMostMilestones = 3'000;  // their number; what needs more is no task
 
 struct Task {
   ArmValues start, goal;
@@ -27,6 +28,7 @@ JointPath planned(const RobotScene& scene, const Task& task, int shortcuts, std:
   PlanSettings settings;
   settings.seconds = kLongestSearch;
   settings.seed = seed;
+  settings.mostMilestones = kMostMilestones;
   PlanResult result = planBySbl(scene, task.start, task.goal, settings);
   return shortened(scene, std::move(result.path), settings.check, shortcuts, kLongestSearch, seed);
 }
@@ -41,11 +43,13 @@ Tasks tasksAmong(double thickness, std::uint64_t seed) {
   while (tasks.all.size() < kTasks) {
     Task task{tasks.cell.anywhereFree(random), tasks.cell.anywhereFree(random), 1e9};
     if (MotionCheck(scene, task.start, task.goal, {}).run() == MotionCheck::State::Free) continue;
-    for (std::uint64_t other = 1; other <= 4; ++other) {
+    bool isTask = true;
+    for (std::uint64_t other = 1; other <= 4 && isTask; ++other) {
       const JointPath path = planned(scene, task, kMany, other);
-      if (!path.empty()) task.shortest = std::min(task.shortest, lengthOf(scene, path));
+      isTask = !path.empty();
+      if (isTask) task.shortest = std::min(task.shortest, lengthOf(scene, path));
     }
-    if (task.shortest < 1e9) tasks.all.push_back(task);
+    if (isTask) tasks.all.push_back(task);
   }
   return tasks;
 }

@@ -282,7 +282,6 @@ std::optional<VisitOrder> cheapestOrder(std::span<const std::size_t> ways, const
     progress.set(std::min(1.0, spent() / settings.seconds));
   }
   if (!(best.cost < kNever)) return std::nullopt;
-  best.isLeast = isExact && !isOver();
   return best;
 }
 

@@ -29,7 +29,6 @@ struct VisitCosts {
 struct VisitOrder {
   std::vector<Visit> visits;  // one of each stop
   double cost = std::numeric_limits<double>::infinity();
-  bool isLeast = false;  // no order is known to be possible that costs less: only where all orders are looked at
 };
 
 // How an order is looked for.
