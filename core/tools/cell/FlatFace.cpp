@@ -8,13 +8,15 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace handwheel {
 
 namespace {
 
-constexpr double kNearPart = 1e-3;  // of the size of a part: what a place on it may be off in a picture
-constexpr double kFlat = 1.5e-6;    // 1 - cos 0.1°
+constexpr double kNearPart = 1e-3;             // of the size of a part: what a place on it may be off in a picture
+constexpr std::size_t kMostFollowed = 20'000;  // triangles
+constexpr double kFlat = 1.5e-6;               // 1 - cos 0.1°
 
 Vec3 areaOf(const TriangleSoup& soup, const Triangle& t) {
   return (soup.points[t[1]] - soup.points[t[0]]).cross(soup.points[t[2]] - soup.points[t[0]]);
@@ -38,45 +40,57 @@ std::optional<std::size_t> triangleAt(const TriangleSoup& soup, const Vec3& plac
   return found;
 }
 
-// The triangles of the flat piece around one: those that share edges with it, by the places of these, and so on.
-std::vector<Triangle> flatPiece(const TriangleSoup& soup, std::size_t seed) {
+// The triangles that look the same way as one and lie in its plane, about.
+std::vector<std::size_t> coplanarWith(const TriangleSoup& soup, std::size_t seed, double slack) {
+  const Vec3 normal = areaOf(soup, soup.triangles[seed]).normalized();
+  const Vec3& origin = soup.points[soup.triangles[seed][0]];
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
+    if (std::abs((soup.points[t[0]] - origin).dot(normal)) > slack) continue;
+    const Vec3 area = areaOf(soup, t);
+    const double along = area.dot(normal);
+    if (along > 0.0 && along >= (1.0 - kFlat) * area.norm()) found.push_back(i);
+  }
+  return found;
+}
+
+// The triangles of the flat piece around one: those that share edges with it, by the places of these, and so on. Of
+// very many all that are coplanar, for the window waits for it.
+std::vector<std::size_t> flatPiece(const TriangleSoup& soup, std::size_t seed, double slack) {
   using Place = std::array<double, 3>;
   using Edge = std::pair<Place, Place>;
+  const std::vector<std::size_t> coplanar = coplanarWith(soup, seed, slack);
+  if (coplanar.size() > kMostFollowed) return coplanar;
   const auto placeOf = [&](std::uint32_t point) {
     const Vec3& p = soup.points[point];
     return Place{p.x(), p.y(), p.z()};
   };
-  const Vec3 normal = areaOf(soup, soup.triangles[seed]).normalized();
-  std::map<Edge, std::vector<std::size_t>> byEdge;
-  const auto edgeOf = [&](const Triangle& t, std::size_t side) {
+  const auto edgeOf = [&](std::size_t triangle, std::size_t side) {
+    const Triangle& t = soup.triangles[triangle];
     return Edge(std::minmax(placeOf(t[side]), placeOf(t[(side + 1) % 3])));
   };
-  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    const Vec3 area = areaOf(soup, soup.triangles[i]);
-    if (area.isZero(0.0) || area.normalized().dot(normal) < 1.0 - kFlat) continue;
-    for (std::size_t side = 0; side < 3; ++side) byEdge[edgeOf(soup.triangles[i], side)].push_back(i);
+  std::map<Edge, std::vector<std::size_t>> byEdge;
+  for (const std::size_t i : coplanar) {
+    for (std::size_t side = 0; side < 3; ++side) byEdge[edgeOf(i, side)].push_back(i);
   }
-  std::vector<bool> isTaken(soup.triangles.size(), false);
+  std::set<std::size_t> isTaken{seed};
   std::vector<std::size_t> taken{seed};
-  isTaken[seed] = true;
   for (std::size_t next = 0; next < taken.size(); ++next) {
     for (std::size_t side = 0; side < 3; ++side) {
-      for (const std::size_t other : byEdge[edgeOf(soup.triangles[taken[next]], side)]) {
-        if (isTaken[other]) continue;
-        isTaken[other] = true;
-        taken.push_back(other);
+      for (const std::size_t other : byEdge[edgeOf(taken[next], side)]) {
+        if (isTaken.insert(other).second) taken.push_back(other);
       }
     }
   }
-  std::vector<Triangle> piece;
-  for (const std::size_t i : taken) piece.push_back(soup.triangles[i]);
-  return piece;
+  return taken;
 }
 
-Vec3 middleOf(const TriangleSoup& soup, const std::vector<Triangle>& piece) {
+Vec3 middleOf(const TriangleSoup& soup, const std::vector<std::size_t>& piece) {
   Vec3 sum = Vec3::Zero();
   double whole = 0.0;
-  for (const Triangle& t : piece) {
+  for (const std::size_t i : piece) {
+    const Triangle& t = soup.triangles[i];
     const double area = areaOf(soup, t).norm();
     sum += area / 3.0 * (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]);
     whole += area;
@@ -92,10 +106,11 @@ std::optional<FlatFace> faceAt(const DisplayPart& part, const Vec3& place, bool 
   Box bounds;
   for (const Vec3& point : soup.points) bounds.extend(point);
   if (bounds.isEmpty() || !local.allFinite()) return std::nullopt;
-  const auto seed = triangleAt(soup, local, kNearPart * bounds.diagonal().norm());
+  const double slack = kNearPart * bounds.diagonal().norm();
+  const auto seed = triangleAt(soup, local, slack);
   if (!seed) return std::nullopt;
   FlatFace face{.point = place, .normal = part.pose.linear() * areaOf(soup, soup.triangles[*seed]).normalized()};
-  face.middle = isWhole ? part.pose * middleOf(soup, flatPiece(soup, *seed)) : place;
+  face.middle = isWhole ? part.pose * middleOf(soup, flatPiece(soup, *seed, slack)) : place;
   return face;
 }
 

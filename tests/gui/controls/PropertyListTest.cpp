@@ -11,6 +11,7 @@
 #include <QColorDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -77,6 +78,8 @@ class PropertyListTest : public QObject {
   void tabFollowsTheOrder();
   void aRefusedTextStaysWithTheReason();
   void coloursHaveAButton();
+  void choicesInAList();
+  void aLimitThatIsNear();
   void strangeValues();
 };
 
@@ -297,6 +300,40 @@ void PropertyListTest::coloursHaveAButton() {
   dialog->setCurrentColor(QColor(0, 128, 255));
   dialog->accept();
   QCOMPARE(bench.edits, (std::vector<Edit>{{"part.colour", std::string("#0080ff"), false}}));
+}
+
+// All of them are seen; a click chooses, and the keys stay where they were.
+void PropertyListTest::choicesInAList() {
+  PropertyListBench bench;
+  Property ways{.id = "way", .group = "Ways", .label = "Ways", .value = 0.0, .choices = {"a", "b", "c"}};
+  ways.continuous = true;
+  bench.list.setProperties({ways});
+  auto* rows = bench.find<QListWidget>("way", "propertyList/choices");
+  QCOMPARE(rows->count(), 3);
+  QCOMPARE(rows->currentRow(), 0);
+  QCOMPARE(rows->accessibleName(), "Ways");
+  QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, rows->visualItemRect(rows->item(2)).center());
+  QCOMPARE(bench.edits, (std::vector<Edit>{{"way", 2.0, false}}));
+  QVERIFY(!rows->hasFocus());
+  ways.choices = {"a", "d"};
+  ways.value = 1.0;
+  bench.list.setProperties({ways});  // is no edit
+  QCOMPARE(rows->count(), 2);
+  QCOMPARE(rows->currentItem()->text(), "d");
+  QCOMPARE(bench.edits.size(), std::size_t{1});
+}
+
+void PropertyListTest::aLimitThatIsNear() {
+  PropertyListBench bench;
+  Property joint{.id = "joint", .group = "", .label = "J", .value = 0.0, .least = -1.0, .largest = 1.0};
+  joint.continuous = true;
+  const auto isMarked = [&](const char* limit) { return bench.find<QLabel>("joint", limit)->property("bad").toBool(); };
+  for (const double value : {0.0, 0.97, 0.2, -1.0, -0.5}) {
+    joint.value = value;
+    bench.list.setProperties({joint});
+    QCOMPARE(isMarked("propertyUpper"), value > 0.95);
+    QCOMPARE(isMarked("propertyLower"), value < -0.95);
+  }
 }
 
 void PropertyListTest::strangeValues() {

@@ -140,6 +140,27 @@ class FaceSnapToolTest : public QObject {
     QVERIFY(!faceAt(part, part.pose * Vec3(3, 2, 5), true));
   }
 
+  // Of very many triangles, too: those of a plane, not of the step beside it.
+  void middleOfManyTriangles() {
+    constexpr std::uint32_t kCells = 120;
+    auto soup = std::make_shared<TriangleSoup>();
+    for (std::uint32_t y = 0; y <= kCells; ++y) {
+      for (std::uint32_t x = 0; x <= kCells; ++x) soup->points.emplace_back(x, y, 0);
+    }
+    for (std::uint32_t y = 0; y < kCells; ++y) {
+      for (std::uint32_t x = 0; x < kCells; ++x) {
+        const std::uint32_t a = y * (kCells + 1) + x, b = a + kCells + 1;
+        soup->triangles.push_back({a, a + 1, b});
+        soup->triangles.push_back({a + 1, b + 1, b});
+      }
+    }
+    const auto first = static_cast<std::uint32_t>(soup->points.size());
+    for (const Vec3& step : {Vec3(120, 0, 50), Vec3(220, 0, 50), Vec3(120, 120, 50)}) soup->points.push_back(step);
+    soup->triangles.push_back({first, first + 1, first + 2});
+    const auto face = faceAt({.name = "p", .soup = soup}, {3.3, 2.2, 0.0}, true);
+    QVERIFY(face && (face->middle - Vec3(60, 60, 0)).norm() < 1e-6);
+  }
+
  private:
   FaceSnapTool make() {
     return FaceSnapTool(m_cell->document(), m_selection, {[this](const Ray&) { return m_hit; }, {}});
