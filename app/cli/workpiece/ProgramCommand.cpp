@@ -88,8 +88,11 @@ Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Pro
   task.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, nullptr};
   CycleSettings cycles = request.cycles;
   if (request.choosesDrill) cycles.drill = drillFor(*target, tools);
-  if (request.choosesDrill && cycles.drill == 0.0)
-    return {{}, "There is no bore in it that a drill fits, and a bar.", {}};
+  if (request.choosesDrill && cycles.drill == 0.0) {  // why, the smallest drill tells
+    constexpr double kSmallest = 6.0;                 // mm
+    const Result<BoreTools> none = boreTools(*target, kSmallest, tools);
+    return {{}, {}, none ? Error{} : none.error()};
+  }
   auto program = cycleProgram(task, request.dialect, cycles, progress.part(0.2, 1.0));
   if (!program) return {{}, {}, program.error()};
   return {std::move(program->text), {}, {}, toolTableText(program->tools)};

@@ -43,7 +43,8 @@ std::array<float, 3> componentsOf(const QColor& colour) {
 std::array<float, 3> finishColour(std::optional<double> roughness) {
   constexpr std::array<float, 3> kUnknown{0.45f, 0.45f, 0.47f};
   if (!roughness) return kUnknown;
-  const double doublings = std::log2(std::max(*roughness, 1e-3) / kMiddleRoughness);
+  constexpr double kSteps = 4.0;  // of a colour, in a doubling
+  const double doublings = std::round(kSteps * std::log2(std::max(*roughness, 1e-3) / kMiddleRoughness)) / kSteps;
   return componentsOf(ColourScale{kFinishSteps}.at(std::clamp(doublings, -kFinishSteps, kFinishSteps)));
 }
 
@@ -138,8 +139,11 @@ void TargetView::measured(const PartMeasurement& measurement) {
 std::optional<DisplayModel> TargetView::display(const WorkpieceSnapshot& workpiece) const {
   if (m_roughness.isChecked()) return finishDisplay(workpiece, finishColour);
   if (!m_colours.isChecked() || !workpiece.target) return std::nullopt;
-  return deviationDisplay(workpiece,
-                          [scale = ColourScale{m_range}](double distance) { return componentsOf(scale.at(distance)); });
+  constexpr double kSteps = 16.0;  // of the colours, to either side
+  return deviationDisplay(workpiece, [scale = ColourScale{m_range}](double distance) {
+    const double step = scale.range / kSteps;
+    return componentsOf(scale.at(step * std::round(std::clamp(distance, -scale.range, scale.range) / step)));
+  });
 }
 
 void TargetView::askForFile() {

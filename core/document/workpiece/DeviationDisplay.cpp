@@ -29,10 +29,12 @@ class Bands {
   }
   // Seen from outside where the second ring is above the first.
   void band(std::uint32_t a, std::uint32_t b) {
+    const bool hasFirst = m_soup.points[a] != m_soup.points[a + 1];  // else it is a point of the axis
+    const bool hasSecond = m_soup.points[b] != m_soup.points[b + 1];
     for (std::uint32_t k = 0; k < kSides; ++k) {
       const std::uint32_t next = (k + 1) % kSides;
-      m_soup.triangles.push_back({a + k, a + next, b + next});
-      m_soup.triangles.push_back({a + k, b + next, b + k});
+      if (hasFirst) m_soup.triangles.push_back({a + k, a + next, b + next});
+      if (hasSecond) m_soup.triangles.push_back({a + k, b + next, b + k});
     }
   }
 
@@ -99,6 +101,28 @@ void addBand(DisplayModel& model, const char* name, std::shared_ptr<const Triang
   model.parts.push_back(std::move(band));
 }
 
+// Bands of one colour beside each other are one part. What has no area is none: a view would wait for it.
+template <class Colour>
+void addBands(DisplayModel& model, const char* name, const TurnedProfile& part, double base, Surface which,
+              Colour colourOf) {
+  std::vector<std::size_t> run;
+  std::array<float, 3> colour{};
+  const auto end = [&] {
+    const bool hasArea = std::any_of(run.begin(), run.end(), [&](std::size_t i) {
+      return (which == Surface::Inner ? part.inner(i) : part.radius(i)) > 0.0;
+    });
+    if (hasArea) addBand(model, name, surfaceBetween(part, run, which), colour, base);
+    run.clear();
+  };
+  for (const std::vector<std::size_t>& samples : bandsOf(part)) {
+    const std::array<float, 3> next = colourOf(samples);
+    if (!run.empty() && next != colour) end();
+    colour = next;
+    run.insert(run.end(), samples.begin() + (run.empty() ? 0 : 1), samples.end());
+  }
+  if (!run.empty()) end();
+}
+
 double worse(double a, double b) {
   return std::abs(b) > std::abs(a) ? b : a;
 }
@@ -115,11 +139,11 @@ DisplayModel deviationDisplay(const WorkpieceSnapshot& workpiece, const Deviatio
     return part.inner(i) > 0.0 ? worse(outside, target.distance({part.inner(i), z})) : outside;
   };
   DisplayModel model;
-  for (const std::vector<std::size_t>& samples : bandsOf(part)) {
+  addBands(model, "deviation.", part, base, Surface::Both, [&](const std::vector<std::size_t>& samples) {
     double largest = 0.0;
     for (const std::size_t s : samples) largest = worse(largest, distanceAt(s));
-    addBand(model, "deviation.", surfaceBetween(part, samples), colour(largest), base);
-  }
+    return colour(largest);
+  });
   return model;
 }
 
@@ -128,17 +152,17 @@ DisplayModel finishDisplay(const WorkpieceSnapshot& workpiece, const FinishColou
   const TurnedProfile part = shownProfile(workpiece);
   const SurfaceFinish finish = workpiece.part ? workpiece.part->finish : SurfaceFinish();
   DisplayModel model;
-  for (const std::vector<std::size_t>& samples : bandsOf(part)) {
-    for (const Surface which : {Surface::Outer, Surface::Inner}) {
-      const bool isBore = which == Surface::Inner;
-      if (isBore && !part.isBored()) continue;
+  for (const Surface which : {Surface::Outer, Surface::Inner}) {
+    if (which == Surface::Inner && !part.isBored()) continue;
+    const TurningSide side = which == Surface::Inner ? TurningSide::Bore : TurningSide::Outside;
+    addBands(model, "finish.", part, workpiece.stock.position, which, [&](const std::vector<std::size_t>& samples) {
       std::optional<double> roughest;
       for (std::size_t i = samples.front(); i <= samples.back() && i < finish.size(); ++i) {
-        const FinishMark mark = finish.at(isBore ? TurningSide::Bore : TurningSide::Outside, i);
+        const FinishMark mark = finish.at(side, i);
         if (mark.isKnown()) roughest = std::max(roughest.value_or(0.0), static_cast<double>(mark.roughness));
       }
-      addBand(model, "finish.", surfaceBetween(part, samples, which), colour(roughest), workpiece.stock.position);
-    }
+      return colour(roughest);
+    });
   }
   return model;
 }

@@ -14,8 +14,9 @@ namespace handwheel {
 using DeviationColour = std::function<std::array<float, 3>(double)>;
 
 // A workpiece as displayed parts in the colours of its deviation from the target, which it must have. At most some 200
-// bands along the axis, each with the colour of its largest distance, inside and outside alike. It costs the same
-// whatever the number of samples: some milliseconds.
+// bands along the axis, each with the colour of its largest distance, inside and outside alike; neighbours of one
+// colour are one part, so a colour in steps is shown sooner. It costs the same whatever the number of samples: some
+// milliseconds.
 DisplayModel deviationDisplay(const WorkpieceSnapshot& workpiece, const DeviationColour& colour);
 
 // The colour for a roughness Ra (µm; infinite: ridges that are not told); none: it is not known, as of a bar.

@@ -107,14 +107,19 @@ class ReplayTrackTest : public QObject {
       (roughness ? known : unknown) += 1;
       return std::array<float, 3>{roughness ? static_cast<float>(*roughness) : -1.0f, 0.0f, 0.0f};
     });
-    QVERIFY(known > 0 && unknown > 0 && known + unknown == static_cast<int>(model.parts.size()));
+    QVERIFY(known > 0 && unknown > 0);
+    // Neighbours of one colour are one part.
+    QVERIFY(static_cast<int>(model.parts.size()) < (known + unknown) / 2);
+    double fine = 0.0, bare = 0.0;  // mm along the axis
     for (const DisplayPart& part : model.parts) {
       Box box;
       for (const Vec3& p : part.soup->points) box.extend(part.pose * p);
-      if (box.min().z() > 7.0 + 8.0 && box.max().z() < 7.0 + 95.0)
-        QVERIFY2(std::abs(part.colour[0] - wanted) < 0.05f * wanted, qPrintable(QString::number(part.colour[0])));
-      if (box.max().z() < 7.0 + kLower - kNose) QCOMPARE(part.colour[0], -1.0f);
+      const double length = box.sizes().z();
+      if (part.colour[0] < 0.0f) bare += length;
+      if (std::abs(part.colour[0] - wanted) < 0.05f * wanted) fine += length;
     }
+    QVERIFY2(fine > 90.0 && fine < 97.0, qPrintable(QString::number(fine)));
+    QVERIFY2(bare > 3.0 && bare < 6.0, qPrintable(QString::number(bare)));
   }
 };
 

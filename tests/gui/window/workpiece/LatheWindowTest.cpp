@@ -255,7 +255,7 @@ class LatheWindowTest : public QObject {
     QVERIFY(window.beginLathe() && window.turnEnd());
     QTest::keyClick(window.view, Qt::Key_Escape);
     QVERIFY(window.driver.settle());
-    window.driver.choose("saveAs");
+    window.driver.click("quickActions/saveFile");
     QVERIFY(window.driver.enterFileName("saveDialog", path) && window.driver.settle());
     window.driver.choose("replayDockToggle");
     QVERIFY(window.driver.settle());
