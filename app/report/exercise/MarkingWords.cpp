@@ -21,12 +21,6 @@ std::string unitOf(const ClassReport& report, const MarkingCriterion& c) {
   return type ? type->unit : std::string();
 }
 
-std::string minutesText(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
-  const std::string rest = std::to_string(whole % 60);
-  return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest + " min";
-}
-
 std::string pointsText(const Marking& marking) {
   return roundedText(marking.points) + " of " + roundedText(marking.of) + " points";
 }

@@ -10,7 +10,6 @@ namespace handwheel {
 
 // What the forms of a report have in common.
 std::string unitOf(const ClassReport& report, const MarkingCriterion& criterion);
-std::string minutesText(double seconds);         // "4:05 min"
 std::string pointsText(const Marking& marking);  // "12 of 20 points"
 // The marks of one student as cells: criterion, limits, measured, points, reason.
 std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const Marking& marking);

@@ -13,6 +13,12 @@ namespace handwheel {
 // All figures of turning, with their units and arguments.
 const std::vector<FigureType>& turningFigureTypes();
 
+// As ExerciseSubject::placeProblem(), for parts that are made of this bar.
+std::string placeProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
+
+// "1.25"; "∞" while the spindle stood.
+std::string feedText(double feed);
+
 // A turned part with what its passes tell, for measuring. Computed once for all figures.
 class MeasuredPart {
  public:
@@ -41,6 +47,7 @@ class MeasuredPart {
 
  private:
   Figure ofPasses(const MarkingCriterion& criterion) const;
+  Figure collisions(const MarkingCriterion& criterion) const;
   Figure ofShape(const MarkingCriterion& criterion, Progress progress) const;
 
   const TurningTask& m_task;
