@@ -5,6 +5,7 @@
 #include "document/AtomicFile.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
+#include "report/exercise/MarkingWords.h"
 #include "text/ErrorText.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
@@ -91,7 +92,7 @@ void ExerciseUi::startWriting(ClassFile what, const QString& path) {
     ClassTable table(marked.exercise);
     for (const ReportedWork& work : marked.works) table.add(work.row);
     const Status written =
-        asTable ? writeFileAtomically(file, table.csv(), progress) : writeReport(marked, file, progress);
+        asTable ? writeFileAtomically(file, table.csv(translatedHeading), progress) : writeReport(marked, file, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
     return [this, path] {
       parts().log.add(tr("Saved %1").arg(QFileInfo(path).fileName()));

@@ -138,7 +138,6 @@ void TargetView::showOutline() {
   const auto target = isShown ? owner->workpiece().target : nullptr;
   if (std::exchange(m_outlined, target) == target) return;
   m_layer->setLines(target ? outlineOf(target->profile) : nullptr);
-  m_parts.viewport.update();
 }
 
 // One of the two is shown at a time.

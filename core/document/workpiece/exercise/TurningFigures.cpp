@@ -148,6 +148,16 @@ bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
 
 }  // namespace
 
+std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
+                                                   Progress progress) {
+  const MeasuredPart part(task, workpiece, progress);
+  if (!part.review()) return std::nullopt;
+  std::pair<double, double> peaks(0.0, 0.0);
+  for (const MeasuredPart::Load& load : part.loads())
+    peaks = {std::max(peaks.first, load.force), std::max(peaks.second, load.power)};
+  return peaks;
+}
+
 std::string feedText(double feed) {
   return std::isfinite(feed) ? roundedText(feed, 3) : "∞";
 }
