@@ -35,7 +35,8 @@ std::string withUnit(double value, const std::string& unit) {
 
 ExerciseText limitsText(const MarkingCriterion& c, const std::string& value, const std::string& unit) {
   if (c.lower && c.upper)
-    return {translatable("Note", "%1 is within %2 and %3"), {value, unit == "s" ? withUnit(*c.lower, unit) : roundedText(*c.lower), withUnit(*c.upper, unit)}};
+    return {translatable("Note", "%1 is within %2 and %3"),
+            {value, unit == "s" ? withUnit(*c.lower, unit) : roundedText(*c.lower), withUnit(*c.upper, unit)}};
   if (c.upper) return {translatable("Note", "%1 is not above %2"), {value, withUnit(*c.upper, unit)}};
   if (c.lower) return {translatable("Note", "%1 is not below %2"), {value, withUnit(*c.lower, unit)}};
   return {translatable("Note", "%1, without a limit"), {value}};

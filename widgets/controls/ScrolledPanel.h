@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Scrolls a panel where the window has little room. It asks for the usual size of the panel and can do with a small one,
-// so that panels do not make the smallest size of the window larger than screens are.
+// Scrolls a panel where the window has little room. It asks for the usual size of the panel and can do with a small
+// one, so that panels do not make the smallest size of the window larger than screens are.
 class ScrolledPanel : public QScrollArea {
   Q_OBJECT
 

@@ -107,11 +107,14 @@ std::string nameOf(const ReportedWork& work) {
 std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
                         const ImageElement& image) {
   const ClassRow& row = work.row;
-  std::string html = "<h2>" + escaped(nameOf(work)) + "</h2>\n<p>" + said(QT_TRANSLATE_NOOP("Note", "File: %1"), {row.file});
-  if (row.attempt.isHandedIn()) html += "<br/>" + said(QT_TRANSLATE_NOOP("Note", "Handed in: %1"), {localTime(row.attempt.handedIn)});
+  std::string html =
+      "<h2>" + escaped(nameOf(work)) + "</h2>\n<p>" + said(QT_TRANSLATE_NOOP("Note", "File: %1"), {row.file});
+  if (row.attempt.isHandedIn())
+    html += "<br/>" + said(QT_TRANSLATE_NOOP("Note", "Handed in: %1"), {localTime(row.attempt.handedIn)});
   html += "</p>\n";
   for (const std::string& remark : row.remarks) html += "<p><b>" + escaped(remark) + "</b></p>\n";
-  if (!row.problem.empty()) return html + "<p><b>" + said(QT_TRANSLATE_NOOP("Note", "Not marked: %1"), {row.problem}) + "</b></p>\n";
+  if (!row.problem.empty())
+    return html + "<p><b>" + said(QT_TRANSLATE_NOOP("Note", "Not marked: %1"), {row.problem}) + "</b></p>\n";
   html += "<p><b>" + escaped(pointsText(row.marking)) + "</b><br/>" +
           said(QT_TRANSLATE_NOOP("Note", "Time: %1; recorded: %2. Hints looked at: %3."),
                {minutesText(row.attempt.seconds), minutesText(work.details.seconds),
@@ -143,12 +146,18 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
 
 // Two works over the same time: each curve of the one with that of the other, and what happened when.
 std::string sideBySide(const ReportedWork& first, const ReportedWork& second, const ImageElement& image) {
-  std::string html = "<h2>" + said(QT_TRANSLATE_NOOP("Note", "Side by side: %1, %2"), {nameOf(first), nameOf(second)}) + "</h2>\n";
+  std::string html =
+      "<h2>" + said(QT_TRANSLATE_NOOP("Note", "Side by side: %1, %2"), {nameOf(first), nameOf(second)}) + "</h2>\n";
   html += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n" +
           cellsOf({"", nameOf(first), nameOf(second)}, "th") +
-          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Points")), pointsText(first.row.marking), pointsText(second.row.marking)}, "td") +
-          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Recorded")), minutesText(first.details.seconds), minutesText(second.details.seconds)}, "td") +
-          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Events")), std::to_string(first.details.events.size()), std::to_string(second.details.events.size())},
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Points")), pointsText(first.row.marking),
+                   pointsText(second.row.marking)},
+                  "td") +
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Recorded")), minutesText(first.details.seconds),
+                   minutesText(second.details.seconds)},
+                  "td") +
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Events")), std::to_string(first.details.events.size()),
+                   std::to_string(second.details.events.size())},
                   "td") +
           "</table>\n";
   int number = 0;
@@ -205,8 +214,8 @@ std::string htmlOf(const ClassReport& report, Progress progress) {
     return "<img style=\"max-width: 100%\" width=\"" + std::to_string(kPlotWidth) + "\" alt=\"" + name +
            "\" src=\"data:image/png;base64," + base64Png(picture) + "\"/>";
   };
-  return "<!DOCTYPE html>\n<html lang=\"" + word(QT_TRANSLATE_NOOP("Note", "en")) + "\">\n<head><meta charset=\"utf-8\"/><title>" +
-         escaped(report.exercise.title) +
+  return "<!DOCTYPE html>\n<html lang=\"" + word(QT_TRANSLATE_NOOP("Note", "en")) +
+         "\">\n<head><meta charset=\"utf-8\"/><title>" + escaped(report.exercise.title) +
          "</title>\n<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; } "
          "table { border-collapse: collapse; }</style></head>\n<body>\n" +
          bodyOf(report, image, progress) + "</body>\n</html>\n";

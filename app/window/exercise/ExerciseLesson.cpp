@@ -43,8 +43,7 @@ QString sizeText(const MarkingCriterion& c, const FigureType& type) {
   const auto value = [&](double figure) {
     return isTime ? QString::fromStdString(minutesText(figure)) : number(figure);
   };
-  const QString unit =
-      type.unit.empty() || isTime ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);
+  const QString unit = type.unit.empty() || isTime ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);
   QString text = QString::fromStdString(c.name);
   if (c.lower && c.upper)
     text += ExerciseLesson::tr(": %1 … %2%3").arg(value(*c.lower), value(*c.upper), unit);
@@ -62,8 +61,7 @@ QString sizeText(const MarkingCriterion& c, const FigureType& type) {
 // What is on the drawing: stock and machine, then each size with its limits.
 QString drawingText(const ExerciseSnapshot& shown) {
   QStringList lines;
-  for (const ExerciseText& line : shown.subject->conditions(*shown.task))
-    lines += exerciseText(line);
+  for (const ExerciseText& line : shown.subject->conditions(*shown.task)) lines += exerciseText(line);
   lines += QString();
   const std::vector<FigureType> types = figureTypes(*shown.subject);
   for (const MarkingCriterion& c : shown.exercise.criteria) {
@@ -80,8 +78,7 @@ QString measuredText(const Exercise& exercise, const Marking& marking) {
     const MarkingCriterion* c = exercise.find(mark.criterion);
     if (!c || c->isHidden) continue;
     const QString sign = mark.verdict == Verdict::Met ? QStringLiteral("✓") : QStringLiteral("✗");
-    lines += sign + QLatin1Char(' ') + QString::fromStdString(c->name) + QStringLiteral(": ") +
-             reasonText(mark);
+    lines += sign + QLatin1Char(' ') + QString::fromStdString(c->name) + QStringLiteral(": ") + reasonText(mark);
   }
   return lines.join(QLatin1Char('\n'));
 }

@@ -211,10 +211,11 @@ void ExerciseUi::takeWork(bool asTarget) {
   changed.solution = work;
   const auto steps = static_cast<int>(from->document.history()->index());
   current()->change(tr("Take the model solution"), std::move(changed));
-  emit message({Message::Weight::Info, tr("Model solution taken"),
-                tr("The work in “%1”, as it is after %n step(s) of its history, is the model solution now.", nullptr, steps)
-                    .arg(from->document.name()),
-                tr("“Open the model solution” shows it. Students do not get it.")});
+  emit message(
+      {Message::Weight::Info, tr("Model solution taken"),
+       tr("The work in “%1”, as it is after %n step(s) of its history, is the model solution now.", nullptr, steps)
+           .arg(from->document.name()),
+       tr("“Open the model solution” shows it. Students do not get it.")});
 }
 
 // Another document: what is changed there does not change the exercise.

@@ -91,8 +91,8 @@ void ExerciseUi::startWriting(ClassFile what, const QString& path) {
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     ClassTable table(marked.exercise);
     for (const ReportedWork& work : marked.works) table.add(work.row);
-    const Status written =
-        asTable ? writeFileAtomically(file, table.csv(translatedHeading), progress) : writeReport(marked, file, progress);
+    const Status written = asTable ? writeFileAtomically(file, table.csv(translatedHeading), progress)
+                                   : writeReport(marked, file, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
     return [this, path] {
       parts().log.add(tr("Saved %1").arg(QFileInfo(path).fileName()));

@@ -261,7 +261,8 @@ void RunningAttempt::writeSubmission(const QString& path) {
     if (!written) return [failed, error = written.error()] { failed(error); };
     return [this, path, student = QString::fromStdString(attempt.student)] {
       emit message({Message::Weight::Info, tr("Handed in by %1").arg(student),
-                    tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()), tr("Give that file to your teacher.")});
+                    tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
+                    tr("Give that file to your teacher.")});
     };
   };
   m_parts.jobs.start(std::move(job));

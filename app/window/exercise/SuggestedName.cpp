@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/exercise/SuggestedName.h"
 
-
 namespace handwheel {
 
 QString fileNameOf(const QStringList& words, const QString& ending) {

@@ -42,8 +42,8 @@ QString dimensionText(const ProfileFeature& f, LengthUnit unit, const QLocale& l
   if (f.kind == ProfileFeature::Kind::Arc) text = QStringLiteral("R %1").arg(length(f.value));
   if (f.kind == ProfileFeature::Kind::Taper)
     text = QStringLiteral("∠ %1  ⌀ %2 … %3")
-               .arg(quantityText(std::round(f.value * 1e6) / 1e6 + 0.0, Quantity::Angle, unit, locale), length(2.0 * f.low.x()),
-                    length(2.0 * f.high.x()));
+               .arg(quantityText(std::round(f.value * 1e6) / 1e6 + 0.0, Quantity::Angle, unit, locale),
+                    length(2.0 * f.low.x()), length(2.0 * f.high.x()));
   if (f.kind == ProfileFeature::Kind::FlatFace)
     return QStringLiteral("⟂ ⌀ %1 … %2  ·  Z %3")
         .arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()), length(f.low.y()));

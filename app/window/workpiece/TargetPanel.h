@@ -23,7 +23,7 @@ namespace handwheel {
 // What is measured of a turned part.
 struct PartMeasurement {
   std::vector<ProfileFeature> features;
-  std::vector<ProfileFeature> wanted = {};    // of the target
+  std::vector<ProfileFeature> wanted = {};   // of the target
   std::optional<TargetDeviation> deviation;  // none without a target
 };
 

@@ -69,7 +69,7 @@ class WorkpieceUi : public RigidPartsUi {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
-  std::size_t m_passes = 0;  // of the current document, as the tool was followed last
+  std::size_t m_passes = 0;                // of the current document, as the tool was followed last
   bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;

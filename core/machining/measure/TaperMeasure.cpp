@@ -14,7 +14,7 @@ namespace {
 using Points = std::span<const ProfilePoint>;
 
 constexpr double kTaperPlace = 1e-9;  // mm, rounding of positions that users type
-constexpr double kFaceSlope = 6.0;   // of r over z, between two samples: steeper is a face
+constexpr double kFaceSlope = 6.0;    // of r over z, between two samples: steeper is a face
 // A neighbour is not of the taper where its slope differs by half of that, and by half a degree: hands waver.
 constexpr double kOtherShare = 0.5, kOtherSlope = 0.00873;
 constexpr double kStraight = 2e-3;  // mm, root mean square: a side that is within it has no ends to look for

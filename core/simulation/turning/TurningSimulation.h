@@ -17,8 +17,8 @@ struct TurningState : SimulationState {
   SurfaceFinish finish;  // of the profile
   // mm per revolution, the largest feed of a cut since the simulation began; 0: none, or the speed is not known.
   double fastest = 0.0;
-  bool isCut = false;    // since the simulation began
-  bool isFull = false;   // the pass has as many points as one can have: nothing more is cut
+  bool isCut = false;   // since the simulation began
+  bool isFull = false;  // the pass has as many points as one can have: nothing more is cut
 };
 
 // What the finish of a pass begins with.

@@ -177,9 +177,8 @@ std::vector<ToolAction> TurnTool::actions() const {
                  .arg(locale.toString(feed, 'f', 1), locale.toString(m_start.largestFeed))
                  .toStdString();
   }
-  return {
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), effect},
-      {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), effect},
+          {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
 }
 
 // Diameter and height at the point of the nose that is deepest in the material, and how deep that is below the surface

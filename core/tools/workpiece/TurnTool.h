@@ -21,8 +21,8 @@ class TurnTool : public Tool {
   // What a tool starts with, from the fidelity settings.
   struct Start {
     double spacing = 0.013;  // mm, between the samples of a part that was not cut yet (turn.spacing)
-    TurningMethod method = TurningMethod::Trim;  // turn.method
-    double resolution = 0.5;                     // mm (turn.resolution)
+    TurningMethod method = TurningMethod::Trim;    // turn.method
+    double resolution = 0.5;                       // mm (turn.resolution)
     double noseRadius = TurningTool().noseRadius;  // mm, that of an exercise
     double largestFeed = 0.0;                      // mm per revolution, that an exercise allows; 0: any
   };
@@ -68,7 +68,7 @@ class TurnTool : public Tool {
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;
-  Vec3 m_lift = Vec3::Zero();                                // from the mouse to the tool, in its pass
+  Vec3 m_lift = Vec3::Zero();  // from the mouse to the tool, in its pass
   std::optional<double> m_tooFast;
   std::optional<Vec3> m_place;                               // of the tool's centre, where it is shown
   mutable std::shared_ptr<const TurningState> m_shownState;  // of which the preview shows the part

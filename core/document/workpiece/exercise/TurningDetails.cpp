@@ -80,7 +80,8 @@ ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
 bool isRapid(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
   const double seconds = pass.times[i] - pass.times[i - 1];
   const double speed = i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
-  return seconds > 0.0 && (pass.path[i] - pass.path[i - 1]).norm() > ForcePeakMeter::kRapidFeed * seconds * speed / 60.0;
+  return seconds > 0.0 &&
+         (pass.path[i] - pass.path[i - 1]).norm() > ForcePeakMeter::kRapidFeed * seconds * speed / 60.0;
 }
 
 // Where the tool went to cut. There are gaps, points that are not numbers, from pass to pass and over rapid moves.

@@ -16,7 +16,8 @@ const std::vector<FigureType>& turningFigureTypes();
 // As ExerciseSubject::placeProblem(), for parts that are made of this bar.
 std::string placeProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
 
-// The largest force (N) and power (kW) of all passes of a workpiece, as they are marked. None: too much work, cancelled.
+// The largest force (N) and power (kW) of all passes of a workpiece, as they are marked. None: too much work,
+// cancelled.
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    Progress progress = {});
 

@@ -54,8 +54,8 @@ class StartedWorkTest : public QObject {
     auto& work = static_cast<WorkpieceDocument&>(*made);
     for (const char* id : {"diameter", "length", "position", "material"}) {
       QVERIFY2(!work.property(id)->editable, id);
-      const Status refused = id == std::string("material") ? work.setProperty(id, std::string("brass"))
-                                                           : work.setProperty(id, 33.0);
+      const Status refused =
+          id == std::string("material") ? work.setProperty(id, std::string("brass")) : work.setProperty(id, 33.0);
       QVERIFY2(!refused && refused.error().code == WorkpieceError::BarOfExercise, id);
     }
     QVERIFY(work.property("chord")->editable && work.setProperty("chord", 0.05));

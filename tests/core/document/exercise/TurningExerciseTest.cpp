@@ -262,8 +262,8 @@ class TurningExerciseTest : public QObject {
     QVERIFY(marking.find("d")->remark.inEnglish().find("too many passes") != std::string::npos);
   }
 
-  // A wide chamfer at the end of the bar, where the radius falls: its angle has no sign until a limit is negative. The range
-  // may run over its ends.
+  // A wide chamfer at the end of the bar, where the radius falls: its angle has no sign until a limit is negative. The
+  // range may run over its ends.
   void aChamferIsAnAngle() {
     const Json work = {
         {"passes", {{{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{15.0, 103.0}, {22.0628, 94.2}}}}}}};
@@ -318,7 +318,8 @@ class TurningExerciseTest : public QObject {
     QVERIFY(problem("crashes", {}).empty());
     for (const auto& at : std::vector<std::vector<double>>{{}, {75}, {99, 62}, {0, 0}, {-5, 50}, {50, 120}})
       QVERIFY(!problem("diameter", at).empty());
-    for (const auto& at : std::vector<std::vector<double>>{{90, 120}, {17, 60, 25, 100}, {17, 60, 0, 100}, {17, 160, 5, 100}})
+    for (const auto& at :
+         std::vector<std::vector<double>>{{90, 120}, {17, 60, 25, 100}, {17, 60, 0, 100}, {17, 160, 5, 100}})
       QVERIFY(!problem("length", at).empty());
   }
 
@@ -340,9 +341,9 @@ class TurningExerciseTest : public QObject {
     const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(shoulder()->subject->start(*shoulder()->task));
     QVERIFY(bar->target && bar->target->profile.largestRadius() == 20.0);
     QCOMPARE(bar->target->profile.upperEnd(), 100.0);
-    QVERIFY(
-        !static_cast<const WorkpieceSnapshot&>(*turningKind().subjects()[0]->start(*turningKind().subjects()[0]->blankTask()))
-             .target);
+    QVERIFY(!static_cast<const WorkpieceSnapshot&>(
+                 *turningKind().subjects()[0]->start(*turningKind().subjects()[0]->blankTask()))
+                 .target);
   }
 
   // A teacher checks tools in a list: these are in the post, and nothing else changes.
