@@ -93,10 +93,12 @@ void ClassTable::sort(std::size_t column, bool isDescending) {
   std::stable_sort(m_rows.begin(), m_rows.end(), isBefore);
 }
 
-std::string ClassTable::csv() const {
+std::string ClassTable::csv(std::string (*translated)(const std::string&)) const {
   std::string text = "\xEF\xBB\xBF";
-  for (std::size_t column = 0; column < columns(); ++column)
-    text += (column > 0 ? "," : "") + csvField(heading(column), false);
+  for (std::size_t column = 0; column < columns(); ++column) {
+    const bool isWord = translated && column < FirstCriterion;
+    text += (column > 0 ? "," : "") + csvField(isWord ? translated(heading(column)) : heading(column), false);
+  }
   text += "\r\n";
   for (const ClassRow& row : m_rows) {
     for (std::size_t column = 0; column < columns(); ++column) {

@@ -39,7 +39,8 @@ class ClassTable {
 
   // RFC 4180 in UTF-8, with the mark by which spreadsheets know that, and a header; fields that a spreadsheet would
   // take for a formula get an apostrophe in front.
-  std::string csv() const;
+  // translated: of the headings that are not names of criteria; null: English.
+  std::string csv(std::string (*translated)(const std::string&) = nullptr) const;
 
  private:
   std::optional<double> number(const ClassRow& row, std::size_t column) const;

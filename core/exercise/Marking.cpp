@@ -27,13 +27,16 @@ double hundredths(double points) {
   return std::round(100.0 * points) / 100.0;
 }
 
+// Long times as clocks show them.
 std::string withUnit(double value, const std::string& unit) {
+  if (unit == "s" && std::abs(value) >= 60.0) return minutesText(value);
   return roundedText(value) + (unit.empty() ? "" : " " + unit);
 }
 
 ExerciseText limitsText(const MarkingCriterion& c, const std::string& value, const std::string& unit) {
   if (c.lower && c.upper)
-    return {translatable("Note", "%1 is within %2 and %3"), {value, roundedText(*c.lower), withUnit(*c.upper, unit)}};
+    return {translatable("Note", "%1 is within %2 and %3"),
+            {value, unit == "s" ? withUnit(*c.lower, unit) : roundedText(*c.lower), withUnit(*c.upper, unit)}};
   if (c.upper) return {translatable("Note", "%1 is not above %2"), {value, withUnit(*c.upper, unit)}};
   if (c.lower) return {translatable("Note", "%1 is not below %2"), {value, withUnit(*c.lower, unit)}};
   return {translatable("Note", "%1, without a limit"), {value}};
@@ -76,6 +79,12 @@ Mark markFor(const MarkingCriterion& c, const Figure* figure, const std::string&
 }
 
 }  // namespace
+
+std::string minutesText(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  const std::string rest = std::to_string(whole % 60);
+  return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest + " min";
+}
 
 std::string ExerciseText::inEnglish() const {
   std::string result;

@@ -47,6 +47,9 @@ struct Marking {
 Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures,
                     const std::vector<std::string>& units = {});
 
+// "4:05 min"
+std::string minutesText(double seconds);
+
 // The share of its points that a value earns: 1 within the limits, falling to 0 over the slack beyond them. 0 for NaN.
 double earnedShare(const MarkingCriterion& criterion, double value);
 

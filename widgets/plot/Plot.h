@@ -22,7 +22,7 @@ struct PlotAxis {
 // A series of points, drawn as a line or as bars.
 struct PlotSeries {
   QString name;
-  std::vector<QPointF> points;    // in units of the axes; those that are not finite are left out
+  std::vector<QPointF> points;    // in units of the axes; not finite: left out; a gap in lines without markers
   bool joined = true;             // connected by lines, in order
   double barWidth = 0.0;          // above zero: drawn as bars of this width, in units of x, instead
   std::vector<QColor> bars = {};  // colours of the bars; empty: that of the series

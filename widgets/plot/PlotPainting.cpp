@@ -8,6 +8,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -130,11 +131,15 @@ class PlotPainting {
   void series(std::size_t index) {
     const PlotSeries& s = m_plot.series[index];
     const QColor colour = seriesColour(index, m_theme);
+    if (s.barWidth > 0.0) return bars(s, colour);
     QPolygonF line;
     for (const QPointF& p : s.points) {
-      if (m_layout.isShown(p)) line << m_layout.toScreen(p);
+      if (m_layout.isShown(p)) {
+        line << m_layout.toScreen(p);
+      } else if (!s.dotted) {
+        manyLines(std::exchange(line, {}), colour);
+      }
     }
-    if (s.barWidth > 0.0) return bars(s, colour);
     m_painter.setPen(QPen(colour, 1.5));
     if (!s.dotted) return manyLines(line, colour);
     if (s.joined) m_painter.drawPolyline(line);

@@ -7,7 +7,9 @@
 #include "report/exercise/MarkingWords.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
 #include <QImage>
+#include <QLocale>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QTextDocument>
@@ -29,19 +31,34 @@ std::string escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped().toStdString();
 }
 
+// Names of students come this way, too: they are no words of the program, and stay.
+QString figureWord(const std::string& text) {
+  return QCoreApplication::translate("Figure", text.c_str());
+}
+
 Plot plotOf(const ReportCurve& curve) {
   Plot plot;
-  plot.title = QString::fromStdString(curve.title);
-  plot.x = {QString::fromStdString(curve.x), QString::fromStdString(curve.xUnit)};
-  plot.y = {QString::fromStdString(curve.y), QString::fromStdString(curve.yUnit)};
+  plot.title = figureWord(curve.title);
+  plot.locale = QLocale();
+  plot.x = {figureWord(curve.x), QString::fromStdString(curve.xUnit)};
+  plot.y = {figureWord(curve.y), QString::fromStdString(curve.yUnit)};
   for (const ReportCurve::Series& each : curve.series) {
     PlotSeries series;
-    series.name = QString::fromStdString(each.name);
+    series.name = figureWord(each.name);
     series.dotted = false;
     for (const auto& [x, y] : each.points) series.points.emplace_back(x, y);
     plot.series.push_back(std::move(series));
   }
   return plot;
+}
+
+std::string word(const char* text) {
+  return translatedText({text, {}});
+}
+
+// A sentence of the report in HTML.
+std::string said(const char* text, std::vector<std::string> arguments = {}) {
+  return escaped(translatedText({text, std::move(arguments)}));
 }
 
 std::string cellsOf(const std::vector<std::string>& cells, const char* element) {
@@ -59,7 +76,7 @@ std::string classTable(const ClassReport& report) {
   std::vector<std::size_t> columns = {ClassTable::Student, ClassTable::Minutes, ClassTable::Hints, ClassTable::Points,
                                       ClassTable::Percent};
   std::vector<std::string> headings;
-  for (const std::size_t column : columns) headings.push_back(table.heading(column));
+  for (const std::size_t column : columns) headings.push_back(translatedHeading(table.heading(column)));
   const std::size_t criteria = table.columns() - ClassTable::FirstCriterion;
   const bool fits = criteria <= kMostOnPaper;
   for (std::size_t i = 0; fits && i < criteria; ++i) {
@@ -90,16 +107,23 @@ std::string nameOf(const ReportedWork& work) {
 std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
                         const ImageElement& image) {
   const ClassRow& row = work.row;
-  std::string html = "<h2>" + escaped(nameOf(work)) + "</h2>\n<p>File: " + escaped(row.file);
-  if (row.attempt.isHandedIn()) html += "<br/>Handed in: " + escaped(row.attempt.handedIn);
+  std::string html =
+      "<h2>" + escaped(nameOf(work)) + "</h2>\n<p>" + said(QT_TRANSLATE_NOOP("Note", "File: %1"), {row.file});
+  if (row.attempt.isHandedIn())
+    html += "<br/>" + said(QT_TRANSLATE_NOOP("Note", "Handed in: %1"), {localTime(row.attempt.handedIn)});
   html += "</p>\n";
   for (const std::string& remark : row.remarks) html += "<p><b>" + escaped(remark) + "</b></p>\n";
-  if (!row.problem.empty()) return html + "<p><b>Not marked: " + escaped(row.problem) + "</b></p>\n";
-  html += "<p><b>" + pointsText(row.marking) + "</b><br/>Time: " + minutesText(row.attempt.seconds) +
-          "; recorded: " + minutesText(work.details.seconds) +
-          ". Hints looked at: " + std::to_string(row.attempt.hintCount()) +
-          ".</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n"
-          "<tr><th>Criterion</th><th>Limits</th><th>Measured</th><th>Points</th><th>Reason</th></tr>\n";
+  if (!row.problem.empty())
+    return html + "<p><b>" + said(QT_TRANSLATE_NOOP("Note", "Not marked: %1"), {row.problem}) + "</b></p>\n";
+  html += "<p><b>" + escaped(pointsText(row.marking)) + "</b><br/>" +
+          said(QT_TRANSLATE_NOOP("Note", "Time: %1; recorded: %2. Hints looked at: %3."),
+               {minutesText(row.attempt.seconds), minutesText(work.details.seconds),
+                std::to_string(row.attempt.hintCount())}) +
+          "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n" +
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Criterion")), word(QT_TRANSLATE_NOOP("Note", "Limits")),
+                   word(QT_TRANSLATE_NOOP("Note", "Measured")), word(QT_TRANSLATE_NOOP("Note", "Points")),
+                   word(QT_TRANSLATE_NOOP("Note", "Reason"))},
+                  "th");
   for (const auto& cells : rowsOf(report, row.marking)) {
     html += "<tr>";
     for (const std::string& cell : cells) html += "<td>" + escaped(cell) + "</td>";
@@ -107,9 +131,9 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
   }
   html += "</table>\n";
   if (!work.details.events.empty()) {
-    html += "<h3>Events</h3>\n<ul>\n";
+    html += "<h3>" + said(QT_TRANSLATE_NOOP("Note", "Events")) + "</h3>\n<ul>\n";
     for (const ReportEvent& event : work.details.events)
-      html += "<li>" + minutesText(event.seconds) + ": " + escaped(event.text.inEnglish()) + "</li>\n";
+      html += "<li>" + minutesText(event.seconds) + ": " + escaped(translatedText(event.text)) + "</li>\n";
     html += "</ul>\n";
   }
   for (std::size_t i = 0; i < work.details.curves.size(); ++i) {
@@ -122,12 +146,18 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
 
 // Two works over the same time: each curve of the one with that of the other, and what happened when.
 std::string sideBySide(const ReportedWork& first, const ReportedWork& second, const ImageElement& image) {
-  std::string html = "<h2>Side by side: " + escaped(nameOf(first)) + ", " + escaped(nameOf(second)) + "</h2>\n";
+  std::string html =
+      "<h2>" + said(QT_TRANSLATE_NOOP("Note", "Side by side: %1, %2"), {nameOf(first), nameOf(second)}) + "</h2>\n";
   html += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n" +
           cellsOf({"", nameOf(first), nameOf(second)}, "th") +
-          cellsOf({"Points", pointsText(first.row.marking), pointsText(second.row.marking)}, "td") +
-          cellsOf({"Recorded", minutesText(first.details.seconds), minutesText(second.details.seconds)}, "td") +
-          cellsOf({"Events", std::to_string(first.details.events.size()), std::to_string(second.details.events.size())},
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Points")), pointsText(first.row.marking),
+                   pointsText(second.row.marking)},
+                  "td") +
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Recorded")), minutesText(first.details.seconds),
+                   minutesText(second.details.seconds)},
+                  "td") +
+          cellsOf({word(QT_TRANSLATE_NOOP("Note", "Events")), std::to_string(first.details.events.size()),
+                   std::to_string(second.details.events.size())},
                   "td") +
           "</table>\n";
   int number = 0;
@@ -184,8 +214,8 @@ std::string htmlOf(const ClassReport& report, Progress progress) {
     return "<img style=\"max-width: 100%\" width=\"" + std::to_string(kPlotWidth) + "\" alt=\"" + name +
            "\" src=\"data:image/png;base64," + base64Png(picture) + "\"/>";
   };
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>" +
-         escaped(report.exercise.title) +
+  return "<!DOCTYPE html>\n<html lang=\"" + word(QT_TRANSLATE_NOOP("Note", "en")) +
+         "\">\n<head><meta charset=\"utf-8\"/><title>" + escaped(report.exercise.title) +
          "</title>\n<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; } "
          "table { border-collapse: collapse; }</style></head>\n<body>\n" +
          bodyOf(report, image, progress) + "</body>\n</html>\n";

@@ -3,6 +3,11 @@
 #include "report/exercise/MarkingWords.h"
 
 #include "base/NumberText.h"
+#include "text/NoteText.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
 
 namespace handwheel {
 
@@ -21,14 +26,22 @@ std::string unitOf(const ClassReport& report, const MarkingCriterion& c) {
   return type ? type->unit : std::string();
 }
 
-std::string minutesText(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
-  const std::string rest = std::to_string(whole % 60);
-  return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest + " min";
+std::string pointsText(const Marking& marking) {
+  return translatedText(
+      {QT_TRANSLATE_NOOP("Note", "%1 of %2 points"), {roundedText(marking.points), roundedText(marking.of)}});
 }
 
-std::string pointsText(const Marking& marking) {
-  return roundedText(marking.points) + " of " + roundedText(marking.of) + " points";
+std::string translatedText(const ExerciseText& text) {
+  return noteText({text.text, text.arguments}).toStdString();
+}
+
+std::string translatedHeading(const std::string& heading) {
+  return QCoreApplication::translate("ClassTable", heading.c_str()).toStdString();
+}
+
+std::string localTime(const std::string& utc) {
+  const QDateTime at = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  return at.isValid() ? QLocale().toString(at.toLocalTime(), QLocale::ShortFormat).toStdString() : utc;
 }
 
 std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const Marking& marking) {
@@ -37,11 +50,11 @@ std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const 
     const MarkingCriterion* c = report.exercise.find(mark.criterion);
     if (!c) continue;
     const std::string unit = unitOf(report, *c);
-    const std::string remark = mark.remark.inEnglish();
+    const std::string remark = mark.remark.text.empty() ? std::string() : translatedText(mark.remark);
     rows.push_back({c->name, limitsOf(*c) + (unit.empty() ? "" : " " + unit),
                     mark.value ? roundedText(*mark.value) : "–",
                     roundedText(mark.points) + " / " + roundedText(mark.of),
-                    mark.reason.inEnglish() + (remark.empty() ? "" : " (" + remark + ")")});
+                    translatedText(mark.reason) + (remark.empty() ? "" : " (" + remark + ")")});
   }
   return rows;
 }

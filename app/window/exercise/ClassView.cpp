@@ -5,11 +5,13 @@
 #include "panels/ResultModel.h"
 #include "panels/ResultTable.h"
 #include "panels/time/TimeLinePanel.h"
-#include "text/NoteText.h"
+#include "window/exercise/ReasonText.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -17,15 +19,19 @@ namespace handwheel {
 
 namespace {
 
-QString textOf(const ExerciseText& text) {
-  return noteText({text.text, text.arguments});
-}
-
 QString figureWord(const std::string& text) {
   return QCoreApplication::translate("Figure", text.c_str());
 }
 
+// As the clock on the wall showed it; sorted by time.
+ResultCell timeCell(const std::string& utc) {
+  const QDateTime at = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  if (!at.isValid()) return {QString::fromStdString(utc)};
+  return {QLocale().toString(at.toLocalTime(), QLocale::ShortFormat), static_cast<double>(at.toSecsSinceEpoch())};
+}
+
 ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) {
+  if (column == ClassTable::HandedIn) return timeCell(table.rows()[row].attempt.handedIn);
   ResultCell cell{QString::fromStdString(table.cell(row, column))};
   bool isNumber = false;
   const double number = cell.text.toDouble(&isNumber);
@@ -45,7 +51,7 @@ ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) 
   if (criterion >= marks.size()) return cell;
   const bool isFull = marks[criterion].points == marks[criterion].of;
   cell.state = isFull ? ResultCell::State::Good : ResultCell::State::Bad;
-  cell.reason = textOf(marks[criterion].reason);
+  cell.reason = reasonText(marks[criterion]);
   return cell;
 }
 
@@ -62,7 +68,7 @@ TimeLineRecording recordingOf(const ReportedWork& work) {
     recording.curves.push_back(std::move(line));
   }
   for (const ReportEvent& event : work.details.events)
-    recording.markers.push_back({event.seconds, textOf(event.text), TimeLineMarker::Severity::Error});
+    recording.markers.push_back({event.seconds, exerciseText(event.text), TimeLineMarker::Severity::Error});
   return recording;
 }
 

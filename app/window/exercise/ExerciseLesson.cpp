@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/exercise/ExerciseLesson.h"
 
+#include "controls/ScrolledPanel.h"
 #include "panels/LessonPanel.h"
-#include "text/NoteText.h"
+#include "window/exercise/ReasonText.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -39,26 +39,29 @@ LessonStep lessonStep(const Exercise& exercise, const Attempt& attempt, std::siz
 // "⌀30 h10: 29.916 … 30 mm", and where it is measured.
 QString sizeText(const MarkingCriterion& c, const FigureType& type) {
   const auto number = [](double value) { return QLocale().toString(value, 'g', 8); };
-  const QString unit = type.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);
+  const bool isTime = type.unit == "s";
+  const auto value = [&](double figure) {
+    return isTime ? QString::fromStdString(minutesText(figure)) : number(figure);
+  };
+  const QString unit = type.unit.empty() || isTime ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);
   QString text = QString::fromStdString(c.name);
   if (c.lower && c.upper)
-    text += ExerciseLesson::tr(": %1 … %2%3").arg(number(*c.lower), number(*c.upper), unit);
+    text += ExerciseLesson::tr(": %1 … %2%3").arg(value(*c.lower), value(*c.upper), unit);
   else if (c.upper)
-    text += ExerciseLesson::tr(": at most %1%2").arg(number(*c.upper), unit);
+    text += ExerciseLesson::tr(": at most %1%2").arg(value(*c.upper), unit);
   else if (c.lower)
-    text += ExerciseLesson::tr(": at least %1%2").arg(number(*c.lower), unit);
+    text += ExerciseLesson::tr(": at least %1%2").arg(value(*c.lower), unit);
   QStringList places;
   for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i)
-    places +=
-        QCoreApplication::translate("Figure", type.arguments[i].c_str()) + QLatin1Char(' ') + number(c.arguments[i]);
+    places += QCoreApplication::translate("Property", type.arguments[i].c_str()) + QLatin1Char(' ') +
+              number(c.arguments[i]) + QStringLiteral(" mm");
   return places.isEmpty() ? text : text + QStringLiteral("\n    ") + places.join(QStringLiteral(", "));
 }
 
 // What is on the drawing: stock and machine, then each size with its limits.
 QString drawingText(const ExerciseSnapshot& shown) {
   QStringList lines;
-  for (const ExerciseText& line : shown.subject->conditions(*shown.task))
-    lines += noteText({line.text, line.arguments});
+  for (const ExerciseText& line : shown.subject->conditions(*shown.task)) lines += exerciseText(line);
   lines += QString();
   const std::vector<FigureType> types = figureTypes(*shown.subject);
   for (const MarkingCriterion& c : shown.exercise.criteria) {
@@ -75,8 +78,7 @@ QString measuredText(const Exercise& exercise, const Marking& marking) {
     const MarkingCriterion* c = exercise.find(mark.criterion);
     if (!c || c->isHidden) continue;
     const QString sign = mark.verdict == Verdict::Met ? QStringLiteral("✓") : QStringLiteral("✗");
-    lines += sign + QLatin1Char(' ') + QString::fromStdString(c->name) + QStringLiteral(": ") +
-             noteText({mark.reason.text, mark.reason.arguments});
+    lines += sign + QLatin1Char(' ') + QString::fromStdString(c->name) + QStringLiteral(": ") + reasonText(mark);
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -108,15 +110,16 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
   m_name->setPlaceholderText(tr("Your name"));
   m_name->setAccessibleName(tr("Your name"));
   m_handIn->setObjectName(QStringLiteral("lesson/handIn"));
+  // What is read scrolls, and the buttons stay.
+  auto* page = new QWidget;
+  auto* reading = new QVBoxLayout(page);
+  reading->setContentsMargins(0, 0, 0, 0);
+  reading->addWidget(m_text);
+  reading->addWidget(m_begin);
+  reading->addWidget(m_steps, 1);
+  reading->addWidget(m_sizes);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(m_text);
-  column->addWidget(m_begin);
-  column->addWidget(m_steps, 1);
-  auto* sizes = new QScrollArea(this);  // there may be more of them than there is room for
-  sizes->setWidget(m_sizes);
-  sizes->setWidgetResizable(true);
-  sizes->setFrameShape(QFrame::NoFrame);
-  column->addWidget(sizes, 1);
+  column->addWidget(new ScrolledPanel(page, ScrolledPanel::Ways::Vertical, this), 1);
   for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) column->addWidget(each);
   connect(m_begin, &QPushButton::clicked, this, &ExerciseLesson::begun);
   connect(m_measure, &QPushButton::clicked, this, &ExerciseLesson::measuringRequested);

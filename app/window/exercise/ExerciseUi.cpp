@@ -60,6 +60,8 @@ void ExerciseUi::buildActions() {
       action("studentCopy", tr("&Student's copy"), tr("Open the exercise as students see it; save it for them"));
   m_solution = action("takeSolution", tr("Take as model s&olution"),
                       tr("Keep the work that was begun from this exercise as its model solution"));
+  m_openSolution = action("openSolution", tr("Op&en the model solution"),
+                          tr("Open a copy of the model solution, to look at it or to go on from it"));
   m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
   m_round = action("roundTargetAction", tr("&Round the target…"),
                    tr("Give the target round sizes and sharp corners, as a drawing has them"));
@@ -67,6 +69,7 @@ void ExerciseUi::buildActions() {
   connect(m_begin, &QAction::triggered, this, [this] { m_attempt->begin(*document()); });
   connect(m_preview, &QAction::triggered, this, [this] { openContent(forStudents(*snapshot())); });
   connect(m_solution, &QAction::triggered, this, [this] { takeWork(false); });
+  connect(m_openSolution, &QAction::triggered, this, &ExerciseUi::openSolution);
   connect(m_target, &QAction::triggered, this, [this] { takeWork(true); });
   connect(m_round, &QAction::triggered, this, &ExerciseUi::askToRound);
   connect(m_mark, &QAction::triggered, this, &ExerciseUi::chooseSubmissions);
@@ -116,6 +119,7 @@ void ExerciseUi::refresh() {
   m_preview->setEnabled(!isStudent);
   m_mark->setEnabled(!isStudent);
   m_solution->setEnabled(!isStudent && hasWork);
+  m_openSolution->setEnabled(!isStudent && exercise.solution);
   m_target->setEnabled(!isStudent && hasWork);
   m_round->setEnabled(!isStudent);
   emit stateChanged();
@@ -126,7 +130,7 @@ QWidget* ExerciseUi::panel() {
 }
 
 QList<QAction*> ExerciseUi::menu() {
-  return {m_begin, m_preview, m_solution, m_target, m_round, m_mark};
+  return {m_begin, m_preview, m_solution, m_openSolution, m_target, m_round, m_mark};
 }
 
 QList<QAction*> ExerciseUi::toolBar() {
@@ -205,7 +209,22 @@ void ExerciseUi::takeWork(bool asTarget) {
     return report(asTarget ? tr("The target was not taken") : tr("The model solution was not taken"), fits.error());
   if (asTarget) return takeTarget(work);
   changed.solution = work;
+  const auto steps = static_cast<int>(from->document.history()->index());
   current()->change(tr("Take the model solution"), std::move(changed));
+  emit message(
+      {Message::Weight::Info, tr("Model solution taken"),
+       tr("The work in “%1”, as it is after %n step(s) of its history, is the model solution now.", nullptr, steps)
+           .arg(from->document.name()),
+       tr("“Open the model solution” shows it. Students do not get it.")});
+}
+
+// Another document: what is changed there does not change the exercise.
+void ExerciseUi::openSolution() {
+  const ExerciseSnapshot& exercise = current()->exercise();
+  const DocumentKind* kind = parts().kinds.withId(exercise.subject->kind().id());
+  OpenedFile opened = DocumentKinds::blank(*kind);
+  opened.content = exercise.solution;
+  parts().openDocument(std::move(opened));
 }
 
 // Lines and arcs are fitted to all of the part. Where the task was changed in the meantime it stays as it is.

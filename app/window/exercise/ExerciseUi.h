@@ -49,11 +49,13 @@ class ExerciseUi : public RigidPartsUi {
   void refresh();
   void openContent(const ExerciseSnapshot& content);
   void takeWork(bool asTarget);
+  void openSolution();
   void takeTarget(const SnapshotPointer& work);
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);
-  void chooseFile(const QString& title, const QString& filter, const QString& suffix,
+  // name: that is suggested, without its ending.
+  void chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);
   enum class ClassFile { Report, Table, Comparison };
   void writeClass(ClassFile what);
@@ -74,7 +76,7 @@ class ExerciseUi : public RigidPartsUi {
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;
   mutable SnapshotPointer m_displayedWork;
-  QAction *m_begin, *m_preview, *m_solution, *m_target, *m_round, *m_mark;
+  QAction *m_begin, *m_preview, *m_solution, *m_openSolution, *m_target, *m_round, *m_mark;
 };
 
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include "document/AtomicFile.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
+#include "report/exercise/MarkingWords.h"
 #include "text/ErrorText.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
@@ -12,6 +13,7 @@
 #include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseUi.h"
+#include "window/exercise/SuggestedName.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -60,13 +62,14 @@ void ExerciseUi::mark(const QStringList& paths) {
   parts().jobs.start(std::move(job));
 }
 
-void ExerciseUi::chooseFile(const QString& title, const QString& filter, const QString& suffix,
+void ExerciseUi::chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,
                             const std::function<void(const QString& path)>& chosen) {
   auto* dialog = new QFileDialog(parts().window, title, QString(), filter);
   dialog->setObjectName(QStringLiteral("classFileDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
+  dialog->selectFile(fileNameOf({name}, suffix));
   connect(dialog, &QFileDialog::fileSelected, this, chosen);
   dialog->open();
 }
@@ -88,21 +91,30 @@ void ExerciseUi::startWriting(ClassFile what, const QString& path) {
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     ClassTable table(marked.exercise);
     for (const ReportedWork& work : marked.works) table.add(work.row);
-    const Status written =
-        asTable ? writeFileAtomically(file, table.csv(), progress) : writeReport(marked, file, progress);
+    const Status written = asTable ? writeFileAtomically(file, table.csv(translatedHeading), progress)
+                                   : writeReport(marked, file, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path] { parts().log.add(tr("Saved %1").arg(QFileInfo(path).fileName())); };
+    return [this, path] {
+      parts().log.add(tr("Saved %1").arg(QFileInfo(path).fileName()));
+      emit message({Message::Weight::Info, tr("Saved %1").arg(QFileInfo(path).fileName()),
+                    tr("It is in the folder %1.").arg(QFileInfo(path).absolutePath())});
+    };
   };
   parts().jobs.start(std::move(job));
 }
 
 void ExerciseUi::writeClass(ClassFile what) {
+  if (!current()) return;
   const auto write = [this, what](const QString& path) { startWriting(what, path); };
+  const QString title = QString::fromStdString(current()->exercise().exercise.title);
   if (what == ClassFile::Table) {
-    chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), QStringLiteral("csv"), write);
+    chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), tr("%1, class").arg(title),
+               QStringLiteral("csv"), write);
   } else {
     chooseFile(what == ClassFile::Report ? tr("Save the report") : tr("Save the comparison"),
-               tr("Report (%1)").arg(QStringLiteral("*.html *.pdf")), QStringLiteral("html"), write);
+               tr("Report (%1)").arg(QStringLiteral("*.html *.pdf")),
+               what == ClassFile::Report ? tr("%1, report").arg(title) : tr("%1, comparison").arg(title),
+               QStringLiteral("html"), write);
   }
 }
 

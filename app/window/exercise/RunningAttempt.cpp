@@ -12,6 +12,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/exercise/ExerciseLesson.h"
+#include "window/exercise/SuggestedName.h"
 
 #include <QDockWidget>
 #include <QFile>
@@ -221,6 +222,11 @@ void RunningAttempt::handIn() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("handwheel"));
+  const Work* const work = current();
+  if (work)
+    dialog->selectFile(fileNameOf(
+        {QString::fromStdString(work->exercise->exercise.title), QString::fromStdString(work->attempt.student)},
+        QStringLiteral("handwheel")));
   connect(dialog, &QFileDialog::fileSelected, this, &RunningAttempt::writeSubmission);
   dialog->open();
 }
@@ -255,7 +261,8 @@ void RunningAttempt::writeSubmission(const QString& path) {
     if (!written) return [failed, error = written.error()] { failed(error); };
     return [this, path, student = QString::fromStdString(attempt.student)] {
       emit message({Message::Weight::Info, tr("Handed in by %1").arg(student),
-                    tr("The work is in %1.").arg(QFileInfo(path).fileName()), tr("Give that file to your teacher.")});
+                    tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
+                    tr("Give that file to your teacher.")});
     };
   };
   m_parts.jobs.start(std::move(job));

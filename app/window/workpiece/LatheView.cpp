@@ -3,6 +3,7 @@
 #include "window/workpiece/LatheView.h"
 
 #include "audio/MachineSound.h"
+#include "controls/ScrolledPanel.h"
 #include "controls/machine/HandwheelDial.h"
 #include "machining/lathe/LatheJson.h"
 #include "panels/DockTitle.h"
@@ -90,7 +91,7 @@ void LatheView::makeDock() {
   m_dock->setObjectName(QStringLiteral("latheDock"));
   m_dock->setTitleBarWidget(new DockTitle(m_dock));
   m_panel = new LathePanel(m_dock);
-  m_dock->setWidget(m_panel);
+  m_dock->setWidget(new ScrolledPanel(m_panel, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   connect(m_panel, &LathePanel::commanded, this, [this](const LatheCommand& command) {
     if (ManualLatheTool* const lathe = tool()) m_window.tools.runner().deliver([&] { lathe->command(command); });

@@ -12,6 +12,7 @@
 #include <QPixmap>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -41,8 +42,8 @@ QString dimensionText(const ProfileFeature& f, LengthUnit unit, const QLocale& l
   if (f.kind == ProfileFeature::Kind::Arc) text = QStringLiteral("R %1").arg(length(f.value));
   if (f.kind == ProfileFeature::Kind::Taper)
     text = QStringLiteral("∠ %1  ⌀ %2 … %3")
-               .arg(quantityText(f.value, Quantity::Angle, unit, locale), length(2.0 * f.low.x()),
-                    length(2.0 * f.high.x()));
+               .arg(quantityText(std::round(f.value * 1e6) / 1e6 + 0.0, Quantity::Angle, unit, locale),
+                    length(2.0 * f.low.x()), length(2.0 * f.high.x()));
   if (f.kind == ProfileFeature::Kind::FlatFace)
     return QStringLiteral("⟂ ⌀ %1 … %2  ·  Z %3")
         .arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()), length(f.low.y()));
@@ -51,9 +52,23 @@ QString dimensionText(const ProfileFeature& f, LengthUnit unit, const QLocale& l
       .arg(text, length(f.low.y()), length(f.high.y()), length(f.length()));
 }
 
+namespace {
+
+// One size a line; of a curved target the first ones.
+QString sizesText(const std::vector<ProfileFeature>& wanted, LengthUnit unit, const QLocale& locale) {
+  constexpr std::size_t kMost = 12;
+  QStringList lines;
+  for (std::size_t i = 0; i < std::min(wanted.size(), kMost); ++i) lines += dimensionText(wanted[i], unit, locale);
+  if (wanted.size() > kMost) lines += QStringLiteral("…");
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
 TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
     : QWidget(parent),
       m_target(new QLabel(this)),
+      m_wanted(new QLabel(this)),
       m_over(new QLabel(this)),
       m_under(new QLabel(this)),
       m_legend(new QLabel(this)),
@@ -65,7 +80,8 @@ TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
   m_dimensions->setObjectName(QStringLiteral("partDimensions"));
   m_dimensions->setAccessibleName(tr("Measured dimensions"));
   m_dimensions->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  m_target->setWordWrap(true);
+  m_wanted->setObjectName(QStringLiteral("targetSizes"));
+  for (QLabel* label : {m_target, m_wanted, m_over, m_under}) label->setWordWrap(true);
   auto* heading = new QLabel(tr("Target"), this);
   auto* measured = new QLabel(tr("Dimensions"), this);
   for (QLabel* label : {heading, measured}) label->setProperty("strong", true);
@@ -73,7 +89,7 @@ TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
   column->setContentsMargins(12, 8, 8, 12);
   column->setSpacing(8);
   column->addWidget(heading);
-  for (QWidget* row : std::initializer_list<QWidget*>{m_target, m_over, m_under, m_legend, m_ends})
+  for (QWidget* row : std::initializer_list<QWidget*>{m_target, m_wanted, m_over, m_under, m_legend, m_ends})
     column->addWidget(row);
   for (QAction* action : actions) {
     auto* button = new QToolButton(this);
@@ -91,8 +107,9 @@ void TargetPanel::show(const PartMeasurement& measurement, const QString& target
   const QLocale locale;
   const bool hasTarget = measurement.deviation.has_value();
   m_target->setText(hasTarget ? target : tr("No target: import one to compare the part with it."));
-  for (QLabel* label : {m_over, m_under}) label->setVisible(hasTarget);
+  for (QLabel* label : {m_wanted, m_over, m_under}) label->setVisible(hasTarget);
   if (hasTarget) {
+    m_wanted->setText(sizesText(measurement.wanted, unit, locale));
     const TargetDeviation& d = *measurement.deviation;
     m_over->setText(tr("Too large by up to %1").arg(lengthText(d.largestOver.distance, unit, locale)));
     m_under->setText(tr("Too small by up to %1").arg(lengthText(-d.largestUnder.distance, unit, locale)));

@@ -23,6 +23,7 @@ namespace handwheel {
 // What is measured of a turned part.
 struct PartMeasurement {
   std::vector<ProfileFeature> features;
+  std::vector<ProfileFeature> wanted = {};   // of the target
   std::optional<TargetDeviation> deviation;  // none without a target
 };
 
@@ -42,6 +43,7 @@ class TargetPanel : public QWidget {
 
  private:
   QLabel* m_target;
+  QLabel* m_wanted;
   QLabel* m_over;
   QLabel* m_under;
   QLabel* m_legend;

@@ -10,6 +10,7 @@
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
+#include "viewport/Viewport.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -19,6 +20,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -29,6 +31,7 @@ PartMeasurement measure(const WorkpieceSnapshot& workpiece, Progress progress) {
   PartMeasurement found;
   if (const Result<TargetProfile> section = sectionOf(workpiece))
     found.features = featuresOf(*section, workpiece.chord);
+  if (workpiece.target) found.wanted = featuresOf(workpiece.target->profile, workpiece.chord);
   if (workpiece.target) found.deviation = deviationOf(workpiece, progress);
   return found;
 }
@@ -48,6 +51,35 @@ std::array<float, 3> finishColour(std::optional<double> roughness) {
   return componentsOf(ColourScale{kFinishSteps}.at(std::clamp(doublings, -kFinishSteps, kFinishSteps)));
 }
 
+// The outline in the plane that faces who stands at the lathe, both sides of the axis, and a ring at each corner, which
+// is seen from anywhere.
+PathLayer::Lines outlineOf(const TargetProfile& target) {
+  constexpr int kOfArc = 16, kOfRing = 96;
+  constexpr std::size_t kMostRings = 60;
+  auto lines = std::make_shared<std::vector<PathLine>>();
+  for (const double side : {-1.0, 1.0}) {
+    for (const ProfileSegment& s : target.segments()) {
+      PathLine line;
+      const int pieces = s.isArc() ? kOfArc : 1;
+      for (int k = 0; k <= pieces; ++k) {
+        const ProfilePoint p = s.at(static_cast<double>(k) / pieces);
+        line.points.emplace_back(0.0, side * p.x(), p.y());
+      }
+      lines->push_back(std::move(line));
+    }
+  }
+  if (target.segments().size() > kMostRings) return lines;
+  for (const ProfileSegment& s : target.segments()) {
+    PathLine ring;
+    for (int k = 0; s.from.x() > 0.0 && k <= kOfRing; ++k) {
+      const double angle = 2.0 * M_PI * k / kOfRing;
+      ring.points.emplace_back(s.from.x() * std::cos(angle), s.from.x() * std::sin(angle), s.from.y());
+    }
+    if (!ring.points.empty()) lines->push_back(std::move(ring));
+  }
+  return lines;
+}
+
 QString finishLegend() {
   const QLocale locale;
   const double most = std::exp2(kFinishSteps);
@@ -63,10 +95,18 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
       m_parts(parts),
       m_import(tr("Import &target…"), this),
       m_remove(tr("&Remove target"), this),
+      m_outline(tr("&Target in the view"), this),
       m_colours(tr("&Deviation in colours"), this),
       m_roughness(tr("Rou&ghness in colours"), this),
       m_panel(new TargetPanel(actions(), parts.window)),
-      m_measuring(JobRunner::Policy::Latest, parts.pool) {
+      m_measuring(JobRunner::Policy::Latest, parts.pool),
+      m_layer(std::make_shared<PathLayer>()) {
+  m_outline.setObjectName(QStringLiteral("targetOutline"));
+  m_outline.setCheckable(true);
+  m_outline.setChecked(true);
+  setActionToolTip(m_outline, tr("Show the outline of the target over the part"));
+  parts.viewport.addLayer(m_layer);
+  connect(&m_outline, &QAction::toggled, this, &TargetView::showOutline);
   m_import.setObjectName(QStringLiteral("importTarget"));
   m_remove.setObjectName(QStringLiteral("removeTarget"));
   m_colours.setObjectName(QStringLiteral("targetDeviation"));
@@ -84,6 +124,23 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
   connect(&m_roughness, &QAction::toggled, this, [this] { choose(m_roughness, m_colours); });
 }
 
+TargetView::~TargetView() {
+  m_parts.viewport.removeLayer(*m_layer);
+}
+
+void TargetView::setVisible(bool isVisible) {
+  m_isVisible = isVisible;
+  showOutline();
+}
+
+void TargetView::showOutline() {
+  const WorkpieceDocument* const owner = workpiece();
+  const bool isShown = owner && m_isVisible && m_outline.isChecked();
+  const auto target = isShown ? owner->workpiece().target : nullptr;
+  if (std::exchange(m_outlined, target) == target) return;
+  m_layer->setLines(target ? outlineOf(target->profile) : nullptr);
+}
+
 // One of the two is shown at a time.
 void TargetView::choose(const QAction& shown, QAction& other) {
   if (shown.isChecked()) other.setChecked(false);
@@ -99,7 +156,7 @@ void TargetView::setDocument(DocumentTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_measuring.cancelAll();
   m_document = document;
-  m_import.setEnabled(document != nullptr);
+  m_import.setEnabled(document != nullptr && !document->document.file().assigned);
   if (document) connect(&document->document, &Document::changed, this, &TargetView::refresh);
   refresh();
 }
@@ -107,8 +164,10 @@ void TargetView::setDocument(DocumentTab* document) {
 void TargetView::refresh() {
   const WorkpieceDocument* const owner = workpiece();
   const bool hasTarget = owner && owner->workpiece().target;
-  m_remove.setEnabled(hasTarget);
+  m_remove.setEnabled(hasTarget && !m_document->document.file().assigned);
+  m_outline.setEnabled(hasTarget);
   m_colours.setEnabled(hasTarget);
+  showOutline();
   if (!owner) return;
   Job job;
   job.name = tr("Measuring");
@@ -126,7 +185,9 @@ void TargetView::measured(const PartMeasurement& measurement) {
   if (!m_panel) return;
   const auto& target = workpiece()->workpiece().target;
   const LengthUnit unit = m_document->document.displayUnit();
-  m_panel->show(measurement, target ? QString::fromStdString(target->source) : QString(), unit);
+  const bool isAssigned = static_cast<bool>(m_document->document.file().assigned);
+  const QString source = target ? QString::fromStdString(target->source) : QString();
+  m_panel->show(measurement, isAssigned ? tr("Target of the exercise") : source, unit);
   const bool isShown = m_colours.isChecked() && target;
   if (m_roughness.isChecked())
     m_panel->setLegend(ColourScale{kFinishSteps}, finishLegend());

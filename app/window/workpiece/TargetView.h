@@ -5,6 +5,8 @@
 #include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
 
 #include "document/workpiece/TargetImport.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+#include "viewport/path/PathLayer.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
 #include "window/workpiece/TargetPanel.h"
@@ -22,9 +24,11 @@ class TargetView : public QObject {
 
  public:
   TargetView(const WindowContext& parts, QObject* parent);
+  ~TargetView() override;
 
   void setDocument(DocumentTab* document);
-  QList<QAction*> actions() { return {&m_import, &m_remove, &m_colours, &m_roughness}; }
+  void setVisible(bool isVisible);  // with the document
+  QList<QAction*> actions() { return {&m_import, &m_remove, &m_outline, &m_colours, &m_roughness}; }
   QWidget* panel() { return m_panel; }
   // The workpiece in the colours of its deviation or its roughness; none where they are not shown.
   std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
@@ -44,12 +48,16 @@ class TargetView : public QObject {
   void refresh();
   void measured(const PartMeasurement& measurement);
   void choose(const QAction& shown, QAction& other);
+  void showOutline();
 
   WindowContext m_parts;
-  QAction m_import, m_remove, m_colours, m_roughness;
+  QAction m_import, m_remove, m_outline, m_colours, m_roughness;
   QPointer<TargetPanel> m_panel;
   DocumentTab* m_document = nullptr;
   JobRunner m_measuring;
+  std::shared_ptr<PathLayer> m_layer;
+  std::shared_ptr<const WorkpieceTarget> m_outlined;  // in the layer
+  bool m_isVisible = true;
   double m_range = 0.1;  // mm, of the colours
 };
 

@@ -3,10 +3,13 @@
 #include "window/workpiece/WorkpieceUi.h"
 
 #include "controls/QuantityText.h"
+#include "controls/ScrolledPanel.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
+#include "document/workpiece/exercise/AssignedTask.h"
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
+#include "panels/MessageBar.h"
 #include "theme/Theme.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
@@ -83,7 +86,7 @@ QWidget* WorkpieceUi::makePanel() {
   panel->setObjectName(QStringLiteral("workpiecePanel"));
   panel->setChildrenCollapsible(false);
   panel->addWidget(RigidPartsUi::panel());
-  panel->addWidget(m_target.panel());
+  panel->addWidget(new ScrolledPanel(m_target.panel(), ScrolledPanel::Ways::Vertical));
   panel->setStretchFactor(1, 2);
   return panel;
 }
@@ -99,6 +102,7 @@ void WorkpieceUi::setDocument(DocumentTab* document) {
 
 void WorkpieceUi::refreshVisibility() {
   RigidPartsUi::refreshVisibility();
+  m_target.setVisible(document() && document()->visible);
   m_program.setVisible(document() && document()->visible);
   m_dimensions.setVisible(document() && document()->visible);
 }
@@ -144,9 +148,12 @@ std::unique_ptr<Tool> WorkpieceUi::turnTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
   const SimulationServices services{parts().servoClock, parts().services.simulation()};
   const FidelityValues& values = parts().fidelity.values();
+  const auto task = assignedTask(workpiece.file().assigned);
   const TurnTool::Start start{values.of(turnSpacingSetting()),
                               static_cast<TurningMethod>(static_cast<int>(values.of(turnMethodSetting()))),
-                              values.of(turnResolutionSetting())};
+                              values.of(turnResolutionSetting()),
+                              task && !task->tools.empty() ? task->tools.front().noseRadius : TurningTool().noseRadius,
+                              task ? task->lathe.largestFeed : 0.0};
   return std::make_unique<TurnTool>(workpiece, services, start);
 }
 
@@ -158,6 +165,7 @@ std::unique_ptr<Tool> WorkpieceUi::latheTool() {
 // The part is felt through the simulation of the tool, as long as there is one.
 void WorkpieceUi::followTool() {
   const auto* const tool = dynamic_cast<const TurnTool*>(parts().tools.runner().tool());
+  if (tool) warnOfFeed(*tool);
   const std::shared_ptr<TurningChannel> channel = tool ? tool->channel() : nullptr;
   const TurningTool settings = tool ? tool->settingsAtDevice() : TurningTool();
   const double base = tool ? tool->base() : 0.0;
@@ -176,6 +184,18 @@ void WorkpieceUi::followTool() {
   parts().touch.setSource(kTurningSource, make, isSame && isThere);
 }
 
+// Once for each pass: it counts when the work is marked.
+void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
+  const auto& part = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part;
+  const std::size_t passes = part ? part->passes.size() : 0;
+  if (std::exchange(m_passes, passes) >= passes || !tool.tooFast()) return;
+  const QLocale locale;
+  emit message({Message::Weight::Warning, tr("Too fast"),
+                tr("The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.")
+                    .arg(locale.toString(*tool.tooFast(), 'f', 1), locale.toString(tool.largestFeed())),
+                tr("Undo it, and drag more slowly: f at the pointer is the feed.")});
+}
+
 // What was seen whole stays so in another size. Else the camera is the user's.
 void WorkpieceUi::followSize() {
   if (!document()) return;
@@ -191,11 +211,12 @@ void WorkpieceUi::followSize() {
 void WorkpieceUi::explainLocks() {
   if (!document()) return;
   const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
+  const bool isAssigned = static_cast<bool>(document()->document.file().assigned);
   const QString reason = document()->document.history()->canUndo() ? tr("Undo the passes to change the size.")
                                                                    : tr("It was cut already, so its size is fixed.");
   for (const char* field : {"property/diameter", "property/length"}) {
     for (QWidget* row : panel()->findChildren<QWidget*>(QString::fromLatin1(field)))
-      row->setToolTip(isCut ? reason : QString());
+      row->setToolTip(isAssigned ? tr("The bar is that of the exercise.") : isCut ? reason : QString());
   }
 }
 

@@ -13,6 +13,8 @@
 
 namespace handwheel {
 
+class TurnTool;
+
 // The user interface of workpieces: the stock and its dimensions.
 class WorkpieceUi : public RigidPartsUi {
   Q_OBJECT
@@ -56,6 +58,7 @@ class WorkpieceUi : public RigidPartsUi {
   std::unique_ptr<Tool> turnTool();
   std::unique_ptr<Tool> latheTool();
   void followTool();
+  void warnOfFeed(const TurnTool& tool);
   void followSize();
   void explainLocks();
 
@@ -66,6 +69,7 @@ class WorkpieceUi : public RigidPartsUi {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
+  std::size_t m_passes = 0;                // of the current document, as the tool was followed last
   bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;

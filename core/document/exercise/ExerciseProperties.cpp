@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "document/Utf8.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -93,6 +93,40 @@ std::vector<std::string> idsOf(const Exercise& exercise, std::vector<std::string
   return names;
 }
 
+// "Lower limit (mm)". Units are the same in all languages.
+std::string labelWithUnit(const char* label, const std::string& unit) {
+  const QString words = QCoreApplication::translate("Property", label);
+  if (unit.empty()) return words.toStdString();
+  return QStringLiteral("%1 (%2)").arg(words, QString::fromStdString(unit)).toStdString();
+}
+
+std::string placeId(std::size_t argument) {
+  return "at" + std::to_string(argument + 1);
+}
+
+// The argument that a property is; none for other properties.
+std::optional<std::size_t> argumentOf(const std::string& field) {
+  for (std::size_t i = 0; i < Exercise::kMostArguments; ++i) {
+    if (field == placeId(i)) return i;
+  }
+  return std::nullopt;
+}
+
+// Where a criterion is measured: a length for each argument of its figure; what is wrong with them stands at the last.
+std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
+                                      const FigureType& type) {
+  std::vector<Property> all;
+  for (std::size_t i = 0; i < type.arguments.size(); ++i) {
+    const double at = i < c.arguments.size() ? c.arguments[i] : 0.0;
+    all.push_back(property(placeId(i), {}, type.arguments[i].c_str(), at));
+    all.back().quantity = Quantity::Length;
+    all.back().least = -Exercise::kLargestFigure;
+    all.back().largest = Exercise::kLargestFigure;
+  }
+  if (!all.empty()) all.back().problem = exercise.subject->placeProblem(c, *exercise.task);
+  return all;
+}
+
 std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
                                           const std::vector<FigureType>& types) {
   const std::string prefix = criterionPrefix(c), group = c.name.empty() ? c.id : c.name;
@@ -112,18 +146,32 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   } else {
     figure.problem = QT_TRANSLATE_NOOP("Property", "this figure is not known");
   }
-  add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments)).isNumbers = true;
-  add("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal)).isNumbers = true;
+  for (Property& place : type ? placeProperties(exercise, c, *type) : std::vector<Property>()) {
+    Property& shown = add(place.id.c_str(), "", place.value);
+    place.id = shown.id;
+    place.group = shown.group;
+    place.groupTranslated = shown.groupTranslated;
+    place.editable = shown.editable;
+    shown = std::move(place);
+  }
+  if (!type) add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments)).isNumbers = true;
+  const auto addNumber = [&](const char* id, const char* label, PropertyValue value) -> Property& {
+    Property& made = add(id, label, std::move(value));
+    made.label = labelWithUnit(label, type ? type->unit : std::string());
+    made.translated = false;
+    return made;
+  };
+  addNumber("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal)).isNumbers = true;
   add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance).isNumbers = true;
-  add("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower)).isNumbers = true;
-  add("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper)).isNumbers = true;
+  addNumber("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower)).isNumbers = true;
+  addNumber("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper)).isNumbers = true;
   if (exercise.isForStudents) return all;
   Property& points = add("points", QT_TRANSLATE_NOOP("Property", "Points"), c.points);
   points.least = 0.0;
   points.largest = Exercise::kMostPoints;
   if (c.points > 0.0 && !c.hasLimit())
     points.problem = QT_TRANSLATE_NOOP("Property", "nobody gets them without a limit");
-  Property& slack = add("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack);
+  Property& slack = addNumber("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack);
   slack.least = 0.0;
   slack.largest = Exercise::kLargestFigure;
   add("hidden", QT_TRANSLATE_NOOP("Property", "Hidden from students"), c.isHidden);
@@ -146,6 +194,13 @@ Status setLimitByHand(MarkingCriterion& c, std::optional<double>& limit, const s
   return set;
 }
 
+// Another figure that is measured elsewhere has to be told where.
+void setFigure(MarkingCriterion& c, const FigureType& figure, const std::vector<FigureType>& types) {
+  const FigureType* const before = figureType(types, c.figure);
+  if (!before || before->arguments != figure.arguments) c.arguments.assign(figure.arguments.size(), 0.0);
+  c.figure = figure.id;
+}
+
 Status setField(MarkingCriterion& c, const std::string& field, const std::string& id, const PropertyValue& value,
                 const std::vector<FigureType>& types) {
   const auto* text = std::get_if<std::string>(&value);
@@ -163,7 +218,13 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
     if (field != "figure") return Done{};
     if (!(*number >= 0.0 && *number < static_cast<double>(types.size())))
       return malformed(id, "there is no such choice");
-    c.figure = types[static_cast<std::size_t>(*number)].id;
+    setFigure(c, types[static_cast<std::size_t>(*number)], types);
+    return Done{};
+  }
+  if (const auto argument = argumentOf(field)) {
+    if (!number || !std::isfinite(*number)) return malformed(id, "a number was expected");
+    c.arguments.resize(std::max(c.arguments.size(), *argument + 1));
+    c.arguments[*argument] = *number;
     return Done{};
   }
   if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");

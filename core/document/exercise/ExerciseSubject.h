@@ -13,7 +13,7 @@ struct FigureType {
   std::string id;                           // "diameter"; in files
   std::string label;                        // English, context "Figure": "Diameter"
   std::string unit;                         // "mm"; empty for a count
-  std::vector<std::string> arguments = {};  // English, context "Figure": "from Z (mm)"
+  std::vector<std::string> arguments = {};  // lengths; English, context "Property": "From Z"
 };
 
 // The figures that every exercise has, whatever the work is: time and hints.
@@ -64,6 +64,10 @@ class ExerciseSubject {
   // Sets the limits of a criterion to those that its tolerance on the drawing stands for. Error ElementMalformed
   // {criterion, what is wrong}: the tolerance is not known for this figure and nominal value.
   virtual Status applyTolerance(MarkingCriterion& criterion) const = 0;
+
+  // Why a criterion cannot be measured at its arguments, whatever the work is: English, context "Property". Empty: it
+  // can, as far as one can know.
+  virtual std::string placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const = 0;
 
   virtual TaskPointer blankTask() const = 0;
   virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;

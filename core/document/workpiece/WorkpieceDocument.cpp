@@ -13,6 +13,10 @@ WorkpieceDocument::WorkpieceDocument(OpenedFile opened, QObject* parent)
 
 std::vector<Property> WorkpieceDocument::properties() const {
   std::vector<Property> all = workpieceProperties(*m_workpiece);
+  for (Property& own : all) {
+    const auto field = fieldNamed(own.id);
+    if (file().assigned && field && isOfAnExercise(*field)) own.editable = false;
+  }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
 }
@@ -20,6 +24,7 @@ std::vector<Property> WorkpieceDocument::properties() const {
 Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
   const auto field = fieldNamed(id);
   if (!field) return Document::propertyEdit(id, value);
+  if (file().assigned && isOfAnExercise(*field)) return Error{WorkpieceError::BarOfExercise, {}, {}, {}};
   if (m_workpiece->part && isOfTheBar(*field)) return Error{WorkpieceError::SizeFixed, {}, {}, {}};
   const Status checked = checkValue(*field, value);
   if (!checked) return checked.error();

@@ -9,6 +9,11 @@ const ErrorDescription WorkpieceError::SizeFixed{
     .sentences = {translatable("ErrorText", "the bar was cut already, so its size cannot change")},
     .advice = {translatable("ErrorText", "Undo the passes to change the size, or begin with a new workpiece.")}};
 
+const ErrorDescription WorkpieceError::BarOfExercise{
+    .id = "BarOfExercise",
+    .sentences = {translatable("ErrorText", "the bar is that of the exercise, so it cannot change")},
+    .advice = {translatable("ErrorText", "Work with this bar. The teacher changes it in the file of the exercise.")}};
+
 const ErrorDescription WorkpieceError::SeveralPieces{
     .id = "SeveralPieces",
     .sentences = {translatable("ErrorText", "the part is in %1 pieces, and the file can contain only one solid")},

@@ -101,6 +101,10 @@ bool isOfTheBar(WorkpieceField field) {
   return field == WorkpieceField::Diameter || field == WorkpieceField::Length;
 }
 
+bool isOfAnExercise(WorkpieceField field) {
+  return field != WorkpieceField::Chord;
+}
+
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value) {
   switch (field) {
     case WorkpieceField::Diameter:

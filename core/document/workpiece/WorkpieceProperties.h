@@ -26,6 +26,8 @@ Status checkValue(WorkpieceField field, const PropertyValue& value);
 
 // Whether a field is a size of the bar, which cannot change any more once something was cut from it.
 bool isOfTheBar(WorkpieceField field);
+// Whether a field belongs to an exercise while the workpiece is work on one: the bar, where it is, and its material.
+bool isOfAnExercise(WorkpieceField field);
 
 // Returns the workpiece with another value of a field, which must have been checked.
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value);

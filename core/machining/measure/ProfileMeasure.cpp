@@ -128,20 +128,4 @@ std::optional<ArcReading> measureArc(const TurnedProfile& profile, TurningSide s
   return circle;
 }
 
-std::optional<TaperReading> measureTaper(const TurnedProfile& profile, TurningSide side, AxisRange range) {
-  const std::vector<ProfilePoint> points = pointsOf(profile, side, range);
-  if (points.size() < 2) return std::nullopt;
-  const ProfilePoint mean = meanOf(points);
-  double zz = 0.0, rz = 0.0;
-  for (const ProfilePoint& p : points) {
-    zz += (p.y() - mean.y()) * (p.y() - mean.y());
-    rz += (p.x() - mean.x()) * (p.y() - mean.y());
-  }
-  const double slope = rz / zz;
-  TaperReading taper{std::atan(slope), 0.0};
-  for (const ProfilePoint& p : points)
-    taper.deviation = std::max(taper.deviation, std::abs(p.x() - mean.x() - slope * (p.y() - mean.y())));
-  return taper;
-}
-
 }  // namespace handwheel

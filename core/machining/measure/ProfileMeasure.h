@@ -27,12 +27,6 @@ struct ArcReading {
   double deviation = 0.0;     // mm, the largest distance of a sample from the circle
 };
 
-// A straight line fitted to a profile.
-struct TaperReading {
-  double angle = 0.0;      // radian, between the axis and the side; positive where the radius grows upwards
-  double deviation = 0.0;  // mm, the largest distance of a sample from the line, in r
-};
-
 // The diameters of all samples in the range; of the bore, too. None where the range has no sample, where the part has
 // no material at one of them, or where one is not bored. O(samples in the range).
 std::optional<DiameterReading> measureDiameter(const TurnedProfile& profile, TurningSide side, AxisRange range);
@@ -45,8 +39,5 @@ std::optional<double> measureFace(const TurnedProfile& profile, TurningSide side
 // The circle nearest to the samples of a range, by least squares of the distances. None with fewer than 5 samples, or
 // where they lie on a line.
 std::optional<ArcReading> measureArc(const TurnedProfile& profile, TurningSide side, AxisRange range);
-
-// The taper of the samples of a range, by least squares in r. None with fewer than 2 samples.
-std::optional<TaperReading> measureTaper(const TurnedProfile& profile, TurningSide side, AxisRange range);
 
 }  // namespace handwheel

@@ -82,7 +82,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   bool wasInChuck = false, wasRapid = false;
   Way cutting;
   const auto crash = [&](CrashMoment::What what, double time, const ProfilePoint& place) {
-    if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, place});
+    if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, place, 0.0});
   };
   // A thread is cut at its pitch.
   const bool isThreading = pass.tool && pass.tool->kind == LatheToolKind::Threading;
@@ -103,6 +103,8 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     const bool isRapid = take(cutting, pass.side, changed) > TurningPass::kTouch && isFast;
     if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, to);
     wasRapid = isFast && (isRapid || wasRapid);
+    if (isRapid && m_crashes.back().what == CrashMoment::What::RapidInMaterial)
+      m_crashes.back().feed = std::max(m_crashes.back().feed, meter.feed());
     if (changed.isEmpty()) {
       endWay(cutting);
       continue;

@@ -25,6 +25,8 @@ struct CrashMoment {
   std::size_t pass = 0;
   double time = 0.0;         // s since the begin of the first pass, pauses between passes left out
   ProfilePoint place{0, 0};  // of the centre of the nose
+  // mm per revolution, the largest of RapidInMaterial; infinite while the spindle stands.
+  double feed = 0.0;
 };
 
 // How the tool cut over a short way, half a millimetre or less.

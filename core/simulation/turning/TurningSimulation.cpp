@@ -35,11 +35,17 @@ TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surfac
 
 void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   TurnedProfile::Range changed;
-  for (const SimulationInput& input : inputs) changed.extend(take(input));
+  double feed = 0.0;
+  for (const SimulationInput& input : inputs) {
+    changed.extend(take(input));
+    feed = std::max(feed, m_finish.feed());
+  }
   if (!changed.isEmpty() || isFull() != m_state->isFull) {
     auto state = std::make_shared<TurningState>(m_profile, m_state->surface);
     state->surface.update(m_profile, changed);
     state->finish = m_finish.finish();
+    const bool isCutting = m_speed > 0.0 && isDeep(m_state->profile, changed);
+    state->fastest = isCutting ? std::max(m_state->fastest, feed) : m_state->fastest;
     state->isCut = m_state->isCut || !changed.isEmpty();
     state->isFull = isFull();
     m_state = std::move(state);
@@ -50,6 +56,15 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   ProfilePatch patch = patchAround(m_profile, hand.z() - m_base, m_pass.noseRadius, m_pass.side, threads);
   patch.simulation = m_number;
   m_channel->patch.write(patch);
+}
+
+// Whether more than a touch has gone. As reviews of passes see it.
+bool TurningSimulation::isDeep(const TurnedProfile& before, const TurnedProfile::Range& changed) const {
+  for (std::size_t i = changed.first; i < changed.last; ++i) {
+    const double outer = before.radius(i) - m_profile.radius(i), inner = m_profile.inner(i) - before.inner(i);
+    if (std::max(outer, inner) > TurningPass::kTouch) return true;
+  }
+  return false;
 }
 
 TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {

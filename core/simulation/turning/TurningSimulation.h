@@ -15,8 +15,10 @@ struct TurningState : SimulationState {
   TurnedProfile profile;
   TurnedSurface surface;
   SurfaceFinish finish;  // of the profile
-  bool isCut = false;    // since the simulation began
-  bool isFull = false;   // the pass has as many points as one can have: nothing more is cut
+  // mm per revolution, the largest feed of a cut since the simulation began; 0: none, or the speed is not known.
+  double fastest = 0.0;
+  bool isCut = false;   // since the simulation began
+  bool isFull = false;  // the pass has as many points as one can have: nothing more is cut
 };
 
 // What the finish of a pass begins with.
@@ -42,6 +44,7 @@ class TurningSimulation : public Simulation {
 
  private:
   TurnedProfile::Range take(const SimulationInput& input);
+  bool isDeep(const TurnedProfile& before, const TurnedProfile::Range& changed) const;
   bool isFull() const { return m_pass.path.size() >= m_mostPoints; }
 
   std::shared_ptr<const TurningState> m_state;

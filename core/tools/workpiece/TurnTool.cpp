@@ -60,6 +60,7 @@ TurnTool::TurnTool(WorkpieceDocument& document, const SimulationServices& servic
     : m_document(document),
       m_start(start),
       m_present(start.spacing),
+      m_tool{std::clamp(start.noseRadius, TurningPass::kLeastNose, TurningPass::kLargestNose)},
       m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {}
 
 std::span<const ToolKey> TurnTool::keys() {
@@ -147,6 +148,7 @@ ToolReply TurnTool::release() {
     m_gesture.restart();
     return ToolReply::Used;
   }
+  m_tooFast = isTooFast(cut->fastest) ? std::optional(cut->fastest) : std::nullopt;
   TurnedPart before = m_present.of(m_document.workpiece());
   const double removed = before.profile.volume() - cut->profile.volume();
   auto passes = std::move(before.passes);
@@ -167,10 +169,16 @@ ToolReply TurnTool::perform(std::string_view action) {
 
 std::vector<ToolAction> TurnTool::actions() const {
   const bool isFull = m_gesture.isOn() && state()->isFull;
-  return {
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
-       isFull ? QT_TRANSLATE_NOOP("Tool", "the pass is full: release it") : QT_TRANSLATE_NOOP("Tool", "cut a pass")},
-      {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
+  std::string effect =
+      isFull ? QT_TRANSLATE_NOOP("Tool", "the pass is full: release it") : QT_TRANSLATE_NOOP("Tool", "cut a pass");
+  if (const double feed = state()->fastest; m_gesture.isOn() && !isFull && isTooFast(feed)) {
+    const QLocale locale;
+    effect = QCoreApplication::translate("Tool", "too fast: feed %1 mm/rev, at most %2")
+                 .arg(locale.toString(feed, 'f', 1), locale.toString(m_start.largestFeed))
+                 .toStdString();
+  }
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), effect},
+          {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
 }
 
 // Diameter and height at the point of the nose that is deepest in the material, and how deep that is below the surface
@@ -186,6 +194,7 @@ std::optional<ToolLabel> TurnTool::label() const {
   ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z}}};
   if (z >= 0.0 && z <= stock.length)
     label.figures.push_back({"", std::min(0.0, sideways(m_tool.side, r - radiusAt(workpiece, z, m_tool.side)))});
+  if (m_start.largestFeed > 0.0 && m_gesture.isOn()) label.figures.push_back({"f", state()->fastest});
   return label;
 }
 

@@ -21,8 +21,10 @@ class TurnTool : public Tool {
   // What a tool starts with, from the fidelity settings.
   struct Start {
     double spacing = 0.013;  // mm, between the samples of a part that was not cut yet (turn.spacing)
-    TurningMethod method = TurningMethod::Trim;  // turn.method
-    double resolution = 0.5;                     // mm (turn.resolution)
+    TurningMethod method = TurningMethod::Trim;    // turn.method
+    double resolution = 0.5;                       // mm (turn.resolution)
+    double noseRadius = TurningTool().noseRadius;  // mm, that of an exercise
+    double largestFeed = 0.0;                      // mm per revolution, that an exercise allows; 0: any
   };
   TurnTool(WorkpieceDocument& document, const SimulationServices& services, const Start& start);
 
@@ -30,6 +32,10 @@ class TurnTool : public Tool {
   const std::shared_ptr<TurningChannel>& channel() const { return m_channel; }
   TurningTool settingsAtDevice() const { return m_tool; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the lower end
+
+  // The largest feed of the pass that was cut last, where it was above what an exercise allows, mm per revolution.
+  std::optional<double> tooFast() const { return m_tooFast; }
+  double largestFeed() const { return m_start.largestFeed; }
 
   // The part as the simulation has it now; never null.
   std::shared_ptr<const TurningState> state() const;
@@ -54,6 +60,7 @@ class TurnTool : public Tool {
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   Vec3 wayOut(const Vec3& place) const;
   std::optional<ToolLabel> label() const;
+  bool isTooFast(double feed) const { return m_start.largestFeed > 0.0 && feed > 1.01 * m_start.largestFeed; }
 
   WorkpieceDocument& m_document;
   Start m_start;
@@ -61,7 +68,8 @@ class TurnTool : public Tool {
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;
-  Vec3 m_lift = Vec3::Zero();                                // from the mouse to the tool, in its pass
+  Vec3 m_lift = Vec3::Zero();  // from the mouse to the tool, in its pass
+  std::optional<double> m_tooFast;
   std::optional<Vec3> m_place;                               // of the tool's centre, where it is shown
   mutable std::shared_ptr<const TurningState> m_shownState;  // of which the preview shows the part
   mutable std::shared_ptr<const DisplayModel> m_shown;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/program/ProgramDock.h"
 
+#include "controls/ScrolledPanel.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "viewport/Viewport.h"
@@ -43,7 +44,7 @@ void ProgramDock::makeDock() {
   m_dock->setAccessibleName(m_dock->windowTitle());
   m_dock->setTitleBarWidget(new DockTitle(m_dock));
   m_pages = new QStackedWidget(m_dock);
-  m_dock->setWidget(m_pages);
+  m_dock->setWidget(new ScrolledPanel(m_pages, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::RightDockWidgetArea, m_dock);
   if (auto* kind = window->findChild<QDockWidget*>(QStringLiteral("kindDock"))) window->tabifyDockWidget(kind, m_dock);
   window->resizeDocks({m_dock}, {kUsualWidth}, Qt::Horizontal);

@@ -61,7 +61,7 @@ class ProgramSession : public QObject {
   void check();
   void checked(const std::vector<Error>& problems, bool isJumping);  // to the first
   void run();
-  void ran(ProgramTrial::Pointer trial, PathLayer::Lines lines);
+  void ran(ProgramTrial::Pointer trial, PathLayer::Lines lines, const std::vector<ProgramFinding>& limits);
   void cut();
   void setText(const QString& text, ProgramTools tools);
   void askForFile();

@@ -8,6 +8,8 @@
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/exercise/AssignedTask.h"
+#include "document/workpiece/exercise/TurningFigures.h"
 #include "machining/TurningFidelity.h"
 #include "machining/program/ProgramCheck.h"
 #include "machining/program/ProgramErrors.h"
@@ -43,6 +45,26 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
     return move.line == collision.line && move.to == collision.at;
   });
   return static_cast<std::size_t>(found - path.moves.begin());
+}
+
+// What the lathe of an exercise does not have, as the marks see it.
+std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnapshot work, const ProgramTrial& trial,
+                                          Progress progress) {
+  std::vector<ProgramFinding> findings;
+  work.part = trial.part();
+  const auto peaks = work.part ? peakLoads(task, work, progress) : std::nullopt;
+  if (!peaks) return findings;
+  const auto add = [&](double value, double limit, const QString& text) {
+    const QLocale locale;
+    if (value > limit)
+      findings.push_back({ProgramFinding::Weight::Error, 0, 0,
+                          text.arg(locale.toString(value, 'g', 3), locale.toString(limit, 'g', 3)), std::nullopt});
+  };
+  add(peaks->first, task.forceLimit,
+      ProgramSession::tr("force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked."));
+  add(peaks->second, task.powerLimit,
+      ProgramSession::tr("power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked."));
+  return findings;
 }
 
 // With the place as %1 and %2.
@@ -105,21 +127,27 @@ void ProgramSession::run() {
     if (m_panel) m_panel->setSummary(error.code == ErrorCode::Cancelled ? tr("The run was cancelled.") : QString());
   };
   job.work = [this, text, spacing, start = m_start, setup = setup(),
+              task = assignedTask(m_document.document.file().assigned),
               failed = job.failed](Progress progress) -> Job::Finish {
-    auto trial = ProgramTrial::run(start, text, setup, spacing, nullptr, progress.part(0.0, 0.95));
+    auto trial = ProgramTrial::run(start, text, setup, spacing, nullptr, progress.part(0.0, 0.9));
     if (!trial && isOfProgram(trial.error()))
       return [this, problems = programProblems(text, setup, progress.part(0.95, 1.0))] { checked(problems, true); };
     if (!trial) return [failed, error = trial.error()] { failed(error); };
     const double dash = 0.02 * std::max(start.stock.diameter, start.stock.length);
     const PathLayer::Lines lines = toolPathLines(trial.value()->path(), zeroOf(start.stock), dash);
-    return [this, made = trial.value(), lines] { ran(made, lines); };
+    std::vector<ProgramFinding> limits;
+    if (task) limits = limitFindings(*task, start, *trial.value(), progress.part(0.9, 1.0));
+    return [this, made = trial.value(), lines, limits] { ran(made, lines, limits); };
   };
   m_runs.start(std::move(job));
 }
 
-void ProgramSession::ran(ProgramTrial::Pointer trial, PathLayer::Lines lines) {
+void ProgramSession::ran(ProgramTrial::Pointer trial, PathLayer::Lines lines,
+                         const std::vector<ProgramFinding>& limits) {
   m_trial = std::move(trial);
-  m_panel->setFindings(findingsOf(*m_trial));
+  std::vector<ProgramFinding> findings = findingsOf(*m_trial);
+  findings.insert(findings.end(), limits.begin(), limits.end());
+  m_panel->setFindings(std::move(findings));
   m_panel->setSummary(summaryOf(*m_trial));
   const QString cutting = m_trial->collisionCount() == 0
                               ? tr("Cut the part as the program does: one step of the history")

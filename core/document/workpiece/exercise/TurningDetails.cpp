@@ -4,11 +4,13 @@
 
 #include "base/NumberText.h"
 #include "document/workpiece/exercise/TurningFigures.h"
+#include "machining/force/ForcePeaks.h"
 
 #include <QtGlobal>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -74,7 +76,17 @@ ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
   return curve;
 }
 
-ReportCurve pathCurve(const WorkpieceSnapshot& workpiece) {
+// Whether the tool goes to point i of a pass to be elsewhere: so fast that no tool would cut.
+bool isRapid(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
+  const double seconds = pass.times[i] - pass.times[i - 1];
+  const double speed = i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
+  return seconds > 0.0 &&
+         (pass.path[i] - pass.path[i - 1]).norm() > ForcePeakMeter::kRapidFeed * seconds * speed / 60.0;
+}
+
+// Where the tool went to cut. There are gaps, points that are not numbers, from pass to pass and over rapid moves.
+ReportCurve pathCurve(const TurningTask& task, const WorkpieceSnapshot& workpiece) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMostPoints = 4'000;
   ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Path of the tool"), "Z",  "mm",
                     QT_TRANSLATE_NOOP("Figure", "Radius"),           "mm", {}};
@@ -83,8 +95,11 @@ ReportCurve pathCurve(const WorkpieceSnapshot& workpiece) {
   const std::size_t step = count / kMostPoints + 1;
   ReportCurve::Series path{QT_TRANSLATE_NOOP("Figure", "Centre of the nose"), {}};
   for (const auto& pass : workpiece.part->passes) {
+    if (!path.points.empty()) path.points.emplace_back(kGap, kGap);
     for (std::size_t i = 0; i < pass->path.size(); ++i) {
-      const bool isKept = i % step == 0 || i + 1 == pass->path.size();
+      const bool isAfterRapid = i > 0 && isRapid(*pass, i, task.lathe);
+      if (isAfterRapid && std::isfinite(path.points.back().first)) path.points.emplace_back(kGap, kGap);
+      const bool isKept = i % step == 0 || i + 1 == pass->path.size() || isAfterRapid;
       if (isKept) path.points.emplace_back(pass->path[i].y(), pass->path[i].x());
     }
   }
@@ -116,11 +131,15 @@ void addDeviations(ReportDetails& details, const TurningTask& task, const Workpi
   add(QT_TRANSLATE_NOOP("Figure", "Cut too deep"), track.deep);
 }
 
-ReportEvent eventOf(const CrashMoment& crash) {
-  const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
+ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe) {
+  std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
   if (crash.what == CrashMoment::What::Chuck)
     return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), place}};
-  return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool was rammed into the material at Z %1 mm, ⌀%2 mm."), place}};
+  place.insert(place.end(), {feedText(crash.feed), roundedText(lathe.largestFeed, 3)});
+  return {crash.time,
+          {QT_TRANSLATE_NOOP("Note",
+                             "The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most."),
+           place}};
 }
 
 // The roughness along the part. Of neighbours that are too many to draw the roughest is shown.
@@ -166,14 +185,14 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   ReportDetails details;
   details.curves.push_back(shapeCurve(task, part.profile()));
   if (!work.part || !part.review()) return details;
-  details.curves.push_back(pathCurve(work));
+  details.curves.push_back(pathCurve(task, work));
   if (ReportCurve finish = finishCurve(part); !finish.series.empty()) details.curves.push_back(std::move(finish));
   const std::vector<MeasuredPart::Load> loads = part.loads();
   details.curves.push_back(
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
   details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
   if (task.target) addDeviations(details, task, work, progress);
-  for (const CrashMoment& crash : part.unrecordedCrashes()) details.events.push_back(eventOf(crash));
+  for (const CrashMoment& crash : part.unrecordedCrashes()) details.events.push_back(eventOf(crash, task.lathe));
   for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash));
   details.seconds = part.review()->seconds();
   return details;

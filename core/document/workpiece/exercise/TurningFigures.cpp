@@ -6,6 +6,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/measure/TaperMeasure.h"
 #include "machining/measure/ThreadMeasure.h"
 #include "machining/target/TargetDeviation.h"
 
@@ -90,10 +91,17 @@ Figure arc(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide 
       {QT_TRANSLATE_NOOP("Note", "the surface is within %1 mm of the circle"), {roundedText(reading->deviation, 3)}}};
 }
 
+// A chamfer of 45° is one at both ends of a part: the sign counts for a teacher who gives a negative limit.
 Figure taper(const MarkingCriterion& c, const TurnedProfile& profile) {
+  constexpr double kShown = 1e6;  // parts of a degree: what is below is rounding
   const auto reading = measureTaper(profile, TurningSide::Outside, rangeOf(c));
-  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface along all of the range"));
-  return {c.id, reading->angle / kDegree, {}};
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface in the range"));
+  const bool isSigned = c.lower.value_or(0.0) < 0.0 || c.upper.value_or(0.0) < 0.0;
+  const double angle = std::round(kShown * reading->angle / kDegree) / kShown + 0.0;  // no -0
+  return {c.id,
+          isSigned ? angle : std::abs(angle),
+          {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"),
+           {roundedText(reading->range.from, 4), roundedText(reading->range.to, 4)}}};
 }
 
 double ThreadReading::*threadFigure(const std::string& figure) {
@@ -140,13 +148,27 @@ bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
 
 }  // namespace
 
+std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
+                                                   Progress progress) {
+  const MeasuredPart part(task, workpiece, progress);
+  if (!part.review()) return std::nullopt;
+  std::pair<double, double> peaks(0.0, 0.0);
+  for (const MeasuredPart::Load& load : part.loads())
+    peaks = {std::max(peaks.first, load.force), std::max(peaks.second, load.power)};
+  return peaks;
+}
+
+std::string feedText(double feed) {
+  return std::isfinite(feed) ? roundedText(feed, 3) : "∞";
+}
+
 const std::vector<FigureType>& turningFigureTypes() {
   static const std::vector<FigureType> kTypes = [] {
-    const std::string from = QT_TRANSLATE_NOOP("Figure", "from Z (mm)"), to = QT_TRANSLATE_NOOP("Figure", "to Z (mm)");
-    const std::vector<std::string> range = {from, to};
-    const std::string radius = QT_TRANSLATE_NOOP("Figure", "at radius (mm)"),
-                      near = QT_TRANSLATE_NOOP("Figure", "near Z (mm)");
-    const std::vector<std::string> faces = {radius, near, radius, near};
+    const std::vector<std::string> range = {QT_TRANSLATE_NOOP("Property", "From Z"),
+                                            QT_TRANSLATE_NOOP("Property", "To Z")};
+    const std::vector<std::string> faces = {
+        QT_TRANSLATE_NOOP("Property", "First face, at radius"), QT_TRANSLATE_NOOP("Property", "First face, near Z"),
+        QT_TRANSLATE_NOOP("Property", "Second face, at radius"), QT_TRANSLATE_NOOP("Property", "Second face, near Z")};
     return std::vector<FigureType>{
         {"diameter", QT_TRANSLATE_NOOP("Figure", "Diameter"), "mm", range},
         {"bore", QT_TRANSLATE_NOOP("Figure", "Diameter of a bore"), "mm", range},
@@ -162,13 +184,33 @@ const std::vector<FigureType>& turningFigureTypes() {
         {"minor_diameter", QT_TRANSLATE_NOOP("Figure", "Minor diameter of a thread"), "mm", range},
         {"roughness", QT_TRANSLATE_NOOP("Figure", "Roughness Ra"), "µm", range},
         {"bore_roughness", QT_TRANSLATE_NOOP("Figure", "Roughness Ra inside"), "µm", range},
-        {"crashes", QT_TRANSLATE_NOOP("Figure", "Collisions"), ""},
+        {"crashes", QT_TRANSLATE_NOOP("Figure", "Collisions and feeds too high"), ""},
         {"force", QT_TRANSLATE_NOOP("Figure", "Largest cutting force"), "N"},
         {"power", QT_TRANSLATE_NOOP("Figure", "Largest power"), "kW"},
         {"cutting_time", QT_TRANSLATE_NOOP("Figure", "Time of all passes"), "s"},
     };
   }();
   return kTypes;
+}
+
+std::string placeProblem(const MarkingCriterion& c, const StockCylinder& bar) {
+  const FigureType* type = figureType(turningFigureTypes(), c.figure);
+  if (!type || type->arguments.empty()) return {};
+  if (c.arguments.size() < type->arguments.size())
+    return QT_TRANSLATE_NOOP("Property", "it is to say where to measure");
+  if (type->arguments.size() == 2) {
+    if (!(c.arguments[1] > c.arguments[0])) return QT_TRANSLATE_NOOP("Property", "“To Z” must be above “From Z”");
+    if (c.arguments[0] < 0.0 || c.arguments[1] > bar.length)
+      return QT_TRANSLATE_NOOP("Property", "the range goes beyond the bar, which begins at Z 0");
+    return {};
+  }
+  for (const std::size_t face : {0, 2}) {
+    if (!(c.arguments[face] > 0.0 && c.arguments[face] <= 0.5 * bar.diameter))
+      return QT_TRANSLATE_NOOP("Property", "the bar has no face at such a radius");
+    if (!(c.arguments[face + 1] >= -kFaceReach && c.arguments[face + 1] <= bar.length + kFaceReach))
+      return QT_TRANSLATE_NOOP("Property", "there is no face of the bar near such a Z");
+  }
+  return {};
 }
 
 MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress)
@@ -248,7 +290,7 @@ Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const
 
 Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   if (m_passes.empty()) return none(c, QT_TRANSLATE_NOOP("Note", "nothing was cut"));
-  if (c.figure == "crashes") return {c.id, static_cast<double>(unrecordedCrashes().size() + crashes().size()), {}};
+  if (c.figure == "crashes") return collisions(c);
   if (c.figure == "cutting_time") return {c.id, m_review->seconds(), {}};
   if (c.figure == "force") return peak(c, loads(), &Load::force);
   if (c.figure == "power") return peak(c, loads(), &Load::power);
@@ -261,6 +303,27 @@ Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
           reading->roughness,
           {QT_TRANSLATE_NOOP("Note", "up to %1 µm, at Z %2 mm"),
            {roundedText(reading->largest, 3), roundedText(reading->largestAt, 4)}}};
+}
+
+// A feed that no tool survives counts as a collision, and is named as what it is.
+Figure MeasuredPart::collisions(const MarkingCriterion& c) const {
+  const std::vector<CrashMoment> seen = unrecordedCrashes();
+  const CrashMoment* fastest = nullptr;
+  std::size_t fast = 0;
+  for (const CrashMoment& crash : seen) {
+    if (crash.what != CrashMoment::What::RapidInMaterial) continue;
+    ++fast;
+    if (!fastest || crash.feed > fastest->feed) fastest = &crash;
+  }
+  const std::size_t all = seen.size() + crashes().size();
+  if (!fastest) return {c.id, static_cast<double>(all), {}};
+  return {c.id,
+          static_cast<double>(all),
+          {QT_TRANSLATE_NOOP("Note",
+                             "fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other "
+                             "collisions: %4"),
+           {std::to_string(fast), feedText(fastest->feed), roundedText(m_task.lathe.largestFeed, 3),
+            std::to_string(all - fast)}}};
 }
 
 Figure MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const {

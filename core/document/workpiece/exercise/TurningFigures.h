@@ -13,6 +13,17 @@ namespace handwheel {
 // All figures of turning, with their units and arguments.
 const std::vector<FigureType>& turningFigureTypes();
 
+// As ExerciseSubject::placeProblem(), for parts that are made of this bar.
+std::string placeProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
+
+// The largest force (N) and power (kW) of all passes of a workpiece, as they are marked. None: too much work,
+// cancelled.
+std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
+                                                   Progress progress = {});
+
+// "1.25"; "∞" while the spindle stood.
+std::string feedText(double feed);
+
 // A turned part with what its passes tell, for measuring. Computed once for all figures.
 class MeasuredPart {
  public:
@@ -41,6 +52,7 @@ class MeasuredPart {
 
  private:
   Figure ofPasses(const MarkingCriterion& criterion) const;
+  Figure collisions(const MarkingCriterion& criterion) const;
   Figure ofShape(const MarkingCriterion& criterion, Progress progress) const;
 
   const TurningTask& m_task;

@@ -83,6 +83,10 @@ Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
   return applyDrawingTolerance(criterion);
 }
 
+std::string TurningSubject::placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const {
+  return handwheel::placeProblem(criterion, turningOf(task).stock);
+}
+
 TaskPointer TurningSubject::blankTask() const {
   return std::make_shared<const TurningTask>();
 }
@@ -128,6 +132,9 @@ SnapshotPointer TurningSubject::start(const ExerciseTask& task) const {
   bar = withValue(std::move(bar), WorkpieceField::Length, turning.stock.length);
   const WorkMaterials& materials = WorkMaterials::standard();
   if (const WorkMaterial* material = materials.find(turning.material)) bar.material = material->name;
+  // So it is in the view and in the panel, and the part is compared with it, as with one that was imported.
+  if (turning.target)
+    bar.target = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{*turning.target, std::string()});
   if (const LatheSetup setup = setupOf(turning); setup.isSound()) bar.lathe = std::make_shared<const LatheSetup>(setup);
   return std::make_shared<const WorkpieceSnapshot>(std::move(bar));
 }

@@ -16,6 +16,7 @@ class TurningSubject : public ExerciseSubject {
   std::vector<FigureType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
+  std::string placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const override;
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;

@@ -8,7 +8,8 @@
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -60,6 +61,46 @@ double valueOf(const TaskNumber& number, const TurningTask& task) {
 const WorkMaterials& materials() {
   const WorkMaterials& kMaterials = WorkMaterials::standard();
   return kMaterials;
+}
+
+constexpr std::string_view kToolPrefix = "tool.";
+
+std::string nameOf(const LatheTool& tool) {
+  return std::string(titleOf(tool.kind)) + " " + tool.designation;
+}
+
+bool isAllowedIn(const TurningTask& task, const std::string& id) {
+  return std::any_of(task.tools.begin(), task.tools.end(), [&](const AllowedTool& each) { return each.tool == id; });
+}
+
+// The tools of the lathe, to be checked.
+std::vector<Property> toolProperties(const TurningTask& task) {
+  std::vector<Property> all;
+  for (const auto& tool : shippedLatheTools()) {
+    Property p;
+    p.id = std::string(kToolPrefix) + tool->id;
+    p.group = QT_TRANSLATE_NOOP("Property", "Tools that students may mount; none checked: all");
+    p.label = QCoreApplication::translate("LatheTool", titleOf(tool->kind)).toStdString() + " " + tool->designation;
+    p.translated = false;
+    p.value = isAllowedIn(task, tool->id);
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+Result<TurningTask> withTool(TurningTask task, const std::string& property, const PropertyValue& value) {
+  const auto* isOn = std::get_if<bool>(&value);
+  if (!isOn) return Error{ErrorCode::ElementMalformed, {property, "a switch was expected"}, {}, {}};
+  const auto tool = toolNamed(shippedLatheTools(), property.substr(kToolPrefix.size()));
+  if (!tool) return Error{ErrorCode::ReferenceMissing, {"property", property, {}}, {}, {}};
+  if (*isOn && !isAllowedIn(task, tool->id)) {
+    if (task.tools.size() >= TurningTask::kMostTools)
+      return Error{ErrorCode::ElementMalformed, {property, "there are too many tools"}, {}, {}};
+    const double nose = std::clamp(tool->noseRadius, TurningPass::kLeastNose, TurningPass::kLargestNose);
+    task.tools.push_back({nameOf(*tool), nose, tool->id});
+  }
+  if (!*isOn) std::erase_if(task.tools, [&](const AllowedTool& each) { return each.tool == tool->id; });
+  return task;
 }
 
 Error outOfRange(const TaskNumber& number, double value) {
@@ -150,6 +191,7 @@ std::vector<Property> propertiesOf(const TurningTask& task) {
     if (materials().all()[i].id == task.material) material.value = static_cast<double>(i);
   }
   all.insert(all.begin() + 2, std::move(material));
+  for (Property& tool : toolProperties(task)) all.push_back(std::move(tool));
   return all;
 }
 
@@ -162,6 +204,7 @@ Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, co
     task.material = materials().all()[static_cast<std::size_t>(*number)].id;
     return task;
   }
+  if (id.starts_with(kToolPrefix)) return withTool(std::move(task), id, value);
   for (const TaskNumber& each : taskNumbers()) {
     if (id != each.id) continue;
     if (!number) return malformed("a number was expected");

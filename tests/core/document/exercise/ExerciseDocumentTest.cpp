@@ -51,7 +51,6 @@ class ExerciseDocumentTest : public QObject {
       PropertyValue other = property.value;
       if (auto* number = std::get_if<double>(&other)) *number = *number > 0.0 ? 0.5 * *number : 1.0;
       if (auto* flag = std::get_if<bool>(&other)) *flag = !*flag;
-      if (property.id.ends_with(".arguments")) other = std::string("1; 2.5");
       if (property.id.ends_with(".lower")) other = std::string("-3.5");
       if (property.id.ends_with(".upper")) other = std::string("1000.5");
       if (property.id.ends_with(".criteria")) other = std::string("40 ±0.2; ⌀30 h10");
@@ -84,7 +83,9 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(refuses("criterion.d.points", std::nan("")));
     QVERIFY(refuses("criterion.d.points", std::string("3")));
     QVERIFY(refuses("criterion.d.figure", 99.0));
-    QVERIFY(refuses("criterion.d.arguments", std::string("1; nan")));
+    QVERIFY(refuses("criterion.d.at1", std::string("75")));
+    QVERIFY(refuses("criterion.d.at1", std::nan("")));
+    QVERIFY(refuses("criterion.d.at3", 1.0));  // a diameter has two
     QVERIFY(refuses("criterion.none.points", 1.0));
     QVERIFY(refuses("step.1.criteria", std::string("none")));
     QVERIFY(refuses("step.9.title", std::string("x")));
@@ -131,6 +132,26 @@ class ExerciseDocumentTest : public QObject {
                      withNewCriterion(document->exercise(), figureTypes(*document->exercise().subject)[0]));
     QVERIFY(!document->property("criterion.c2.points")->problem.empty());
     QVERIFY(document->property("criterion.c1.points")->problem.empty());
+  }
+
+  // Where a mark is measured has a field for each number, which say what they take; limits say their unit.
+  void fieldsSayWhatTheyTake() {
+    const auto document = shoulderDocument();
+    QCOMPARE(document->property("criterion.d.at1")->label, std::string("From Z"));
+    QVERIFY(document->property("criterion.d.at1")->quantity == Quantity::Length);
+    QVERIFY(document->property("criterion.l.at4") && !document->property("criterion.l.at5"));
+    QVERIFY(!document->property("criterion.crash.at1"));
+    QCOMPARE(document->property("criterion.d.upper")->label, std::string("Upper limit (mm)"));
+    QCOMPARE(document->property("criterion.time.upper")->label, std::string("Upper limit (s)"));
+    QCOMPARE(document->property("criterion.crash.upper")->label, std::string("Upper limit"));
+    QVERIFY(document->property("criterion.d.at2")->problem.empty());
+    QVERIFY(document->setProperty("criterion.d.at2", 61.0));  // below the first: it says so, and can be mended
+    QVERIFY(!document->property("criterion.d.at2")->problem.empty());
+    QVERIFY(document->setProperty("criterion.d.at1", 50.0));
+    QVERIFY(document->property("criterion.d.at2")->problem.empty());
+    // A length is measured elsewhere than a diameter.
+    QVERIFY(document->setProperty("criterion.d.figure", 2.0));
+    QVERIFY(document->property("criterion.d.at4") && !document->property("criterion.d.at4")->problem.empty());
   }
 
   void rowsComeAndGo() {

@@ -79,6 +79,8 @@ class ShippedExercisesTest : public QObject {
     const auto exercise = exerciseFrom(kind, description);
     QVERIFY(exercise->solution && exercise->exercise.points() > 0.0 && exercise->exercise.steps.size() >= 2);
     for (const MarkingCriterion& c : exercise->exercise.criteria) QVERIFY2(isAsNamed(c), c.name.c_str());
+    for (const MarkingCriterion& c : exercise->exercise.criteria)
+      QCOMPARE(exercise->subject->placeProblem(c, *exercise->task), std::string());
     const Attempt attempt{"Model", {}, {}, 600.0, {}, {}};
     const Marking solved = markWork(*exercise, *exercise->solution, attempt);
     QVERIFY2(lostMarks(solved).empty(), reasons(solved).c_str());

@@ -5,6 +5,7 @@
 #include "TestClass.h"
 #include "TurningExercises.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
 
 #include <QTemporaryDir>
@@ -46,6 +47,23 @@ class StartedWorkTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // The bar is that of the exercise while it is worked on; how finely it is shown is not.
+  void theBarStays() {
+    OpenedFile opened = startedWork();
+    const auto made = opened.kind->make(opened);
+    auto& work = static_cast<WorkpieceDocument&>(*made);
+    for (const char* id : {"diameter", "length", "position", "material"}) {
+      QVERIFY2(!work.property(id)->editable, id);
+      const Status refused =
+          id == std::string("material") ? work.setProperty(id, std::string("brass")) : work.setProperty(id, 33.0);
+      QVERIFY2(!refused && refused.error().code == WorkpieceError::BarOfExercise, id);
+    }
+    QVERIFY(work.property("chord")->editable && work.setProperty("chord", 0.05));
+    opened.file.assigned = {};
+    const auto free = opened.kind->make(opened);
+    QVERIFY(free->property("diameter")->editable && free->setProperty("diameter", 33.0));
+  }
+
   void comesBackFromItsFile() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("work.handwheel").toStdString();

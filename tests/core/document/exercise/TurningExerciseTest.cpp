@@ -262,6 +262,108 @@ class TurningExerciseTest : public QObject {
     QVERIFY(marking.find("d")->remark.inEnglish().find("too many passes") != std::string::npos);
   }
 
+  // A wide chamfer at the end of the bar, where the radius falls: its angle has no sign until a limit is negative. The
+  // range may run over its ends.
+  void aChamferIsAnAngle() {
+    const Json work = {
+        {"passes", {{{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{15.0, 103.0}, {22.0628, 94.2}}}}}}};
+    const auto marks = [&](double from, double to, double lower, double upper) {
+      Json description = shoulderDescription();
+      description["steps"] = Json::array();
+      description["criteria"] = Json::array({Json{{"id", "c"},
+                                                  {"figure", "taper"},
+                                                  {"arguments", {from, to}},
+                                                  {"lower", lower},
+                                                  {"upper", upper},
+                                                  {"points", 1}}});
+      const auto exercise = exerciseFrom(turningKind(), description);
+      return markWork(*exercise, *workFrom(*exercise, work), {});
+    };
+    // The tool goes 7.0628 mm outward over 8.8 mm. It is on the bar from Z 95.5 on.
+    const double angle = std::atan2(7.0628, 8.8) * 180.0 / M_PI;
+    QVERIFY(std::abs(*marks(96.5, 99.5, angle - 1, angle + 1).find("c")->value - angle) < 0.05);
+    for (const auto& [from, to] : {std::pair(96.5, 99.5), std::pair(90.0, 100.0)}) {
+      const Marking marking = marks(from, to, angle - 1, angle + 1);
+      QVERIFY2(marking.points == 1.0, marking.find("c")->reason.inEnglish().c_str());
+      QVERIFY(marks(from, to, -angle - 1, -angle + 1).points == 1.0);
+      QVERIFY(marks(from, to, angle + 2, angle + 3).points == 0.0);
+    }
+    // Of the bar itself, without a trace of rounding.
+    QCOMPARE(*marks(30, 60, -1, 1).find("c")->value, 0.0);
+  }
+
+  // What is fed too fast is no collision, and the mark says so.
+  void aFeedTooHighIsNamed() {
+    const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 2.5}, {"points", {{20.3, 103}, {20.3, 60}}}}}}};
+    const auto snapshot = workFrom(*shoulder(), work);
+    const Marking marking = markWork(*shoulder(), *snapshot, {});
+    const std::string remark = marking.find("crash")->remark.inEnglish();
+    QCOMPARE(*marking.find("crash")->value, 1.0);
+    QVERIFY2(remark.find("2.5 mm per revolution, where 1 is the most; other collisions: 0") != std::string::npos,
+             remark.c_str());
+    const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *snapshot, {});
+    QCOMPARE(details.events.size(), std::size_t{1});
+    QVERIFY(details.events[0].text.inEnglish().find("feed was too high") != std::string::npos);
+  }
+
+  // Where to measure is checked before anybody has turned anything.
+  void placesThatCannotBe() {
+    const auto problem = [](const char* figure, std::vector<double> at) {
+      MarkingCriterion c;
+      c.figure = figure;
+      c.arguments = std::move(at);
+      return shoulder()->subject->placeProblem(c, *shoulder()->task);
+    };
+    QVERIFY(problem("diameter", {62, 99}).empty() && problem("length", {17, 60, 5, 100}).empty());
+    QVERIFY(problem("crashes", {}).empty());
+    for (const auto& at : std::vector<std::vector<double>>{{}, {75}, {99, 62}, {0, 0}, {-5, 50}, {50, 120}})
+      QVERIFY(!problem("diameter", at).empty());
+    for (const auto& at :
+         std::vector<std::vector<double>>{{90, 120}, {17, 60, 25, 100}, {17, 60, 0, 100}, {17, 160, 5, 100}})
+      QVERIFY(!problem("length", at).empty());
+  }
+
+  // The path of the tool is drawn where it went to cut: from the end of a pass no line leads to the next.
+  void thePathHasGaps() {
+    const auto work = workFrom(*shoulder(), shoulderWork());
+    const std::size_t passes = static_cast<const WorkpieceSnapshot&>(*work).part->passes.size();
+    const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
+    const auto path = std::find_if(details.curves.begin(), details.curves.end(),
+                                   [](const ReportCurve& each) { return each.title == "Path of the tool"; });
+    QVERIFY(path != details.curves.end());
+    const auto& points = path->series[0].points;
+    QCOMPARE(std::count_if(points.begin(), points.end(), [](const auto& p) { return !std::isfinite(p.first); }),
+             static_cast<std::ptrdiff_t>(passes - 1));
+  }
+
+  // A student sees what the part is to become.
+  void theBarHasTheTarget() {
+    const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(shoulder()->subject->start(*shoulder()->task));
+    QVERIFY(bar->target && bar->target->profile.largestRadius() == 20.0);
+    QCOMPARE(bar->target->profile.upperEnd(), 100.0);
+    QVERIFY(!static_cast<const WorkpieceSnapshot&>(
+                 *turningKind().subjects()[0]->start(*turningKind().subjects()[0]->blankTask()))
+                 .target);
+  }
+
+  // A teacher checks tools in a list: these are in the post, and nothing else changes.
+  void toolsThatAreChecked() {
+    const ExerciseSubject& subject = *shoulder()->subject;
+    const std::vector<Property> properties = subject.properties(*shoulder()->task);
+    std::size_t tools = 0;
+    for (const Property& each : properties) tools += each.id.starts_with("tool.") && each.value == PropertyValue(false);
+    QCOMPARE(tools, shippedLatheTools().size());
+    const auto one = subject.withProperty(*shoulder()->task, "tool.right-roughing", true);
+    QVERIFY(one.hasValue());
+    const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(subject.start(**one));
+    QCOMPARE(bar->lathe->allowed, std::vector<std::string>{"right-roughing"});
+    QVERIFY(subject.conditions(**one).size() == subject.conditions(*shoulder()->task).size() + 1);
+    const auto none = subject.withProperty(**one, "tool.right-roughing", false);
+    QVERIFY(none && subject.toJson(**none) == subject.toJson(*shoulder()->task));
+    QVERIFY(!subject.withProperty(*shoulder()->task, "tool.spoon", true));
+    QVERIFY(!subject.withProperty(*shoulder()->task, "tool.right-roughing", 1.0));
+  }
+
   void everyFigureIsMeasuredOrSaysWhyNot() {
     Json description = shoulderDescription();
     Json criteria = Json::array();

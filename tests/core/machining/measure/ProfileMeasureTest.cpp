@@ -109,25 +109,11 @@ class ProfileMeasureTest : public QObject {
     QVERIFY(!measureArc(steppedShaft(), TurningSide::Outside, {10, 10.01}));  // a point
   }
 
-  void tapers() {
-    QVERIFY(rc::check("a cone has its angle", [] {
-      const double angle = chosen(-0.15, 0.15);
-      const TurnedProfile part = partOf([&](double z) { return 20.0 + std::tan(angle) * (z - 50.0); });
-      const auto taper = measureTaper(part, TurningSide::Outside, {20, 80});
-      RC_ASSERT(taper && std::abs(taper->angle - angle) < 1e-12 && taper->deviation < 1e-9);
-    }));
-    const auto bent = measureTaper(steppedShaft(), TurningSide::Outside, {60, 80});
-    QVERIFY(bent && bent->deviation > 1.0);
-    QVERIFY(!measureTaper(steppedShaft(), TurningSide::Outside, {10, 10}));
-    QVERIFY(!measureTaper(steppedShaft(), TurningSide::Bore, {10, 20}));
-  }
-
   void partsWithoutMaterial() {
     const TurnedProfile nothing = TurnedProfile::fromRadii({0.0, 0.0, 0.0}, 2.0);
     QVERIFY(!measureDiameter(nothing, TurningSide::Outside, {0, 2}));
     QVERIFY(!measureFace(nothing, TurningSide::Outside, 1.0, 1.0, 5.0));
     QVERIFY(!measureArc(nothing, TurningSide::Outside, {0, 2}));
-    QVERIFY(!measureTaper(nothing, TurningSide::Outside, {0, 2}));
   }
 };
 

@@ -3,6 +3,7 @@
 #include "tools/workpiece/TurnTool.h"
 
 #include "TestClass.h"
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "tools/ToolRunner.h"
 
@@ -37,9 +38,8 @@ struct TurningBench {
   ToolRunner runner;
   TurnTool* tool = nullptr;
 
-  explicit TurningBench(ServoClock* other = nullptr) {
-    auto started = std::make_unique<TurnTool>(document, SimulationServices{other ? *other : clock, simulation},
-                                              TurnTool::Start{.spacing = 0.1});
+  explicit TurningBench(ServoClock* other = nullptr, const TurnTool::Start& start = {.spacing = 0.1}) {
+    auto started = std::make_unique<TurnTool>(document, SimulationServices{other ? *other : clock, simulation}, start);
     tool = started.get();
     runner.start(std::move(started), document);
   }
@@ -131,6 +131,29 @@ class TurnToolTest : public QObject {
     TurnedProfile again(bench.document.workpiece().stock, after.spacing());
     for (const auto& pass : bench.document.workpiece().part->passes) cut(again, *pass);
     QVERIFY(again == after);
+  }
+
+  // An exercise gives the nose, and the feed beyond which it says that the hand is too fast: while it cuts, with the
+  // figure at the pointer, and once the pass is done.
+  void aFeedThatIsTooHigh() {
+    TurningBench bench(nullptr, {.spacing = 0.1, .noseRadius = 0.8, .largestFeed = 1.0});
+    QCOMPARE(std::get<double>(bench.tool->settings().front().value), 0.8);
+    const double turns = latheOf(bench.document.workpiece()).spindle.speed / 60.0;  // a second
+    const auto drag = [&](double x, double feed) {
+      const double seconds = 20.0 / (feed * turns);
+      bench.event(PointerEvent::Kind::Press, 27.0, 30.0, 0.0);
+      for (int i = 0; i <= 400; ++i) bench.event(PointerEvent::Kind::Drag, x, 30.0 + i / 20.0, 1.0 + seconds * i / 400);
+    };
+    const auto says = [&] { return bench.tool->actions().front().effect.find("too fast") != std::string::npos; };
+    drag(24.8, 0.2);
+    QVERIFY(!says());
+    bench.event(PointerEvent::Kind::Release, 24.8, 50.0, 1000.0);
+    QVERIFY(bench.document.workpiece().part && !bench.tool->tooFast());
+    drag(23.8, 2.0);
+    QTRY_VERIFY(says());
+    QVERIFY(std::abs(bench.tool->preview().label->figures.back().value - 2.0) < 0.05);
+    bench.event(PointerEvent::Kind::Release, 23.8, 50.0, 1000.0);
+    QVERIFY(bench.tool->tooFast() && std::abs(*bench.tool->tooFast() - 2.0) < 0.05);
   }
 
   // Beside the nose: diameter and height of its innermost point, and how deep that is below the surface before the

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/AssignedExercise.h"
+#include "document/workpiece/exercise/TurningTask.h"
+
+namespace handwheel {
+
+// What is prepared for the exercise that a workpiece is work on; null: it is none, or of other work.
+std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned);
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/measure/ProfileMeasure.h"
+
+namespace handwheel {
+
+// A straight line fitted to a profile.
+struct TaperReading {
+  double angle = 0.0;      // radian, between the axis and the side; positive where the radius grows upwards
+  double deviation = 0.0;  // mm, the largest distance of a sample from the line, in r
+  AxisRange range;         // from its first to its last sample
+};
+
+// The taper of the samples of a range, by least squares in r. What the range has beyond the ends of the taper is left
+// out: no material, what is behind a face, and neighbours of a clearly different slope, as the cylinder beside a
+// chamfer. Of several tapers the one over which the radius changes most. None with fewer than 2 samples.
+std::optional<TaperReading> measureTaper(const TurnedProfile& profile, TurningSide side, AxisRange range);
+
+}  // namespace handwheel

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowTestMain.h"
+
+#include <QDockWidget>
+#include <QTranslator>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// The window fits on a small screen whatever panels are open.
+class PanelRoomTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // With the panels of an exercise, of the lathe and of programs, in either language: 1024 × 700 pixels.
+  void theSmallestWindow_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addRow("English") << QString();
+    QTest::addRow("German") << QStringLiteral(":/translations/handwheel_de");
+  }
+  void theSmallestWindow() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    if (!language.isEmpty()) {
+      QVERIFY(translator.load(language));
+      QCoreApplication::installTranslator(&translator);
+    }
+    WindowDriver driver;
+    driver.choose("exercise/first-lesson-teacher");
+    QVERIFY(driver.settle());
+    fits(driver, "the teacher's editor");
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QDockWidget>("lessonDock")->isVisible());
+    fits(driver, "the lesson");
+    driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QDockWidget>("latheDock")->isVisible());
+    fits(driver, "the lathe");
+    driver.find<QAction>("programDockToggle")->trigger();
+    QVERIFY(driver.settle());
+    fits(driver, "the program");
+    driver.find<QAction>("replayDockToggle")->trigger();
+    QVERIFY(driver.settle());
+    fits(driver, "the replay");
+  }
+
+ private:
+  static void fits(WindowDriver& driver, const char* what) {
+    driver.window().resize(1024, 700);
+    const auto isSmall = [&] { return driver.window().width() <= 1024 && driver.window().height() <= 700; };
+    QTest::qWaitFor(isSmall, 2000);
+    QString wide;
+    for (const QDockWidget* dock : driver.window().findChildren<QDockWidget*>()) {
+      if (!dock->isVisible()) continue;
+      const QSize least = dock->minimumSizeHint();
+      wide += QStringLiteral("%1 %2 × %3; ").arg(dock->objectName()).arg(least.width()).arg(least.height());
+    }
+    const QSize least = driver.window().minimumSizeHint();
+    QVERIFY2(isSmall() && least.width() <= 1024 && least.height() <= 700,
+             qPrintable(QStringLiteral("%1: %2 × %3, at least %4 × %5: %6")
+                            .arg(QString::fromLatin1(what))
+                            .arg(driver.window().width())
+                            .arg(driver.window().height())
+                            .arg(least.width())
+                            .arg(least.height())
+                            .arg(wide)));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(PanelRoomTest)
+#include "PanelRoomTest.moc"
