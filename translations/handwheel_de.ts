@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>ArmWaysTool</name>
+    <message>
+        <source>Change the configuration of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BodyDragTool</name>
     <message>
         <source>Move %1</source>
@@ -10,6 +21,28 @@
     <message>
         <source>Remove %1</source>
         <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>CellTargets</name>
+    <message>
+        <source>its body was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln way(s) there</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (on %2)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1022,14 +1055,6 @@
         <translation>Drehen Sie eine Musterlösung und übernehmen Sie sie als Ziel.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is neither a configuration of the cell nor a value for each joint</source>
-        <translation>„%1“ ist weder eine Stellung der Zelle noch ein Wert für jedes Gelenk</translation>
-    </message>
-    <message>
-        <source>Name a configuration, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
-        <translation>Nennen Sie eine Stellung, oder geben Sie die Gelenkwerte im Bogenmaß an („0 0.5 -1 …“).</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is neither a path of the cell nor a file</source>
         <translation>„%1“ ist weder eine Bahn der Zelle noch eine Datei</translation>
     </message>
@@ -1168,6 +1193,82 @@
     <message>
         <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
         <translation>Teilen Sie die Kurve, drehen Sie das Werkzeug, oder lassen Sie es sich um seine Achse drehen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a configuration or target of the cell nor a value for each joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a configuration or a target, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot cell, the name of a built-in robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a file of one of these kinds, or a robot as irb120 or ur5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface does not lead from place %1 of the curve to place %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around what is between, or place more points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell already has a configuration or a target called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the body that the target &apos;%1&apos; is on was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo that, or remove the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a nearer place, or turn the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another place, or turn the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another place, turn the tool, or require less clearance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bar is that of the exercise, so it cannot change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work with this bar. The teacher changes it in the file of the exercise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %2 of motion %1 is %4 in the program, and %3 in the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report this to the author of the post; the program was not written.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2361,6 +2462,13 @@
     </message>
 </context>
 <context>
+    <name>FaceSnapTool</name>
+    <message>
+        <source>Lay %1 on a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Fidelity</name>
     <message>
         <source>share of the diagonal</source>
@@ -2658,6 +2766,74 @@
         <source>Distance of the control points of a turned profile</source>
         <translation>Abstand der Kontrollpunkte eines Drehprofils</translation>
     </message>
+    <message>
+        <source>Tolerance of the distances that are felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest error of a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of a query</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step of the simulation of a lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of a second of cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolution of the proof that a motion is free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free motions along obstacles that are refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to prove a motion free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts to make a planned path shorter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean length of paths beyond the shortest one known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to plan a path and make it shorter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step at which motions that are not proven free are looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colliding motions that looks at this step alone take for free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to look at a motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of inverse kinematics by iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest distance of the flange from its pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of a solution</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -2705,22 +2881,6 @@
         <translation>Angesehene Hinweise</translation>
     </message>
     <message>
-        <source>from Z (mm)</source>
-        <translation>von Z (mm)</translation>
-    </message>
-    <message>
-        <source>to Z (mm)</source>
-        <translation>bis Z (mm)</translation>
-    </message>
-    <message>
-        <source>at radius (mm)</source>
-        <translation>bei Radius (mm)</translation>
-    </message>
-    <message>
-        <source>near Z (mm)</source>
-        <translation>nahe Z (mm)</translation>
-    </message>
-    <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
     </message>
@@ -2759,10 +2919,6 @@
     <message>
         <source>Roughness Ra inside</source>
         <translation>Rauheit Ra innen</translation>
-    </message>
-    <message>
-        <source>Collisions</source>
-        <translation>Kollisionen</translation>
     </message>
     <message>
         <source>Largest cutting force</source>
@@ -2839,6 +2995,18 @@
     <message>
         <source>Roughness</source>
         <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Material left over the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collisions and feeds too high</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3263,13 @@
     <message>
         <source>Grinding disk</source>
         <translation>Schleifscheibe</translation>
+    </message>
+</context>
+<context>
+    <name>LeadTool</name>
+    <message>
+        <source>Lead the robot</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3442,10 +3617,6 @@
         <translation>Das Werkzeug stieß bei Z %1 mm, ⌀%2 mm gegen das Futter.</translation>
     </message>
     <message>
-        <source>The tool was rammed into the material at Z %1 mm, ⌀%2 mm.</source>
-        <translation>Das Werkzeug wurde bei Z %1 mm, ⌀%2 mm ins Material gerammt.</translation>
-    </message>
-    <message>
         <source>The file does not say its unit of length: taken as 1 mm in DXF, a pixel in SVG.</source>
         <translation>Die Datei nennt ihre Längeneinheit nicht: angenommen wird 1 mm in DXF, ein Pixel in SVG.</translation>
     </message>
@@ -3556,6 +3727,89 @@
     <message>
         <source>the tool that cut it has no nose radius, or was fed further than that</source>
         <translation>das Werkzeug, das sie erzeugt hat, hat keinen Eckenradius, oder sein Vorschub war größer als dieser</translation>
+    </message>
+    <message>
+        <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such surface in the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other collisions: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed in: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not marked: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time: %1; recorded: %2. Hints looked at: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished">Gemessen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished">Punkte</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlaceTool</name>
+    <message>
+        <source>Turn %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation type="unfinished">%1 bewegen</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4859,6 +5113,242 @@
     <message>
         <source>Goes to</source>
         <translation>Geht nach</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simplified: keep a clearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool centre point, on the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation type="unfinished">gerade Linie</translation>
+    </message>
+    <message>
+        <source>Speed (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face, at radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face, near Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second face, at radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second face, near Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is to say where to measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“To Z” must be above “From Z”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the range goes beyond the bar, which begins at Z 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bar has no face at such a radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no face of the bar near such a Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools that students may mount; none checked: all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PRM, kept for the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Configuration of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this pose is out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What meets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The middles of the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points clicked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about the normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand leads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint by joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool to hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns with the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">Kraft</translation>
+    </message>
+    <message>
+        <source>Felt from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn to it from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Behind the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is in the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint is at its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation type="unfinished">Abweichung</translation>
+    </message>
+    <message>
+        <source>By eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With force and fixture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best of each kind (RMS, largest, time)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolution of the proof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a drawn curve</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6283,6 +6773,106 @@
         <source>choose a curve on a part</source>
         <translation>eine Kurve auf einem Teil wählen</translation>
     </message>
+    <message>
+        <source>next way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>previous way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the robot there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back to where the robot stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell is being prepared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this pose is out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint would be beyond its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot stands like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place the body there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose the face that it shall lie on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a face of the body to be placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click the face that it shall lie on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click a face of the body to be placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add this place to the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lead the robot&apos;s tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the robot&apos;s tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optimise path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move along an arrow, turn by a ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove the last point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw the curve to there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>begin a curve on a part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw in one go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too fast: feed %1 mm/rev, at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -6344,6 +6934,57 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>WayText</name>
+    <message>
+        <source>Shoulder in front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrist flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrist not flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 beyond its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collides: %1 with %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6827,10 +7468,6 @@
         <translation>Speichert die Stellung des Roboters unter einem Namen</translation>
     </message>
     <message>
-        <source>Move the robot to the selected configuration or place</source>
-        <translation>Bewegt den Roboter in die gewählte Stellung oder zum gewählten Punkt</translation>
-    </message>
-    <message>
         <source>Plan a path between configurations that is proven free of collisions</source>
         <translation>Plant eine Bahn zwischen Stellungen, die bewiesen kollisionsfrei ist</translation>
     </message>
@@ -6841,10 +7478,6 @@
     <message>
         <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
         <translation>Fügt die Stellung des Roboters hinter dem gewählten Punkt als kritische Stellung ein</translation>
-    </message>
-    <message>
-        <source>Replace the selected place by where the robot stands</source>
-        <translation>Ersetzt den gewählten Punkt durch die Stellung des Roboters</translation>
     </message>
     <message>
         <source>Let the robot come to the selected place earlier</source>
@@ -6873,10 +7506,6 @@
     <message>
         <source>Read the pairs of links that may touch, and named states</source>
         <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen</translation>
-    </message>
-    <message>
-        <source>Remove the selected configuration, path or place</source>
-        <translation>Entfernt die gewählte Stellung, die Bahn oder den Punkt</translation>
     </message>
     <message>
         <source>Open a robot program</source>
@@ -6934,20 +7563,8 @@
         <translation>Wählen Sie zuerst eine Bahn.</translation>
     </message>
     <message>
-        <source>Store a configuration first: where the path is to begin or end.</source>
-        <translation>Speichern Sie zuerst eine Stellung, in der die Bahn beginnen oder enden soll.</translation>
-    </message>
-    <message>
-        <source>Select a configuration or a place first.</source>
-        <translation>Wählen Sie zuerst eine Stellung oder einen Punkt.</translation>
-    </message>
-    <message>
         <source>Only a path that is proven free of collisions is exported.</source>
         <translation>Nur eine Bahn, die bewiesen kollisionsfrei ist, wird exportiert.</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path or a place first.</source>
-        <translation>Wählen Sie zuerst eine Stellung, eine Bahn oder einen Punkt.</translation>
     </message>
     <message>
         <source>This could not be done</source>
@@ -6984,10 +7601,6 @@
     <message>
         <source>The cell is still being prepared</source>
         <translation>Die Zelle wird noch vorbereitet</translation>
-    </message>
-    <message>
-        <source>Plan again in a moment.</source>
-        <translation>Planen Sie gleich noch einmal.</translation>
     </message>
     <message>
         <source>Planning %1</source>
@@ -7059,6 +7672,139 @@
         <source>Process</source>
         <translation>Bearbeitung</translation>
     </message>
+    <message>
+        <source>Optimising %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optimise %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle time %1 s before, %2 s now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The places are in another order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln place(s) in another configuration of the arm.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No other order or configuration takes less than its %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was optimised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store a &amp;target here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optimise the order and &amp;configurations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store where the tool is as a target; on the selected body, if one is: it moves with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the robot to the selected configuration, place or target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the selected place or target by where the robot stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path, place or target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions but for links without meshes, %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store a configuration or a target first: where the path is to begin or end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a configuration, a place or a target first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing between the ends of the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a place of a path or a target first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a place or a target first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again in a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store %1 on %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not the language of the controller of this robot, %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellReachOutline</name>
+    <message>
+        <source>Show the r&amp;each of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what the tool&apos;s centre point reaches within the joint limits, in the upright plane of the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the reach of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellTargets</name>
+    <message>
+        <source>Looking for ways to the targets</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ClassView</name>
@@ -7081,6 +7827,14 @@
     <message>
         <source>Submissions</source>
         <translation>Abgaben</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7502,6 +8256,21 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DimensionsView</name>
+    <message>
+        <source>Dimensions in the &amp;view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show diameters, lengths, radii and chamfers of the part in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation type="unfinished">Teil wird gemessen</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DockTitle</name>
     <message>
         <source>Dock this panel</source>
@@ -7903,6 +8672,49 @@
     <message>
         <source>Round the target</source>
         <translation>Ziel runden</translation>
+    </message>
+    <message>
+        <source>Op&amp;en the model solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a copy of the model solution, to look at it or to go on from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model solution taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The work in “%1”, as it is after %n step(s) of its history, is the model solution now.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“Open the model solution” shows it. Students do not get it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in the folder %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, comparison</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9375,10 +10187,6 @@
         <translation>Bahn planen</translation>
     </message>
     <message>
-        <source>Critical configurations on the way, from the top down (drag to reorder):</source>
-        <translation>Kritische Stellungen auf dem Weg, von oben nach unten (Ziehen ordnet um):</translation>
-    </message>
-    <message>
         <source>&amp;Plan</source>
         <translation>&amp;Planen</translation>
     </message>
@@ -9390,13 +10198,13 @@
         <source>The path is proven free of collisions everywhere between its places.</source>
         <translation>Die Bahn ist überall zwischen ihren Punkten bewiesen kollisionsfrei.</translation>
     </message>
+    <message>
+        <source>Critical configurations and targets on the way, from the top down (drag to reorder):</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PlanTree</name>
-    <message>
-        <source>Configurations and paths</source>
-        <translation>Stellungen und Bahnen</translation>
-    </message>
     <message>
         <source>Configurations</source>
         <translation>Stellungen</translation>
@@ -9416,6 +10224,14 @@
     <message>
         <source>%1: critical</source>
         <translation>%1: kritisch</translation>
+    </message>
+    <message>
+        <source>Configurations, paths and targets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9668,6 +10484,18 @@
         <source>Line %1, column %2: </source>
         <translation>Zeile %1, Spalte %2: </translation>
     </message>
+    <message>
+        <source>What the tool numbers of the program are: noses, holders, offsets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tools…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tools (%1)…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ProgramPlayer</name>
@@ -9861,10 +10689,6 @@
         <translation>Schruppen und schlichten</translation>
     </message>
     <message>
-        <source>Writes a program that makes the outside of the target from this part. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation>Schreibt ein Programm, das aus diesem Teil die Außenform des Ziels macht. Es wird zuerst simuliert und abgelehnt, wenn es kollidiert oder in das Ziel schneidet.</translation>
-    </message>
-    <message>
         <source>Depth of cut</source>
         <translation>Schnitttiefe</translation>
     </message>
@@ -9994,6 +10818,41 @@
     <message>
         <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
         <translation>Kollision: ein Vorschub in das Material bei rückwärts laufender Spindel (M4), nach ⌀ %1, Z %2.</translation>
+    </message>
+    <message>
+        <source>Writes a program that makes the target from this part, a bore that goes through included. It is simulated first, and refused where it collides or cuts into the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill for the bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does. Its collisions are recorded, as on the machine: undo does not take them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n collision(s) recorded, which undo does not take back.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10457,6 +11316,58 @@
         <source>Pass %1 of %2: %3, at R %4 mm, Z %5 mm</source>
         <translation>Schnitt %1 von %2: %3, bei R %4 mm, Z %5 mm</translation>
     </message>
+    <message>
+        <source>Crash: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting force</source>
+        <translation type="unfinished">Schnittkraft</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished">Leistung</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation type="unfinished">kW</translation>
+    </message>
+    <message>
+        <source>Material left over the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished">Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Workpieces (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is no workpiece that something was cut from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ResultTable</name>
@@ -10552,10 +11463,6 @@
         <translation>Er hat die Position aus seiner Datei; alles andere ist durchsichtig, solange er ausgewählt ist.</translation>
     </message>
     <message>
-        <source>Opens a sample arm with six joints. Drag its links within their limits.</source>
-        <translation>Öffnet einen Beispielarm mit sechs Gelenken. Ziehen Sie seine Glieder innerhalb ihrer Grenzen.</translation>
-    </message>
-    <message>
         <source>Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies beside the robot in the panel.</source>
         <translation>Ziehen Sie ein Glied mit der Maus oder mit Umschalt den ganzen Arm. Geben Sie Winkel in der Liste der Gelenke ein. Fügen Sie im Feld Körper neben dem Roboter hinzu.</translation>
     </message>
@@ -10608,6 +11515,50 @@
     <message>
         <source>Choose an edge or a section of a part for the robot&apos;s tool to work along</source>
         <translation>Eine Kante oder einen Schnitt eines Teils wählen, an dem das Werkzeug entlangarbeitet</translation>
+    </message>
+    <message>
+        <source>Open the sample robot &amp;cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a robot before a block on a table, with a path along its edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lead the robot by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lead the robot&apos;s tool; the arm follows, never through anything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Choose the arm&apos;s configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place a body with &amp;handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move and turn the selected body along and about axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay a body &amp;face to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay a body with one of its faces on a face of another</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11175,6 +12126,30 @@
         <source>Target read from %1</source>
         <translation>Ziel aus %1 gelesen</translation>
     </message>
+    <message>
+        <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Target in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rou&amp;ghness in colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the outline of the target over the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show how rough the part is, from feed and nose of its last cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target of the exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
@@ -11355,6 +12330,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolCamera</name>
+    <message>
+        <source>&amp;View from the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the tool&apos;s centre point along its axis; the view moves with the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ToolHost</name>
     <message>
         <source>Wheel</source>
@@ -11416,6 +12402,57 @@
     <message>
         <source>No tool</source>
         <translation>Kein Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ToolTableDialog</name>
+    <message>
+        <source>Tools of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the numbers T of the program are. Of a tool of the lathe the holder, the post and the slide are looked at, too. What is not listed has the nose radius of the panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished">Werkzeug</translation>
+    </message>
+    <message>
+        <source>Nose radius</source>
+        <translation type="unfinished">Eckenradius</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the &amp;lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A nose alone</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11658,6 +12695,22 @@
     <message>
         <source>Work the part on a manual lathe with handwheels and levers</source>
         <translation>Das Teil an einer handbedienten Drehmaschine mit Handrädern und Hebeln bearbeiten</translation>
+    </message>
+    <message>
+        <source>Too fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo it, and drag more slowly: f at the pointer is the feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bar is that of the exercise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>ArmWaysTool</name>
+    <message>
+        <source>Change the configuration of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BodyDragTool</name>
     <message>
         <source>Move %1</source>
@@ -10,6 +21,27 @@
     <message>
         <source>Remove %1</source>
         <translation>移除 %1</translation>
+    </message>
+</context>
+<context>
+    <name>CellTargets</name>
+    <message>
+        <source>its body was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln way(s) there</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (on %2)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1022,14 +1054,6 @@
         <translation>请车出一个示范解答，并将其设为目标。</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is neither a configuration of the cell nor a value for each joint</source>
-        <translation>“%1”既不是单元中的位形，也不是每个关节的数值</translation>
-    </message>
-    <message>
-        <source>Name a configuration, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
-        <translation>请指定一个位形，或以弧度给出关节值（“0 0.5 -1 …”）。</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is neither a path of the cell nor a file</source>
         <translation>“%1”既不是单元中的路径，也不是文件</translation>
     </message>
@@ -1168,6 +1192,82 @@
     <message>
         <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
         <translation>请拆分曲线、转动工具，或允许工具绕自身轴线转动。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a configuration or target of the cell nor a value for each joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a configuration or a target, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot cell, the name of a built-in robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a file of one of these kinds, or a robot as irb120 or ur5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface does not lead from place %1 of the curve to place %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around what is between, or place more points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell already has a configuration or a target called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the body that the target &apos;%1&apos; is on was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo that, or remove the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a nearer place, or turn the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another place, or turn the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another place, turn the tool, or require less clearance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bar is that of the exercise, so it cannot change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work with this bar. The teacher changes it in the file of the exercise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %2 of motion %1 is %4 in the program, and %3 in the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report this to the author of the post; the program was not written.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2361,6 +2461,13 @@
     </message>
 </context>
 <context>
+    <name>FaceSnapTool</name>
+    <message>
+        <source>Lay %1 on a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Fidelity</name>
     <message>
         <source>share of the diagonal</source>
@@ -2658,6 +2765,74 @@
         <source>Distance of the control points of a turned profile</source>
         <translation>车削轮廓控制点的间距</translation>
     </message>
+    <message>
+        <source>Tolerance of the distances that are felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest error of a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of a query</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step of the simulation of a lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of a second of cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolution of the proof that a motion is free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free motions along obstacles that are refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to prove a motion free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts to make a planned path shorter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean length of paths beyond the shortest one known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to plan a path and make it shorter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step at which motions that are not proven free are looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colliding motions that looks at this step alone take for free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to look at a motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of inverse kinematics by iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest distance of the flange from its pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of a solution</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -2705,22 +2880,6 @@
         <translation>查看提示次数</translation>
     </message>
     <message>
-        <source>from Z (mm)</source>
-        <translation>从 Z (mm)</translation>
-    </message>
-    <message>
-        <source>to Z (mm)</source>
-        <translation>到 Z (mm)</translation>
-    </message>
-    <message>
-        <source>at radius (mm)</source>
-        <translation>半径处 (mm)</translation>
-    </message>
-    <message>
-        <source>near Z (mm)</source>
-        <translation>靠近 Z (mm)</translation>
-    </message>
-    <message>
         <source>Diameter</source>
         <translation>直径</translation>
     </message>
@@ -2759,10 +2918,6 @@
     <message>
         <source>Roughness Ra inside</source>
         <translation>内表面粗糙度 Ra</translation>
-    </message>
-    <message>
-        <source>Collisions</source>
-        <translation>碰撞次数</translation>
     </message>
     <message>
         <source>Largest cutting force</source>
@@ -2839,6 +2994,18 @@
     <message>
         <source>Roughness</source>
         <translation>粗糙度</translation>
+    </message>
+    <message>
+        <source>Material left over the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collisions and feeds too high</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3262,13 @@
     <message>
         <source>Grinding disk</source>
         <translation>砂轮</translation>
+    </message>
+</context>
+<context>
+    <name>LeadTool</name>
+    <message>
+        <source>Lead the robot</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3435,10 +3609,6 @@
         <translation>刀具在 Z %1 mm、⌀%2 mm 处撞上卡盘。</translation>
     </message>
     <message>
-        <source>The tool was rammed into the material at Z %1 mm, ⌀%2 mm.</source>
-        <translation>刀具在 Z %1 mm、⌀%2 mm 处撞入材料。</translation>
-    </message>
-    <message>
         <source>The file does not say its unit of length: taken as 1 mm in DXF, a pixel in SVG.</source>
         <translation>文件未注明长度单位：DXF 按 1 mm 处理，SVG 按像素处理。</translation>
     </message>
@@ -3549,6 +3719,89 @@
     <message>
         <source>the tool that cut it has no nose radius, or was fed further than that</source>
         <translation>所用刀具没有刀尖圆弧半径，或进给量超过了刀尖圆弧</translation>
+    </message>
+    <message>
+        <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such surface in the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other collisions: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handed in: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not marked: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time: %1; recorded: %2. Hints looked at: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished">实测</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlaceTool</name>
+    <message>
+        <source>Turn %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation type="unfinished">移动 %1</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4852,6 +5105,242 @@
     <message>
         <source>Goes to</source>
         <translation>前往</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simplified: keep a clearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool centre point, on the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation type="unfinished">直线</translation>
+    </message>
+    <message>
+        <source>Speed (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face, at radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face, near Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second face, at radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second face, near Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is to say where to measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“To Z” must be above “From Z”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the range goes beyond the bar, which begins at Z 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bar has no face at such a radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no face of the bar near such a Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools that students may mount; none checked: all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PRM, kept for the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">无</translation>
+    </message>
+    <message>
+        <source>Configuration of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this pose is out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What meets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The middles of the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points clicked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about the normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand leads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint by joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool to hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns with the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">力</translation>
+    </message>
+    <message>
+        <source>Felt from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn to it from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Behind the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is in the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint is at its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation type="unfinished">偏差</translation>
+    </message>
+    <message>
+        <source>By eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With force and fixture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best of each kind (RMS, largest, time)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolution of the proof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a drawn curve</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6239,6 +6728,106 @@
         <source>choose a curve on a part</source>
         <translation>选择零件上的曲线</translation>
     </message>
+    <message>
+        <source>next way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>previous way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the robot there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back to where the robot stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell is being prepared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this pose is out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint would be beyond its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot stands like that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place the body there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose the face that it shall lie on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a face of the body to be placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click the face that it shall lie on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click a face of the body to be placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add this place to the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lead the robot&apos;s tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the robot&apos;s tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optimise path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move along an arrow, turn by a ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove the last point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw the curve to there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>begin a curve on a part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw in one go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too fast: feed %1 mm/rev, at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -6300,6 +6889,57 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>WayText</name>
+    <message>
+        <source>Shoulder in front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrist flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrist not flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 beyond its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collides: %1 with %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6779,10 +7419,6 @@
         <translation>以名称保存机器人当前位形</translation>
     </message>
     <message>
-        <source>Move the robot to the selected configuration or place</source>
-        <translation>将机器人移到所选位形或位置</translation>
-    </message>
-    <message>
         <source>Plan a path between configurations that is proven free of collisions</source>
         <translation>在位形之间规划一条已证明无碰撞的路径</translation>
     </message>
@@ -6793,10 +7429,6 @@
     <message>
         <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
         <translation>将机器人当前位形作为关键位形插入所选位置之后</translation>
-    </message>
-    <message>
-        <source>Replace the selected place by where the robot stands</source>
-        <translation>用机器人当前位形替换所选位置</translation>
     </message>
     <message>
         <source>Let the robot come to the selected place earlier</source>
@@ -6825,10 +7457,6 @@
     <message>
         <source>Read the pairs of links that may touch, and named states</source>
         <translation>读取可接触的连杆对和命名状态</translation>
-    </message>
-    <message>
-        <source>Remove the selected configuration, path or place</source>
-        <translation>移除所选位形、路径或位置</translation>
     </message>
     <message>
         <source>Open a robot program</source>
@@ -6885,20 +7513,8 @@
         <translation>请先选择路径。</translation>
     </message>
     <message>
-        <source>Store a configuration first: where the path is to begin or end.</source>
-        <translation>请先保存一个位形，作为路径的起点或终点。</translation>
-    </message>
-    <message>
-        <source>Select a configuration or a place first.</source>
-        <translation>请先选择位形或位置。</translation>
-    </message>
-    <message>
         <source>Only a path that is proven free of collisions is exported.</source>
         <translation>只导出已证明无碰撞的路径。</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path or a place first.</source>
-        <translation>请先选择位形、路径或位置。</translation>
     </message>
     <message>
         <source>This could not be done</source>
@@ -6935,10 +7551,6 @@
     <message>
         <source>The cell is still being prepared</source>
         <translation>单元仍在准备中</translation>
-    </message>
-    <message>
-        <source>Plan again in a moment.</source>
-        <translation>请稍后再规划。</translation>
     </message>
     <message>
         <source>Planning %1</source>
@@ -7008,6 +7620,138 @@
         <source>Process</source>
         <translation>加工</translation>
     </message>
+    <message>
+        <source>Optimising %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optimise %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle time %1 s before, %2 s now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The places are in another order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln place(s) in another configuration of the arm.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No other order or configuration takes less than its %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was optimised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store a &amp;target here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Optimise the order and &amp;configurations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store where the tool is as a target; on the selected body, if one is: it moves with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the robot to the selected configuration, place or target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the selected place or target by where the robot stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path, place or target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions but for links without meshes, %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store a configuration or a target first: where the path is to begin or end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a configuration, a place or a target first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing between the ends of the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a place of a path or a target first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a place or a target first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again in a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store %1 on %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not the language of the controller of this robot, %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellReachOutline</name>
+    <message>
+        <source>Show the r&amp;each of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what the tool&apos;s centre point reaches within the joint limits, in the upright plane of the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the reach of the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellTargets</name>
+    <message>
+        <source>Looking for ways to the targets</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ClassView</name>
@@ -7030,6 +7774,14 @@
     <message>
         <source>Submissions</source>
         <translation>提交的作业</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7449,6 +8201,21 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DimensionsView</name>
+    <message>
+        <source>Dimensions in the &amp;view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show diameters, lengths, radii and chamfers of the part in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation type="unfinished">正在测量</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DockTitle</name>
     <message>
         <source>Dock this panel</source>
@@ -7849,6 +8616,48 @@
     <message>
         <source>Round the target</source>
         <translation>圆整目标</translation>
+    </message>
+    <message>
+        <source>Op&amp;en the model solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a copy of the model solution, to look at it or to go on from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model solution taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The work in “%1”, as it is after %n step(s) of its history, is the model solution now.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“Open the model solution” shows it. Students do not get it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in the folder %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, comparison</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9306,10 +10115,6 @@
         <translation>规划路径</translation>
     </message>
     <message>
-        <source>Critical configurations on the way, from the top down (drag to reorder):</source>
-        <translation>途中的关键位形，自上而下（拖动可排序）：</translation>
-    </message>
-    <message>
         <source>&amp;Plan</source>
         <translation>规划(&amp;P)</translation>
     </message>
@@ -9321,13 +10126,13 @@
         <source>The path is proven free of collisions everywhere between its places.</source>
         <translation>已证明路径在各位置之间处处无碰撞。</translation>
     </message>
+    <message>
+        <source>Critical configurations and targets on the way, from the top down (drag to reorder):</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PlanTree</name>
-    <message>
-        <source>Configurations and paths</source>
-        <translation>位形与路径</translation>
-    </message>
     <message>
         <source>Configurations</source>
         <translation>位形</translation>
@@ -9347,6 +10152,14 @@
     <message>
         <source>%1: critical</source>
         <translation>%1：关键</translation>
+    </message>
+    <message>
+        <source>Configurations, paths and targets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9599,6 +10412,18 @@
         <source>Line %1, column %2: </source>
         <translation>第 %1 行，第 %2 列： </translation>
     </message>
+    <message>
+        <source>What the tool numbers of the program are: noses, holders, offsets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tools…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tools (%1)…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ProgramPlayer</name>
@@ -9791,10 +10616,6 @@
         <translation>粗车与精车</translation>
     </message>
     <message>
-        <source>Writes a program that makes the outside of the target from this part. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation>编写由此零件加工出目标外形的程序。先进行仿真，如发生碰撞或切入目标则不予采用。</translation>
-    </message>
-    <message>
         <source>Depth of cut</source>
         <translation>切深</translation>
     </message>
@@ -9923,6 +10744,40 @@
     <message>
         <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
         <translation>碰撞：主轴反转（M4）时切入材料，到 ⌀ %1，Z %2。</translation>
+    </message>
+    <message>
+        <source>Writes a program that makes the target from this part, a bore that goes through included. It is simulated first, and refused where it collides or cuts into the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill for the bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does. Its collisions are recorded, as on the machine: undo does not take them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n collision(s) recorded, which undo does not take back.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10380,6 +11235,58 @@
         <source>Pass %1 of %2: %3, at R %4 mm, Z %5 mm</source>
         <translation>走刀 %1/%2：%3，位于 R %4 mm，Z %5 mm</translation>
     </message>
+    <message>
+        <source>Crash: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting force</source>
+        <translation type="unfinished">切削力</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished">功率</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation type="unfinished">kW</translation>
+    </message>
+    <message>
+        <source>Material left over the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished">比较对象</translation>
+    </message>
+    <message>
+        <source>Workpieces (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is no workpiece that something was cut from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ResultTable</name>
@@ -10472,10 +11379,6 @@
         <translation>它位于其文件给定的位置；选中时其余部分显示为透明。</translation>
     </message>
     <message>
-        <source>Opens a sample arm with six joints. Drag its links within their limits.</source>
-        <translation>打开带有六个关节的示例机械臂。可在限位内拖动各连杆。</translation>
-    </message>
-    <message>
         <source>Drag a link with the mouse, or the whole arm with Shift. Type angles in the list of joints. Add bodies beside the robot in the panel.</source>
         <translation>用鼠标拖动连杆，或按住 Shift 拖动整个机械臂。在关节列表中输入角度。在面板中添加机器人旁的物体。</translation>
     </message>
@@ -10526,6 +11429,50 @@
     <message>
         <source>Choose an edge or a section of a part for the robot&apos;s tool to work along</source>
         <translation>选择零件的边或截面，供机器人工具沿其加工</translation>
+    </message>
+    <message>
+        <source>Open the sample robot &amp;cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a robot before a block on a table, with a path along its edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lead the robot by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lead the robot&apos;s tool; the arm follows, never through anything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Choose the arm&apos;s configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place a body with &amp;handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move and turn the selected body along and about axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay a body &amp;face to face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay a body with one of its faces on a face of another</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11086,6 +12033,30 @@
         <source>Target read from %1</source>
         <translation>已从 %1 读取目标</translation>
     </message>
+    <message>
+        <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Target in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rou&amp;ghness in colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the outline of the target over the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show how rough the part is, from feed and nose of its last cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target of the exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
@@ -11266,6 +12237,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolCamera</name>
+    <message>
+        <source>&amp;View from the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from the tool&apos;s centre point along its axis; the view moves with the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ToolHost</name>
     <message>
         <source>Wheel</source>
@@ -11327,6 +12309,57 @@
     <message>
         <source>No tool</source>
         <translation>无刀具</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ToolTableDialog</name>
+    <message>
+        <source>Tools of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the numbers T of the program are. Of a tool of the lathe the holder, the post and the slide are looked at, too. What is not listed has the nose radius of the panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished">工具</translation>
+    </message>
+    <message>
+        <source>Nose radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the &amp;lathe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A nose alone</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11569,6 +12602,22 @@
     <message>
         <source>Work the part on a manual lathe with handwheels and levers</source>
         <translation>在带手轮和操纵杆的手动车床上加工工件</translation>
+    </message>
+    <message>
+        <source>Too fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo it, and drag more slowly: f at the pointer is the feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bar is that of the exercise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
