@@ -4,11 +4,11 @@
 
 #include "haptics/device/DeviceErrors.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QJsonObject>
 #include <QPluginLoader>
 #include <exception>
+#include <filesystem>
 
 Q_DECLARE_INTERFACE(handwheel::DevicePlugin, HANDWHEEL_DEVICE_PLUGIN)
 
@@ -83,8 +83,10 @@ std::vector<std::string> pluginFolders() {
     }
     return folders;
   }
-  const QString own = QCoreApplication::applicationDirPath() + "/../" HANDWHEEL_PLUGIN_FOLDER;
-  return {QDir::cleanPath(own).toStdString()};
+  // Commands need posts before there is an application that knows its folder.
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return {(program.parent_path() / ".." / HANDWHEEL_PLUGIN_FOLDER).lexically_normal().string()};
 }
 
 }  // namespace handwheel

@@ -116,8 +116,9 @@ class RobotCommandsTest : public QObject {
     const QString pose = QStringLiteral("--pose=") + QString::fromLatin1(row.mid(11).join(','));
     const Ran run = bench.run({"ik", cell, pose, "--all", "--json"});
     QVERIFY2(run.code == 0, run.err);
+    const nlohmann::json solutions = reportOf(run)["solutions"];
     bool isFound = false;
-    for (const nlohmann::json& solution : reportOf(run)["solutions"]) {
+    for (const nlohmann::json& solution : solutions) {
       double off = 0.0;
       for (int i = 0; i < 6; ++i)
         off = std::max(off, std::abs(solution["q"][i].get<double>() - row[5 + i].toDouble() * M_PI / 180.0));

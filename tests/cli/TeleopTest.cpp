@@ -11,13 +11,13 @@ using namespace handwheel;
 
 namespace {
 
-struct Point {
+struct ToolPlace {
   double x, y, z;
 };
 
 // Where the tool is at the places of a path, as the table of its program has them.
-std::vector<Point> toolPlaces(const QByteArray& table) {
-  std::vector<Point> places;
+std::vector<ToolPlace> toolPlaces(const QByteArray& table) {
+  std::vector<ToolPlace> places;
   const QList<QByteArray> lines = table.trimmed().split('\n');
   qsizetype x = -1;
   for (const QByteArray& line : lines) {
@@ -32,11 +32,11 @@ std::vector<Point> toolPlaces(const QByteArray& table) {
 }
 
 // A hand along these places at 40 mm/s that shakes across them, along x, by so many mm, every 50 mm once.
-QByteArray shakingHand(const std::vector<Point>& places, double amplitude) {
+QByteArray shakingHand(const std::vector<ToolPlace>& places, double amplitude) {
   QByteArray hand = "t_s,x_mm,y_mm,z_mm\n";
   double along = 0.0;
   for (std::size_t i = 1; i < places.size(); ++i) {
-    const Point a = places[i - 1], b = places[i];
+    const ToolPlace a = places[i - 1], b = places[i];
     const double length = std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
     for (double way = 0.0; way < length; way += 0.5, along += 0.5) {
       const double share = way / length;
@@ -87,7 +87,7 @@ class TeleopTest : public QObject {
                                   "--standoff", "20", "--name", "edge", "-o", "c.handwheel"});
     QVERIFY2(planned.code == 0, planned.err);
     QCOMPARE(cell.run({"post", "c.handwheel", "edge", "--controller", "csv", "-o", "edge.csv"}).code, 0);
-    const std::vector<Point> places = toolPlaces(cell.read("edge.csv"));
+    const std::vector<ToolPlace> places = toolPlaces(cell.read("edge.csv"));
     QVERIFY(places.size() >= 2);
     cell.put("a.csv", shakingHand(places, 8.0));
     cell.put("b.csv", shakingHand(places, 4.0));

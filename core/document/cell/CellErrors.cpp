@@ -13,9 +13,9 @@ const ErrorDescription CellError::PlaceMissing{
 
 const ErrorDescription CellError::RobotUnknown{
     .id = "RobotUnknown",
-    .sentences = {translatable("ErrorText",
-                               "'%1' is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot "
-                               "cell, the name of a built-in robot")},
+    .sentences = {translatable(
+        "ErrorText",
+        "'%1' is neither a URDF, a table after Denavit and Hartenberg, a robot cell nor a built-in robot")},
     .advice = {translatable("ErrorText", "Name a file of one of these kinds, or a robot as irb120 or ur5.")}};
 
 const ErrorDescription CellError::PathMissing{

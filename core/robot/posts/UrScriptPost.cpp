@@ -84,7 +84,7 @@ std::string urMotion(const RobotProgram& program, std::size_t i) {
   // A pose would have to be in the controller's base, which ROS' base_link is turned by 180° against.
   std::string text = motion.name.empty() ? "" : "  # " + identifierOf(motion.name, 60) + "\n";
   text += std::string(isJoint ? "  movej([" : "  movel([") + fixedList(std::span(motion.joints.data(), 6), 9) + "]";
-  text += ",a=" + fixedText(kRampsASecond * speed, 5) + ",v=" + fixedText(speed, 5);
+  text += ",a=" + fixedText(kRampsASecond * speed, 7) + ",v=" + fixedText(speed, 7);
   return text + ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
 }
 

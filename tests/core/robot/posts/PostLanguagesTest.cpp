@@ -161,7 +161,7 @@ class PostLanguagesTest : public QObject {
     const std::string text = postCalled("urscript")->write(program);
     QVERIFY(text.find("  # start\n  movej([") != text.npos);
     QVERIFY(text.find("  movel([0.600000000,0.600000000,0.600000000,0.600000000,0.600000000,0.600000000],"
-                      "a=0.20000,v=0.05000,r=0.000000)\nend\n") != text.npos);
+                      "a=0.2000000,v=0.0500000,r=0.000000)\nend\n") != text.npos);
     QVERIFY(text.ends_with("\nweld_seam_1()\n"));
     QVERIFY(text.find("set_payload(1.000)") != text.npos);
     QVERIFY(text.find("\n  set_payload") == text.npos);  // in a comment: the load of the installation counts
