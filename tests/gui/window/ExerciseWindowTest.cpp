@@ -290,6 +290,39 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(exercise.exercise().task == before);
   }
 
+  // The work becomes the model solution, which says so and can be looked at.
+  void theModelSolution() {
+    WindowDriver driver;
+    driver.choose("newExercise");
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.find<QAction>("openSolution")->isEnabled());
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    driver.choose("takeSolution");
+    QTRY_VERIFY(driver.text("messageText").contains("Model solution taken"));
+    QCOMPARE(driver.tabs(), 2);
+    driver.choose("openSolution");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 3);
+    QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Stock"));
+  }
+
+  // Who turns sees what the part is to become, and cannot make another bar of it.
+  void theTargetBesideTheWork() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(labelsOf(driver.find<QWidget>("targetPanel")).contains("Target of the exercise"));
+    QVERIFY(driver.text("targetSizes").contains(QStringLiteral("⌀")));
+    QVERIFY(driver.find<QAction>("targetOutline")->isChecked());
+    QVERIFY(!driver.find<QAction>("importTarget")->isEnabled() && !driver.find<QAction>("removeTarget")->isEnabled());
+    auto* diameter = driver.find<QWidget>("property/diameter")->findChild<QLineEdit*>();
+    QVERIFY(!diameter || !diameter->isEnabled() || diameter->isReadOnly());
+  }
+
   // A teacher adds a mark and a step, changes them, and takes it back.
   void theTeachersEditor() {
     WindowDriver driver;

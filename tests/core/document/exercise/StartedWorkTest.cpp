@@ -90,7 +90,7 @@ class StartedWorkTest : public QObject {
   // Time and hints do not come back with an undo, and are worth saving.
   void anUndoKeepsTheAttempt() {
     WorkpieceDocument document(startedWork());
-    QVERIFY(document.setProperty("material", std::string("brass")));
+    QVERIFY(document.setProperty("chord", 0.05));
     Attempt later = kHalfDone;
     later.hints = {2, 1};
     document.assign(withAttempt(document.file().assigned, later), true);

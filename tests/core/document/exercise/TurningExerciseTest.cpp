@@ -386,7 +386,7 @@ class TurningExerciseTest : public QObject {
   void detailsForAReport() {
     const auto work = workFrom(*shoulder(), shoulderWork());
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
-    QCOMPARE(details.curves.size(), std::size_t{5});
+    QCOMPARE(details.curves.size(), std::size_t{7});  // profile, path, finish, loads, and what is left and too deep
     QVERIFY(std::any_of(details.curves.begin(), details.curves.end(), [](const auto& c) { return c.yUnit == "µm"; }));
     for (const ReportCurve& curve : details.curves) QVERIFY(!curve.series.empty() && !curve.series[0].points.empty());
     QVERIFY(details.events.empty() && details.seconds > 0.0);
