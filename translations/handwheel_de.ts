@@ -5,11 +5,11 @@
     <name>ArmWaysTool</name>
     <message>
         <source>Change the configuration of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellung des Arms wechseln</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug bewegen</translation>
     </message>
 </context>
 <context>
@@ -27,22 +27,22 @@
     <name>CellTargets</name>
     <message>
         <source>its body was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>sein Körper wurde entfernt</translation>
     </message>
     <message>
         <source>out of reach</source>
-        <translation type="unfinished"></translation>
+        <translation>außer Reichweite</translation>
     </message>
     <message numerus="yes">
         <source>%Ln way(s) there</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Stellung dorthin</numerusform>
+            <numerusform>%Ln Stellungen dorthin</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 (on %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (auf %2)</translation>
     </message>
 </context>
 <context>
@@ -1196,79 +1196,79 @@
     </message>
     <message>
         <source>&apos;%1&apos; is neither a configuration or target of the cell nor a value for each joint</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist weder eine Stellung oder ein Ziel der Zelle noch ein Wert für jedes Gelenk</translation>
     </message>
     <message>
         <source>Name a configuration or a target, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennen Sie eine Stellung oder ein Ziel, oder geben Sie die Gelenkwerte im Bogenmaß an („0 0.5 -1 …“).</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot cell, the name of a built-in robot</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist nichts davon: eine URDF-Datei, eine Tabelle nach Denavit und Hartenberg in JSON, eine Roboterzelle, der Name eines mitgelieferten Roboters</translation>
     </message>
     <message>
         <source>Name a file of one of these kinds, or a robot as irb120 or ur5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennen Sie eine Datei einer dieser Arten oder einen Roboter wie irb120 oder ur5.</translation>
     </message>
     <message>
         <source>the surface does not lead from place %1 of the curve to place %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Oberfläche führt nicht von Punkt %1 der Kurve zu Punkt %2</translation>
     </message>
     <message>
         <source>Draw around what is between, or place more points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie um das herum, was dazwischen liegt, oder setzen Sie mehr Punkte.</translation>
     </message>
     <message>
         <source>the cell already has a configuration or a target called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zelle hat schon eine Stellung oder ein Ziel mit dem Namen „%1“</translation>
     </message>
     <message>
         <source>the body that the target &apos;%1&apos; is on was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>der Körper, auf dem das Ziel „%1“ liegt, wurde entfernt</translation>
     </message>
     <message>
         <source>Undo that, or remove the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Machen Sie das rückgängig, oder entfernen Sie das Ziel.</translation>
     </message>
     <message>
         <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that</source>
-        <translation type="unfinished"></translation>
+        <translation>der Arm kann sein Werkzeug, so gedreht, nicht nach X %1 Y %2 Z %3 mm bringen</translation>
     </message>
     <message>
         <source>Choose a nearer place, or turn the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen näheren Ort, oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
         <source>to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>um das Werkzeug, so gedreht, nach X %1 Y %2 Z %3 mm zu bringen, müsste das Gelenk %4 seine Grenzen verlassen</translation>
     </message>
     <message>
         <source>Choose another place, or turn the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen anderen Ort, oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
         <source>with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5</source>
-        <translation type="unfinished"></translation>
+        <translation>mit dem Werkzeug bei X %1 Y %2 Z %3 mm stößt der Roboter in jeder Stellung an: %4 mit %5</translation>
     </message>
     <message>
         <source>Choose another place, turn the tool, or require less clearance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen anderen Ort, drehen Sie das Werkzeug, oder verlangen Sie weniger Abstand.</translation>
     </message>
     <message>
         <source>the bar is that of the exercise, so it cannot change</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stange gehört zur Übung und lässt sich deshalb nicht ändern</translation>
     </message>
     <message>
         <source>Work with this bar. The teacher changes it in the file of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeiten Sie mit dieser Stange. Die Lehrkraft ändert sie in der Datei der Übung.</translation>
     </message>
     <message>
         <source>the %2 of motion %1 is %4 in the program, and %3 in the path</source>
-        <translation type="unfinished"></translation>
+        <translation>bei Bewegung %1 ist %2 im Programm %4 und in der Bahn %3</translation>
     </message>
     <message>
         <source>Report this to the author of the post; the program was not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Melden Sie dies dem Autor des Postprozessors; das Programm wurde nicht geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -2465,7 +2465,7 @@
     <name>FaceSnapTool</name>
     <message>
         <source>Lay %1 on a face</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf eine Fläche legen</translation>
     </message>
 </context>
 <context>
@@ -2768,71 +2768,71 @@
     </message>
     <message>
         <source>Tolerance of the distances that are felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz der gefühlten Abstände</translation>
     </message>
     <message>
         <source>largest error of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>größter Fehler eines Abstands</translation>
     </message>
     <message>
         <source>CPU time of a query</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenzeit einer Abfrage</translation>
     </message>
     <message>
         <source>Step of the simulation of a lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt der Simulation einer Drehmaschine</translation>
     </message>
     <message>
         <source>CPU time of a second of cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenzeit für eine Sekunde Zerspanung</translation>
     </message>
     <message>
         <source>Resolution of the proof that a motion is free</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung des Beweises, dass eine Bewegung frei ist</translation>
     </message>
     <message>
         <source>free motions along obstacles that are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>abgelehnte freie Bewegungen an Hindernissen entlang</translation>
     </message>
     <message>
         <source>CPU time to prove a motion free</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenzeit, um eine Bewegung als frei zu beweisen</translation>
     </message>
     <message>
         <source>Attempts to make a planned path shorter</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche, eine geplante Bahn zu kürzen</translation>
     </message>
     <message>
         <source>mean length of paths beyond the shortest one known</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere Länge der Bahnen über die kürzeste bekannte hinaus</translation>
     </message>
     <message>
         <source>CPU time to plan a path and make it shorter</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenzeit, um eine Bahn zu planen und zu kürzen</translation>
     </message>
     <message>
         <source>Step at which motions that are not proven free are looked at</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt, in dem nicht als frei bewiesene Bewegungen betrachtet werden</translation>
     </message>
     <message>
         <source>colliding motions that looks at this step alone take for free</source>
-        <translation type="unfinished"></translation>
+        <translation>kollidierende Bewegungen, die bei diesem Schritt allein als frei gelten</translation>
     </message>
     <message>
         <source>CPU time to look at a motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenzeit, um eine Bewegung zu betrachten</translation>
     </message>
     <message>
         <source>Tolerance of inverse kinematics by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz der iterativen inversen Kinematik</translation>
     </message>
     <message>
         <source>largest distance of the flange from its pose</source>
-        <translation type="unfinished"></translation>
+        <translation>größter Abstand des Flansches von seiner Pose</translation>
     </message>
     <message>
         <source>CPU time of a solution</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenzeit einer Lösung</translation>
     </message>
 </context>
 <context>
@@ -2998,15 +2998,15 @@
     </message>
     <message>
         <source>Material left over the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Restmaterial über dem Ziel</translation>
     </message>
     <message>
         <source>Cut too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu tief geschnitten</translation>
     </message>
     <message>
         <source>Collisions and feeds too high</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollisionen und zu hohe Vorschübe</translation>
     </message>
 </context>
 <context>
@@ -3269,7 +3269,7 @@
     <name>LeadTool</name>
     <message>
         <source>Lead the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter führen</translation>
     </message>
 </context>
 <context>
@@ -3730,86 +3730,86 @@
     </message>
     <message>
         <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Vorschub war bei Z %1 mm, ⌀%2 mm zu hoch: %3 mm je Umdrehung, wo höchstens %4 erlaubt sind.</translation>
     </message>
     <message>
         <source>there is no such surface in the range</source>
-        <translation type="unfinished"></translation>
+        <translation>im Bereich gibt es keine solche Fläche</translation>
     </message>
     <message>
         <source>fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other collisions: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-mal zu hoher Vorschub, bis zu %2 mm je Umdrehung, wo höchstens %3 erlaubt sind; andere Kollisionen: %4</translation>
     </message>
     <message>
         <source>File: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei: %1</translation>
     </message>
     <message>
         <source>Handed in: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgegeben: %1</translation>
     </message>
     <message>
         <source>Not marked: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bewertet: %1</translation>
     </message>
     <message>
         <source>Time: %1; recorded: %2. Hints looked at: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit: %1; aufgezeichnet: %2. Angesehene Hinweise: %3.</translation>
     </message>
     <message>
         <source>Criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterium</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished">Gemessen</translation>
+        <translation>Gemessen</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished">Punkte</translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Ereignisse</translation>
     </message>
     <message>
         <source>Side by side: %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Nebeneinander: %1, %2</translation>
     </message>
     <message>
         <source>Recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgezeichnet</translation>
     </message>
     <message>
         <source>en</source>
-        <translation type="unfinished"></translation>
+        <translation>de</translation>
     </message>
     <message>
         <source>%1 of %2 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Punkten</translation>
     </message>
 </context>
 <context>
     <name>PlaceTool</name>
     <message>
         <source>Turn %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 drehen</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished">%1 bewegen</translation>
+        <translation>%1 bewegen</translation>
     </message>
     <message>
         <source>Place %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 platzieren</translation>
     </message>
 </context>
 <context>
@@ -5116,239 +5116,239 @@
     </message>
     <message>
         <source>Shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen</translation>
     </message>
     <message>
         <source>simplified: keep a clearance</source>
-        <translation type="unfinished"></translation>
+        <translation>vereinfacht: Abstand halten</translation>
     </message>
     <message>
         <source>Tool centre point, on the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugmittelpunkt, am Flansch</translation>
     </message>
     <message>
         <source>Place of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt der Bahn</translation>
     </message>
     <message>
         <source>Motion to it</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung dorthin</translation>
     </message>
     <message>
         <source>joints</source>
-        <translation type="unfinished"></translation>
+        <translation>über die Gelenke</translation>
     </message>
     <message>
         <source>straight line</source>
-        <translation type="unfinished">gerade Linie</translation>
+        <translation>gerade Linie</translation>
     </message>
     <message>
         <source>Speed (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit (%)</translation>
     </message>
     <message>
         <source>First face, at radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Planfläche, bei Radius</translation>
     </message>
     <message>
         <source>First face, near Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Planfläche, nahe Z</translation>
     </message>
     <message>
         <source>Second face, at radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Planfläche, bei Radius</translation>
     </message>
     <message>
         <source>Second face, near Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Planfläche, nahe Z</translation>
     </message>
     <message>
         <source>it is to say where to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>es muss sagen, wo zu messen ist</translation>
     </message>
     <message>
         <source>“To Z” must be above “From Z”</source>
-        <translation type="unfinished"></translation>
+        <translation>„Bis Z“ muss über „Von Z“ liegen</translation>
     </message>
     <message>
         <source>the range goes beyond the bar, which begins at Z 0</source>
-        <translation type="unfinished"></translation>
+        <translation>der Bereich geht über die Stange hinaus, die bei Z 0 beginnt</translation>
     </message>
     <message>
         <source>the bar has no face at such a radius</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stange hat keine Planfläche bei einem solchen Radius</translation>
     </message>
     <message>
         <source>there is no face of the bar near such a Z</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stange hat keine Planfläche nahe einem solchen Z</translation>
     </message>
     <message>
         <source>Tools that students may mount; none checked: all</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge, die Schüler einspannen dürfen; keines angehakt: alle</translation>
     </message>
     <message>
         <source>PRM, kept for the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>PRM, für die Zelle aufbewahrt</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Configuration of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellung des Arms</translation>
     </message>
     <message>
         <source>this pose is out of reach</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Pose ist außer Reichweite</translation>
     </message>
     <message>
         <source>What meets</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zusammenkommt</translation>
     </message>
     <message>
         <source>The middles of the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Mitten der Flächen</translation>
     </message>
     <message>
         <source>The points clicked</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angeklickten Punkte</translation>
     </message>
     <message>
         <source>Turn about the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um die Normale</translation>
     </message>
     <message>
         <source>The hand leads</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hand führt</translation>
     </message>
     <message>
         <source>The tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug</translation>
     </message>
     <message>
         <source>Joint by joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk für Gelenk</translation>
     </message>
     <message>
         <source>Tool to hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug zu Hand</translation>
     </message>
     <message>
         <source>Turns with the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht sich mit der Hand</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">Kraft</translation>
+        <translation>Kraft</translation>
     </message>
     <message>
         <source>Felt from</source>
-        <translation type="unfinished"></translation>
+        <translation>Fühlbar ab</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Path to follow</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu folgende Bahn</translation>
     </message>
     <message>
         <source>Drawn to it from</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezogen ab</translation>
     </message>
     <message>
         <source>Behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinter der Hand</translation>
     </message>
     <message>
         <source>something is in the way</source>
-        <translation type="unfinished"></translation>
+        <translation>etwas ist im Weg</translation>
     </message>
     <message>
         <source>a joint is at its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gelenk ist an seiner Grenze</translation>
     </message>
     <message>
         <source>Deviation</source>
-        <translation type="unfinished">Abweichung</translation>
+        <translation>Abweichung</translation>
     </message>
     <message>
         <source>By eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Augenmaß</translation>
     </message>
     <message>
         <source>With force</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Kraft</translation>
     </message>
     <message>
         <source>With force and fixture</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Kraft und Führung</translation>
     </message>
     <message>
         <source>Best of each kind (RMS, largest, time)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bester Versuch jeder Art (RMS, größte, Zeit)</translation>
     </message>
     <message>
         <source>Move by</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben um</translation>
     </message>
     <message>
         <source>Turn by</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen um</translation>
     </message>
     <message>
         <source>Along X</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang X</translation>
     </message>
     <message>
         <source>Along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang Y</translation>
     </message>
     <message>
         <source>Along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang Z</translation>
     </message>
     <message>
         <source>About X</source>
-        <translation type="unfinished"></translation>
+        <translation>Um X</translation>
     </message>
     <message>
         <source>About Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Um Y</translation>
     </message>
     <message>
         <source>About Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Um Z</translation>
     </message>
     <message>
         <source>Of the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zelle</translation>
     </message>
     <message>
         <source>Of the body</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Körpers</translation>
     </message>
     <message>
         <source>Turns about</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht sich um</translation>
     </message>
     <message>
         <source>Its middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Mitte</translation>
     </message>
     <message>
         <source>Its origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Seinen Ursprung</translation>
     </message>
     <message>
         <source>Resolution of the proof</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung des Beweises</translation>
     </message>
     <message>
         <source>a drawn curve</source>
-        <translation type="unfinished"></translation>
+        <translation>einer gezeichneten Kurve</translation>
     </message>
 </context>
 <context>
@@ -6775,103 +6775,103 @@
     </message>
     <message>
         <source>next way</source>
-        <translation type="unfinished"></translation>
+        <translation>nächste Stellung</translation>
     </message>
     <message>
         <source>previous way</source>
-        <translation type="unfinished"></translation>
+        <translation>vorige Stellung</translation>
     </message>
     <message>
         <source>move the robot there</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter dorthin bewegen</translation>
     </message>
     <message>
         <source>back to where the robot stands</source>
-        <translation type="unfinished"></translation>
+        <translation>zurück dorthin, wo der Roboter steht</translation>
     </message>
     <message>
         <source>the cell is being prepared</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zelle wird vorbereitet</translation>
     </message>
     <message>
         <source>this pose is out of reach</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Pose ist außer Reichweite</translation>
     </message>
     <message>
         <source>a joint would be beyond its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gelenk wäre außerhalb seiner Grenzen</translation>
     </message>
     <message>
         <source>the robot stands like that</source>
-        <translation type="unfinished"></translation>
+        <translation>der Roboter steht schon so</translation>
     </message>
     <message>
         <source>place the body there</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper dort platzieren</translation>
     </message>
     <message>
         <source>choose another face</source>
-        <translation type="unfinished"></translation>
+        <translation>andere Fläche wählen</translation>
     </message>
     <message>
         <source>choose the face that it shall lie on</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche wählen, auf der er liegen soll</translation>
     </message>
     <message>
         <source>choose a face of the body to be placed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche des zu platzierenden Körpers wählen</translation>
     </message>
     <message>
         <source>click the face that it shall lie on</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche anklicken, auf der er liegen soll</translation>
     </message>
     <message>
         <source>click a face of the body to be placed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche des zu platzierenden Körpers anklicken</translation>
     </message>
     <message>
         <source>add this place to the path</source>
-        <translation type="unfinished"></translation>
+        <translation>diesen Punkt zur Bahn hinzufügen</translation>
     </message>
     <message>
         <source>lead the robot&apos;s tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug des Roboters führen</translation>
     </message>
     <message>
         <source>turn the robot&apos;s tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug des Roboters drehen</translation>
     </message>
     <message>
         <source>Optimise path</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahn optimieren</translation>
     </message>
     <message>
         <source>move along an arrow, turn by a ring</source>
-        <translation type="unfinished"></translation>
+        <translation>entlang eines Pfeils bewegen, an einem Ring drehen</translation>
     </message>
     <message>
         <source>nothing is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist nichts eingegeben</translation>
     </message>
     <message>
         <source>remove the last point</source>
-        <translation type="unfinished"></translation>
+        <translation>letzten Punkt entfernen</translation>
     </message>
     <message>
         <source>draw the curve to there</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve bis dorthin zeichnen</translation>
     </message>
     <message>
         <source>begin a curve on a part</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kurve auf einem Teil beginnen</translation>
     </message>
     <message>
         <source>draw in one go</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem Zug zeichnen</translation>
     </message>
     <message>
         <source>too fast: feed %1 mm/rev, at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>zu schnell: Vorschub %1 mm/U, höchstens %2</translation>
     </message>
 </context>
 <context>
@@ -6940,51 +6940,51 @@
     <name>WayText</name>
     <message>
         <source>Shoulder in front</source>
-        <translation type="unfinished"></translation>
+        <translation>Schulter vorn</translation>
     </message>
     <message>
         <source>Shoulder behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Schulter hinten</translation>
     </message>
     <message>
         <source>Shoulder left</source>
-        <translation type="unfinished"></translation>
+        <translation>Schulter links</translation>
     </message>
     <message>
         <source>Shoulder right</source>
-        <translation type="unfinished"></translation>
+        <translation>Schulter rechts</translation>
     </message>
     <message>
         <source>elbow up</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellbogen oben</translation>
     </message>
     <message>
         <source>elbow down</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellbogen unten</translation>
     </message>
     <message>
         <source>wrist flipped</source>
-        <translation type="unfinished"></translation>
+        <translation>Handgelenk umgeklappt</translation>
     </message>
     <message>
         <source>wrist not flipped</source>
-        <translation type="unfinished"></translation>
+        <translation>Handgelenk nicht umgeklappt</translation>
     </message>
     <message>
         <source>%1 beyond its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 außerhalb seiner Grenzen</translation>
     </message>
     <message>
         <source>collides: %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>stößt an: %1 mit %2</translation>
     </message>
     <message>
         <source>Way %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellung %1</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>frei</translation>
     </message>
 </context>
 <context>
@@ -7674,136 +7674,136 @@
     </message>
     <message>
         <source>Optimising %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird optimiert</translation>
     </message>
     <message>
         <source>Optimise %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 optimieren</translation>
     </message>
     <message>
         <source>Cycle time %1 s before, %2 s now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Taktzeit vorher %1 s, jetzt %2 s.</translation>
     </message>
     <message>
         <source>The places are in another order.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte haben eine andere Reihenfolge.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln place(s) in another configuration of the arm.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Punkt in einer anderen Stellung des Arms.</numerusform>
+            <numerusform>%Ln Punkte in einer anderen Stellung des Arms.</numerusform>
         </translation>
     </message>
     <message>
         <source>No other order or configuration takes less than its %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine andere Reihenfolge oder Stellung braucht weniger als die jetzigen %1 s.</translation>
     </message>
     <message>
         <source>%1 was optimised</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde optimiert</translation>
     </message>
     <message>
         <source>%1 stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bleibt, wie es ist</translation>
     </message>
     <message>
         <source>Store a &amp;target here</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ziel hier speichern</translation>
     </message>
     <message>
         <source>Optimise the order and &amp;configurations</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge und Stellungen op&amp;timieren</translation>
     </message>
     <message>
         <source>Store where the tool is as a target; on the selected body, if one is: it moves with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert als Ziel, wo das Werkzeug ist; auf dem gewählten Körper, falls einer gewählt ist: es bewegt sich mit ihm</translation>
     </message>
     <message>
         <source>Move the robot to the selected configuration, place or target</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt den Roboter zur gewählten Stellung, zum gewählten Punkt oder Ziel</translation>
     </message>
     <message>
         <source>Replace the selected place or target by where the robot stands</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzt den gewählten Punkt oder das gewählte Ziel durch die jetzige Stellung des Roboters</translation>
     </message>
     <message>
         <source>Remove the selected configuration, path, place or target</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt die gewählte Stellung, die Bahn, den Punkt oder das Ziel</translation>
     </message>
     <message>
         <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
-        <translation type="unfinished"></translation>
+        <translation>Fährt die kritischen Punkte in der Reihenfolge und in den Stellungen an, die am wenigsten Zeit brauchen</translation>
     </message>
     <message>
         <source>free of collisions but for links without meshes, %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>kollisionsfrei bis auf Glieder ohne Netze, %1 s</translation>
     </message>
     <message>
         <source>Store a configuration or a target first: where the path is to begin or end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern Sie zuerst eine Stellung oder ein Ziel: wo die Bahn beginnen oder enden soll.</translation>
     </message>
     <message>
         <source>Select a configuration, a place or a target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst eine Stellung, einen Punkt oder ein Ziel.</translation>
     </message>
     <message>
         <source>There is nothing between the ends of the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen den Enden der Bahn liegt nichts.</translation>
     </message>
     <message>
         <source>Select a place of a path or a target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst einen Punkt einer Bahn oder ein Ziel.</translation>
     </message>
     <message>
         <source>Select a configuration, a path, a place or a target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst eine Stellung, eine Bahn, einen Punkt oder ein Ziel.</translation>
     </message>
     <message>
         <source>Try again in a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>Target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel %1</translation>
     </message>
     <message>
         <source>Store %1 on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf %2 speichern</translation>
     </message>
     <message>
         <source>Set %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 setzen</translation>
     </message>
     <message>
         <source>Begin a path</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahn beginnen</translation>
     </message>
     <message>
         <source>%1 is not the language of the controller of this robot, %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht die Sprache der Steuerung dieses Roboters, %2.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
     <message>
         <source>Show the r&amp;each of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Rei&amp;chweite des Arms zeigen</translation>
     </message>
     <message>
         <source>Show what the tool&apos;s centre point reaches within the joint limits, in the upright plane of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was der Werkzeugmittelpunkt innerhalb der Gelenkgrenzen erreicht, in der senkrechten Ebene des Werkzeugs</translation>
     </message>
     <message>
         <source>Finding the reach of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Reichweite des Arms wird ermittelt</translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellTargets</name>
     <message>
         <source>Looking for ways to the targets</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellungen zu den Zielen werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -7830,11 +7830,11 @@
     </message>
     <message>
         <source>&amp;Compare…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergleichen…</translation>
     </message>
     <message>
         <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Bericht der zwei ausgewählten Arbeiten nebeneinander schreiben (Strg+Klick wählt eine zweite aus)</translation>
     </message>
 </context>
 <context>
@@ -8259,15 +8259,15 @@
     <name>handwheel::DimensionsView</name>
     <message>
         <source>Dimensions in the &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Maße in der Ansicht</translation>
     </message>
     <message>
         <source>Show diameters, lengths, radii and chamfers of the part in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser, Längen, Radien und Fasen des Teils in der Ansicht zeigen</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished">Teil wird gemessen</translation>
+        <translation>Teil wird gemessen</translation>
     </message>
 </context>
 <context>
@@ -8675,46 +8675,46 @@
     </message>
     <message>
         <source>Op&amp;en the model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>Musterlösung ö&amp;ffnen</translation>
     </message>
     <message>
         <source>Open a copy of the model solution, to look at it or to go on from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie der Musterlösung öffnen, um sie anzusehen oder von ihr aus weiterzuarbeiten</translation>
     </message>
     <message>
         <source>Model solution taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Musterlösung übernommen</translation>
     </message>
     <message numerus="yes">
         <source>The work in “%1”, as it is after %n step(s) of its history, is the model solution now.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Die Arbeit in „%1“, wie sie nach %n Schritt ihres Verlaufs ist, ist jetzt die Musterlösung.</numerusform>
+            <numerusform>Die Arbeit in „%1“, wie sie nach %n Schritten ihres Verlaufs ist, ist jetzt die Musterlösung.</numerusform>
         </translation>
     </message>
     <message>
         <source>“Open the model solution” shows it. Students do not get it.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Musterlösung öffnen“ zeigt sie. Schüler erhalten sie nicht.</translation>
     </message>
     <message>
         <source>It is in the folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie liegt im Ordner %1.</translation>
     </message>
     <message>
         <source>%1, class</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Klasse</translation>
     </message>
     <message>
         <source>Save the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich speichern</translation>
     </message>
     <message>
         <source>%1, report</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Bericht</translation>
     </message>
     <message>
         <source>%1, comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Vergleich</translation>
     </message>
 </context>
 <context>
@@ -10200,7 +10200,7 @@
     </message>
     <message>
         <source>Critical configurations and targets on the way, from the top down (drag to reorder):</source>
-        <translation type="unfinished"></translation>
+        <translation>Kritische Stellungen und Ziele auf dem Weg, von oben nach unten (zum Umordnen ziehen):</translation>
     </message>
 </context>
 <context>
@@ -10227,11 +10227,11 @@
     </message>
     <message>
         <source>Configurations, paths and targets</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellungen, Bahnen und Ziele</translation>
     </message>
     <message>
         <source>Targets</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziele</translation>
     </message>
 </context>
 <context>
@@ -10486,15 +10486,15 @@
     </message>
     <message>
         <source>What the tool numbers of the program are: noses, holders, offsets</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Werkzeugnummern des Programms bedeuten: Schneidenecken, Halter, Korrekturen</translation>
     </message>
     <message>
         <source>&amp;Tools…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Werkzeuge…</translation>
     </message>
     <message>
         <source>&amp;Tools (%1)…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Werkzeuge (%1)…</translation>
     </message>
 </context>
 <context>
@@ -10821,37 +10821,37 @@
     </message>
     <message>
         <source>Writes a program that makes the target from this part, a bore that goes through included. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt ein Programm, das aus diesem Teil das Ziel macht, einschließlich einer durchgehenden Bohrung. Es wird zuerst simuliert und abgelehnt, wenn es kollidiert oder in das Ziel schneidet.</translation>
     </message>
     <message>
         <source>Drill for the bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrer für die Bohrung</translation>
     </message>
     <message>
         <source>Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser. Eine durchgehende Bohrung wird gebohrt und mit einem Innendrehmeißel geschruppt und geschlichtet; 0 lässt sie, wie sie ist.</translation>
     </message>
     <message>
         <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft: bis zu %1 N, wo die Drehmaschine der Übung %2 N verträgt. Das wird bewertet.</translation>
     </message>
     <message>
         <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung: bis zu %1 kW, wo die Drehmaschine der Übung %2 kW hat. Das wird bewertet.</translation>
     </message>
     <message>
         <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollision: %3 trifft auf %4, auf dem Weg nach ⌀ %1, Z %2.</translation>
     </message>
     <message>
         <source>Cut the part as the program does. Its collisions are recorded, as on the machine: undo does not take them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil schneiden wie das Programm. Seine Kollisionen werden aufgezeichnet, wie an der Maschine: „Rückgängig“ nimmt sie nicht zurück.</translation>
     </message>
     <message numerus="yes">
         <source>%n collision(s) recorded, which undo does not take back.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Kollision aufgezeichnet, die „Rückgängig“ nicht zurücknimmt.</numerusform>
+            <numerusform>%n Kollisionen aufgezeichnet, die „Rückgängig“ nicht zurücknimmt.</numerusform>
         </translation>
     </message>
 </context>
@@ -11318,55 +11318,55 @@
     </message>
     <message>
         <source>Crash: %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollision: %1, %2</translation>
     </message>
     <message>
         <source>Cutting force</source>
-        <translation type="unfinished">Schnittkraft</translation>
+        <translation>Schnittkraft</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished">Leistung</translation>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>kW</source>
-        <translation type="unfinished">kW</translation>
+        <translation>kW</translation>
     </message>
     <message>
         <source>Material left over the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Restmaterial über dem Ziel</translation>
     </message>
     <message>
         <source>Cut too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu tief geschnitten</translation>
     </message>
     <message>
         <source>&amp;Compare with…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergleichen mit…</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished">Vergleichen mit</translation>
+        <translation>Vergleichen mit</translation>
     </message>
     <message>
         <source>Workpieces (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstücke (%1)</translation>
     </message>
     <message>
         <source>%1 cannot be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht vergleichen</translation>
     </message>
     <message>
         <source>It is no workpiece that something was cut from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist kein Werkstück, von dem etwas zerspant wurde.</translation>
     </message>
     <message>
         <source>&amp;Leave %1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergleich mit %1 beenden</translation>
     </message>
 </context>
 <context>
@@ -11518,47 +11518,47 @@
     </message>
     <message>
         <source>Open the sample robot &amp;cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispiel-Roboter&amp;zelle öffnen</translation>
     </message>
     <message>
         <source>Open a robot before a block on a table, with a path along its edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Roboter vor einem Block auf einem Tisch öffnen, mit einer Bahn entlang der Blockkante</translation>
     </message>
     <message>
         <source>Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet eine Beispielzelle. Planen Sie eine Bahn von links nach rechts, oder führen Sie den Roboter von Hand an einer Kante entlang.</translation>
     </message>
     <message>
         <source>&amp;Lead the robot by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter von Hand &amp;führen</translation>
     </message>
     <message>
         <source>Lead the robot&apos;s tool; the arm follows, never through anything</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug des Roboters führen; der Arm folgt, nie durch etwas hindurch</translation>
     </message>
     <message>
         <source>&amp;Choose the arm&apos;s configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stellung des Arms wählen</translation>
     </message>
     <message>
         <source>See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Stellungen sehen, in denen der Arm eine Pose seines Werkzeugs erreicht: Schulter, Ellbogen und Handgelenk</translation>
     </message>
     <message>
         <source>Place a body with &amp;handles</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper &amp;mit Griffen platzieren</translation>
     </message>
     <message>
         <source>Move and turn the selected body along and about axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ausgewählten Körper entlang von Achsen bewegen und um sie drehen</translation>
     </message>
     <message>
         <source>Lay a body &amp;face to face</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper Fläche &amp;auf Fläche legen</translation>
     </message>
     <message>
         <source>Lay a body with one of its faces on a face of another</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Körper mit einer seiner Flächen auf eine Fläche eines anderen legen</translation>
     </message>
 </context>
 <context>
@@ -12128,27 +12128,27 @@
     </message>
     <message>
         <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told</source>
-        <translation type="unfinished"></translation>
+        <translation>blau: Ra höchstens %1 µm, weiß: %2, rot: mindestens %3, grau: nicht bekannt</translation>
     </message>
     <message>
         <source>&amp;Target in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel in der A&amp;nsicht</translation>
     </message>
     <message>
         <source>Rou&amp;ghness in colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Rau&amp;heit in Farben</translation>
     </message>
     <message>
         <source>Show the outline of the target over the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Umriss des Ziels über dem Teil zeigen</translation>
     </message>
     <message>
         <source>Show how rough the part is, from feed and nose of its last cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, wie rau das Teil ist, aus Vorschub und Eckenradius seiner letzten Schnitte</translation>
     </message>
     <message>
         <source>Target of the exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel der Übung</translation>
     </message>
 </context>
 <context>
@@ -12333,11 +12333,11 @@
     <name>handwheel::ToolCamera</name>
     <message>
         <source>&amp;View from the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht vom &amp;Werkzeug aus</translation>
     </message>
     <message>
         <source>Look from the tool&apos;s centre point along its axis; the view moves with the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Werkzeugmittelpunkt entlang seiner Achse blicken; die Ansicht bewegt sich mit dem Roboter</translation>
     </message>
 </context>
 <context>
@@ -12408,51 +12408,51 @@
     <name>handwheel::ToolTableDialog</name>
     <message>
         <source>Tools of the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge des Programms</translation>
     </message>
     <message>
         <source>What the numbers T of the program are. Of a tool of the lathe the holder, the post and the slide are looked at, too. What is not listed has the nose radius of the panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Nummern T des Programms bedeuten. Bei einem Werkzeug der Drehmaschine werden auch Halter, Stahlhalter und Schlitten betrachtet. Was nicht aufgeführt ist, hat den Eckenradius aus dem Feld.</translation>
     </message>
     <message>
         <source>T</source>
-        <translation type="unfinished"></translation>
+        <translation>T</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished">Werkzeug</translation>
+        <translation>Werkzeug</translation>
     </message>
     <message>
         <source>Nose radius</source>
-        <translation type="unfinished">Eckenradius</translation>
+        <translation>Eckenradius</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidenlage</translation>
     </message>
     <message>
         <source>Offset X</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur X</translation>
     </message>
     <message>
         <source>Offset Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur Z</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Entfernen</translation>
     </message>
     <message>
         <source>From the &amp;lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der &amp;Drehmaschine</translation>
     </message>
     <message>
         <source>A nose alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine Schneidenecke</translation>
     </message>
 </context>
 <context>
@@ -12698,19 +12698,19 @@
     </message>
     <message>
         <source>Too fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu schnell</translation>
     </message>
     <message>
         <source>The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Vorschub dieses Schnitts betrug bis zu %1 mm je Umdrehung; erlaubt sind höchstens %2.</translation>
     </message>
     <message>
         <source>Undo it, and drag more slowly: f at the pointer is the feed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Machen Sie ihn rückgängig, und ziehen Sie langsamer: f am Zeiger ist der Vorschub.</translation>
     </message>
     <message>
         <source>The bar is that of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stange gehört zur Übung.</translation>
     </message>
 </context>
 </TS>

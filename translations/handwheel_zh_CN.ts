@@ -5,11 +5,11 @@
     <name>ArmWaysTool</name>
     <message>
         <source>Change the configuration of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>更改机械臂的位形</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>移动工具</translation>
     </message>
 </context>
 <context>
@@ -27,21 +27,21 @@
     <name>CellTargets</name>
     <message>
         <source>its body was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>其所在物体已被移除</translation>
     </message>
     <message>
         <source>out of reach</source>
-        <translation type="unfinished"></translation>
+        <translation>无法到达</translation>
     </message>
     <message numerus="yes">
         <source>%Ln way(s) there</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 种到达方式</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 (on %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（在 %2 上）</translation>
     </message>
 </context>
 <context>
@@ -1195,79 +1195,79 @@
     </message>
     <message>
         <source>&apos;%1&apos; is neither a configuration or target of the cell nor a value for each joint</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”既不是单元中的位形或目标点，也不是每个关节一个的数值</translation>
     </message>
     <message>
         <source>Name a configuration or a target, or give the joint values in radians (&apos;0 0.5 -1 …&apos;).</source>
-        <translation type="unfinished"></translation>
+        <translation>请指定一个位形或目标点，或以弧度给出各关节值（“0 0.5 -1 …”）。</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot cell, the name of a built-in robot</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不属于以下任何一种：URDF、JSON 格式的 Denavit-Hartenberg 参数表、机器人单元、内置机器人的名称</translation>
     </message>
     <message>
         <source>Name a file of one of these kinds, or a robot as irb120 or ur5.</source>
-        <translation type="unfinished"></translation>
+        <translation>请指定上述类型之一的文件，或机器人名称，如 irb120 或 ur5。</translation>
     </message>
     <message>
         <source>the surface does not lead from place %1 of the curve to place %2</source>
-        <translation type="unfinished"></translation>
+        <translation>曲面无法从曲线的位置 %1 连到位置 %2</translation>
     </message>
     <message>
         <source>Draw around what is between, or place more points.</source>
-        <translation type="unfinished"></translation>
+        <translation>请绕过中间的部分绘制，或放置更多的点。</translation>
     </message>
     <message>
         <source>the cell already has a configuration or a target called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>单元中已有名为“%1”的位形或目标点</translation>
     </message>
     <message>
         <source>the body that the target &apos;%1&apos; is on was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点“%1”所在的物体已被移除</translation>
     </message>
     <message>
         <source>Undo that, or remove the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>请撤销该操作，或移除该目标点。</translation>
     </message>
     <message>
         <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂无法以该姿态将其工具移到 X %1 Y %2 Z %3 mm</translation>
     </message>
     <message>
         <source>Choose a nearer place, or turn the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择较近的位置，或转动工具。</translation>
     </message>
     <message>
         <source>to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>若以该姿态将工具移到 X %1 Y %2 Z %3 mm，关节 %4 会超出其限位</translation>
     </message>
     <message>
         <source>Choose another place, or turn the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其他位置，或转动工具。</translation>
     </message>
     <message>
         <source>with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5</source>
-        <translation type="unfinished"></translation>
+        <translation>工具位于 X %1 Y %2 Z %3 mm 时，机器人无论取何种位形都会碰撞：%4 与 %5</translation>
     </message>
     <message>
         <source>Choose another place, turn the tool, or require less clearance.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其他位置，转动工具，或减小所需间隙。</translation>
     </message>
     <message>
         <source>the bar is that of the exercise, so it cannot change</source>
-        <translation type="unfinished"></translation>
+        <translation>棒料由练习规定，因此不能更改</translation>
     </message>
     <message>
         <source>Work with this bar. The teacher changes it in the file of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>请使用此棒料。教师可在练习文件中更改它。</translation>
     </message>
     <message>
         <source>the %2 of motion %1 is %4 in the program, and %3 in the path</source>
-        <translation type="unfinished"></translation>
+        <translation>运动 %1 的 %2 在程序中为 %4，在路径中为 %3</translation>
     </message>
     <message>
         <source>Report this to the author of the post; the program was not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>请向后处理器的作者报告此问题；程序未写入。</translation>
     </message>
 </context>
 <context>
@@ -2464,7 +2464,7 @@
     <name>FaceSnapTool</name>
     <message>
         <source>Lay %1 on a face</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 贴放到面上</translation>
     </message>
 </context>
 <context>
@@ -2767,71 +2767,71 @@
     </message>
     <message>
         <source>Tolerance of the distances that are felt</source>
-        <translation type="unfinished"></translation>
+        <translation>所感受距离的公差</translation>
     </message>
     <message>
         <source>largest error of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的最大误差</translation>
     </message>
     <message>
         <source>CPU time of a query</source>
-        <translation type="unfinished"></translation>
+        <translation>一次查询的 CPU 时间</translation>
     </message>
     <message>
         <source>Step of the simulation of a lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>车床仿真的步长</translation>
     </message>
     <message>
         <source>CPU time of a second of cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒切削的 CPU 时间</translation>
     </message>
     <message>
         <source>Resolution of the proof that a motion is free</source>
-        <translation type="unfinished"></translation>
+        <translation>证明运动无碰撞的分辨率</translation>
     </message>
     <message>
         <source>free motions along obstacles that are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>沿障碍物的无碰撞运动中被拒绝的部分</translation>
     </message>
     <message>
         <source>CPU time to prove a motion free</source>
-        <translation type="unfinished"></translation>
+        <translation>证明一个运动无碰撞的 CPU 时间</translation>
     </message>
     <message>
         <source>Attempts to make a planned path shorter</source>
-        <translation type="unfinished"></translation>
+        <translation>缩短已规划路径的尝试次数</translation>
     </message>
     <message>
         <source>mean length of paths beyond the shortest one known</source>
-        <translation type="unfinished"></translation>
+        <translation>路径超出已知最短路径的平均长度</translation>
     </message>
     <message>
         <source>CPU time to plan a path and make it shorter</source>
-        <translation type="unfinished"></translation>
+        <translation>规划并缩短一条路径的 CPU 时间</translation>
     </message>
     <message>
         <source>Step at which motions that are not proven free are looked at</source>
-        <translation type="unfinished"></translation>
+        <translation>检查未证明无碰撞的运动时的步长</translation>
     </message>
     <message>
         <source>colliding motions that looks at this step alone take for free</source>
-        <translation type="unfinished"></translation>
+        <translation>仅按此步长检查会误认为无碰撞的碰撞运动</translation>
     </message>
     <message>
         <source>CPU time to look at a motion</source>
-        <translation type="unfinished"></translation>
+        <translation>检查一个运动的 CPU 时间</translation>
     </message>
     <message>
         <source>Tolerance of inverse kinematics by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>迭代法逆运动学的公差</translation>
     </message>
     <message>
         <source>largest distance of the flange from its pose</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰与其位姿的最大距离</translation>
     </message>
     <message>
         <source>CPU time of a solution</source>
-        <translation type="unfinished"></translation>
+        <translation>求一个解的 CPU 时间</translation>
     </message>
 </context>
 <context>
@@ -2997,15 +2997,15 @@
     </message>
     <message>
         <source>Material left over the target</source>
-        <translation type="unfinished"></translation>
+        <translation>超出目标的余料</translation>
     </message>
     <message>
         <source>Cut too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>切削过深</translation>
     </message>
     <message>
         <source>Collisions and feeds too high</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞与进给过大</translation>
     </message>
 </context>
 <context>
@@ -3268,7 +3268,7 @@
     <name>LeadTool</name>
     <message>
         <source>Lead the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>引导机器人</translation>
     </message>
 </context>
 <context>
@@ -3722,86 +3722,86 @@
     </message>
     <message>
         <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 mm、⌀%2 mm 处进给过大：每转 %3 mm，最大允许 %4。</translation>
     </message>
     <message>
         <source>there is no such surface in the range</source>
-        <translation type="unfinished"></translation>
+        <translation>该范围内没有这样的表面</translation>
     </message>
     <message>
         <source>fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other collisions: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>进给过快 %1 次，最大达每转 %2 mm，最大允许 %3；其他碰撞：%4</translation>
     </message>
     <message>
         <source>File: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>文件：%1</translation>
     </message>
     <message>
         <source>Handed in: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>提交时间：%1</translation>
     </message>
     <message>
         <source>Not marked: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未评分：%1</translation>
     </message>
     <message>
         <source>Time: %1; recorded: %2. Hints looked at: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>时间：%1；录制：%2。查看提示次数：%3。</translation>
     </message>
     <message>
         <source>Criterion</source>
-        <translation type="unfinished"></translation>
+        <translation>评分项</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>限值</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished">实测</translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>得分</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>事件</translation>
     </message>
     <message>
         <source>Side by side: %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>对照：%1、%2</translation>
     </message>
     <message>
         <source>Recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>录制</translation>
     </message>
     <message>
         <source>en</source>
-        <translation type="unfinished"></translation>
+        <translation>zh-CN</translation>
     </message>
     <message>
         <source>%1 of %2 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 分</translation>
     </message>
 </context>
 <context>
     <name>PlaceTool</name>
     <message>
         <source>Turn %1</source>
-        <translation type="unfinished"></translation>
+        <translation>转动 %1</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished">移动 %1</translation>
+        <translation>移动 %1</translation>
     </message>
     <message>
         <source>Place %1</source>
-        <translation type="unfinished"></translation>
+        <translation>放置 %1</translation>
     </message>
 </context>
 <context>
@@ -5108,239 +5108,239 @@
     </message>
     <message>
         <source>Shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>形体</translation>
     </message>
     <message>
         <source>simplified: keep a clearance</source>
-        <translation type="unfinished"></translation>
+        <translation>已简化：请保持间隙</translation>
     </message>
     <message>
         <source>Tool centre point, on the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点（在法兰上）</translation>
     </message>
     <message>
         <source>Place of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>路径的位置</translation>
     </message>
     <message>
         <source>Motion to it</source>
-        <translation type="unfinished"></translation>
+        <translation>到此处的运动</translation>
     </message>
     <message>
         <source>joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>straight line</source>
-        <translation type="unfinished">直线</translation>
+        <translation>直线</translation>
     </message>
     <message>
         <source>Speed (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 (%)</translation>
     </message>
     <message>
         <source>First face, at radius</source>
-        <translation type="unfinished"></translation>
+        <translation>第一端面，所在半径</translation>
     </message>
     <message>
         <source>First face, near Z</source>
-        <translation type="unfinished"></translation>
+        <translation>第一端面，靠近 Z</translation>
     </message>
     <message>
         <source>Second face, at radius</source>
-        <translation type="unfinished"></translation>
+        <translation>第二端面，所在半径</translation>
     </message>
     <message>
         <source>Second face, near Z</source>
-        <translation type="unfinished"></translation>
+        <translation>第二端面，靠近 Z</translation>
     </message>
     <message>
         <source>it is to say where to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>须说明测量位置</translation>
     </message>
     <message>
         <source>“To Z” must be above “From Z”</source>
-        <translation type="unfinished"></translation>
+        <translation>“到 Z”须大于“从 Z”</translation>
     </message>
     <message>
         <source>the range goes beyond the bar, which begins at Z 0</source>
-        <translation type="unfinished"></translation>
+        <translation>范围超出棒料，棒料从 Z 0 开始</translation>
     </message>
     <message>
         <source>the bar has no face at such a radius</source>
-        <translation type="unfinished"></translation>
+        <translation>棒料在该半径处没有端面</translation>
     </message>
     <message>
         <source>there is no face of the bar near such a Z</source>
-        <translation type="unfinished"></translation>
+        <translation>棒料在该 Z 附近没有端面</translation>
     </message>
     <message>
         <source>Tools that students may mount; none checked: all</source>
-        <translation type="unfinished"></translation>
+        <translation>学生可安装的刀具；均不勾选：全部</translation>
     </message>
     <message>
         <source>PRM, kept for the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>PRM（为单元保留）</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished">无</translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Configuration of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的位形</translation>
     </message>
     <message>
         <source>this pose is out of reach</source>
-        <translation type="unfinished"></translation>
+        <translation>无法到达此位姿</translation>
     </message>
     <message>
         <source>What meets</source>
-        <translation type="unfinished"></translation>
+        <translation>重合之处</translation>
     </message>
     <message>
         <source>The middles of the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>两面的中心</translation>
     </message>
     <message>
         <source>The points clicked</source>
-        <translation type="unfinished"></translation>
+        <translation>单击的点</translation>
     </message>
     <message>
         <source>Turn about the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>绕法向转角</translation>
     </message>
     <message>
         <source>The hand leads</source>
-        <translation type="unfinished"></translation>
+        <translation>手引导</translation>
     </message>
     <message>
         <source>The tool</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
     <message>
         <source>Joint by joint</source>
-        <translation type="unfinished"></translation>
+        <translation>逐个关节</translation>
     </message>
     <message>
         <source>Tool to hand</source>
-        <translation type="unfinished"></translation>
+        <translation>工具与手之比</translation>
     </message>
     <message>
         <source>Turns with the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>随手转动</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">力</translation>
+        <translation>力</translation>
     </message>
     <message>
         <source>Felt from</source>
-        <translation type="unfinished"></translation>
+        <translation>开始感受到力的距离</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Path to follow</source>
-        <translation type="unfinished"></translation>
+        <translation>要跟随的路径</translation>
     </message>
     <message>
         <source>Drawn to it from</source>
-        <translation type="unfinished"></translation>
+        <translation>开始吸附到路径的距离</translation>
     </message>
     <message>
         <source>Behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>落后于手的距离</translation>
     </message>
     <message>
         <source>something is in the way</source>
-        <translation type="unfinished"></translation>
+        <translation>途中有障碍</translation>
     </message>
     <message>
         <source>a joint is at its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>有关节已到限位</translation>
     </message>
     <message>
         <source>Deviation</source>
-        <translation type="unfinished">偏差</translation>
+        <translation>偏差</translation>
     </message>
     <message>
         <source>By eye</source>
-        <translation type="unfinished"></translation>
+        <translation>仅凭目视</translation>
     </message>
     <message>
         <source>With force</source>
-        <translation type="unfinished"></translation>
+        <translation>有力反馈</translation>
     </message>
     <message>
         <source>With force and fixture</source>
-        <translation type="unfinished"></translation>
+        <translation>有力反馈和虚拟夹具</translation>
     </message>
     <message>
         <source>Best of each kind (RMS, largest, time)</source>
-        <translation type="unfinished"></translation>
+        <translation>各类最佳结果（均方根、最大、时间）</translation>
     </message>
     <message>
         <source>Move by</source>
-        <translation type="unfinished"></translation>
+        <translation>移动量</translation>
     </message>
     <message>
         <source>Turn by</source>
-        <translation type="unfinished"></translation>
+        <translation>转动量</translation>
     </message>
     <message>
         <source>Along X</source>
-        <translation type="unfinished"></translation>
+        <translation>沿 X</translation>
     </message>
     <message>
         <source>Along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>沿 Y</translation>
     </message>
     <message>
         <source>Along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>沿 Z</translation>
     </message>
     <message>
         <source>About X</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 X</translation>
     </message>
     <message>
         <source>About Y</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 Y</translation>
     </message>
     <message>
         <source>About Z</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 Z</translation>
     </message>
     <message>
         <source>Of the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>单元的</translation>
     </message>
     <message>
         <source>Of the body</source>
-        <translation type="unfinished"></translation>
+        <translation>物体的</translation>
     </message>
     <message>
         <source>Turns about</source>
-        <translation type="unfinished"></translation>
+        <translation>转动中心</translation>
     </message>
     <message>
         <source>Its middle</source>
-        <translation type="unfinished"></translation>
+        <translation>其中心</translation>
     </message>
     <message>
         <source>Its origin</source>
-        <translation type="unfinished"></translation>
+        <translation>其原点</translation>
     </message>
     <message>
         <source>Resolution of the proof</source>
-        <translation type="unfinished"></translation>
+        <translation>证明的分辨率</translation>
     </message>
     <message>
         <source>a drawn curve</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制的曲线</translation>
     </message>
 </context>
 <context>
@@ -6730,103 +6730,103 @@
     </message>
     <message>
         <source>next way</source>
-        <translation type="unfinished"></translation>
+        <translation>下一种方式</translation>
     </message>
     <message>
         <source>previous way</source>
-        <translation type="unfinished"></translation>
+        <translation>上一种方式</translation>
     </message>
     <message>
         <source>move the robot there</source>
-        <translation type="unfinished"></translation>
+        <translation>将机器人移到此处</translation>
     </message>
     <message>
         <source>back to where the robot stands</source>
-        <translation type="unfinished"></translation>
+        <translation>返回机器人当前位形</translation>
     </message>
     <message>
         <source>the cell is being prepared</source>
-        <translation type="unfinished"></translation>
+        <translation>单元正在准备中</translation>
     </message>
     <message>
         <source>this pose is out of reach</source>
-        <translation type="unfinished"></translation>
+        <translation>无法到达此位姿</translation>
     </message>
     <message>
         <source>a joint would be beyond its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>会有关节超出限位</translation>
     </message>
     <message>
         <source>the robot stands like that</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人已处于该位形</translation>
     </message>
     <message>
         <source>place the body there</source>
-        <translation type="unfinished"></translation>
+        <translation>将物体放到此处</translation>
     </message>
     <message>
         <source>choose another face</source>
-        <translation type="unfinished"></translation>
+        <translation>选择另一个面</translation>
     </message>
     <message>
         <source>choose the face that it shall lie on</source>
-        <translation type="unfinished"></translation>
+        <translation>选择要贴放到的面</translation>
     </message>
     <message>
         <source>choose a face of the body to be placed</source>
-        <translation type="unfinished"></translation>
+        <translation>选择要放置的物体的一个面</translation>
     </message>
     <message>
         <source>click the face that it shall lie on</source>
-        <translation type="unfinished"></translation>
+        <translation>单击要贴放到的面</translation>
     </message>
     <message>
         <source>click a face of the body to be placed</source>
-        <translation type="unfinished"></translation>
+        <translation>单击要放置的物体的一个面</translation>
     </message>
     <message>
         <source>add this place to the path</source>
-        <translation type="unfinished"></translation>
+        <translation>将此位置添加到路径</translation>
     </message>
     <message>
         <source>lead the robot&apos;s tool</source>
-        <translation type="unfinished"></translation>
+        <translation>引导机器人的工具</translation>
     </message>
     <message>
         <source>turn the robot&apos;s tool</source>
-        <translation type="unfinished"></translation>
+        <translation>转动机器人的工具</translation>
     </message>
     <message>
         <source>Optimise path</source>
-        <translation type="unfinished"></translation>
+        <translation>优化路径</translation>
     </message>
     <message>
         <source>move along an arrow, turn by a ring</source>
-        <translation type="unfinished"></translation>
+        <translation>沿箭头移动，绕圆环转动</translation>
     </message>
     <message>
         <source>nothing is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>未输入任何值</translation>
     </message>
     <message>
         <source>remove the last point</source>
-        <translation type="unfinished"></translation>
+        <translation>移除最后一点</translation>
     </message>
     <message>
         <source>draw the curve to there</source>
-        <translation type="unfinished"></translation>
+        <translation>将曲线画到此处</translation>
     </message>
     <message>
         <source>begin a curve on a part</source>
-        <translation type="unfinished"></translation>
+        <translation>在零件上开始一条曲线</translation>
     </message>
     <message>
         <source>draw in one go</source>
-        <translation type="unfinished"></translation>
+        <translation>一笔画成</translation>
     </message>
     <message>
         <source>too fast: feed %1 mm/rev, at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>过快：进给 %1 mm/r，最大 %2</translation>
     </message>
 </context>
 <context>
@@ -6895,51 +6895,51 @@
     <name>WayText</name>
     <message>
         <source>Shoulder in front</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部在前</translation>
     </message>
     <message>
         <source>Shoulder behind</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部在后</translation>
     </message>
     <message>
         <source>Shoulder left</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部在左</translation>
     </message>
     <message>
         <source>Shoulder right</source>
-        <translation type="unfinished"></translation>
+        <translation>肩部在右</translation>
     </message>
     <message>
         <source>elbow up</source>
-        <translation type="unfinished"></translation>
+        <translation>肘部向上</translation>
     </message>
     <message>
         <source>elbow down</source>
-        <translation type="unfinished"></translation>
+        <translation>肘部向下</translation>
     </message>
     <message>
         <source>wrist flipped</source>
-        <translation type="unfinished"></translation>
+        <translation>腕部翻转</translation>
     </message>
     <message>
         <source>wrist not flipped</source>
-        <translation type="unfinished"></translation>
+        <translation>腕部未翻转</translation>
     </message>
     <message>
         <source>%1 beyond its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 超出限位</translation>
     </message>
     <message>
         <source>collides: %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：%1 与 %2</translation>
     </message>
     <message>
         <source>Way %1</source>
-        <translation type="unfinished"></translation>
+        <translation>方式 %1</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>无碰撞</translation>
     </message>
 </context>
 <context>
@@ -7622,135 +7622,135 @@
     </message>
     <message>
         <source>Optimising %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在优化 %1</translation>
     </message>
     <message>
         <source>Optimise %1</source>
-        <translation type="unfinished"></translation>
+        <translation>优化 %1</translation>
     </message>
     <message>
         <source>Cycle time %1 s before, %2 s now.</source>
-        <translation type="unfinished"></translation>
+        <translation>循环时间：之前 %1 s，现在 %2 s。</translation>
     </message>
     <message>
         <source>The places are in another order.</source>
-        <translation type="unfinished"></translation>
+        <translation>各位置的顺序已改变。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln place(s) in another configuration of the arm.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 个位置采用了机械臂的其他位形。</numerusform>
         </translation>
     </message>
     <message>
         <source>No other order or configuration takes less than its %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有其他顺序或位形的用时少于其 %1 s。</translation>
     </message>
     <message>
         <source>%1 was optimised</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已优化</translation>
     </message>
     <message>
         <source>%1 stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 保持不变</translation>
     </message>
     <message>
         <source>Store a &amp;target here</source>
-        <translation type="unfinished"></translation>
+        <translation>在此处保存目标点(&amp;T)</translation>
     </message>
     <message>
         <source>Optimise the order and &amp;configurations</source>
-        <translation type="unfinished"></translation>
+        <translation>优化顺序和位形(&amp;C)</translation>
     </message>
     <message>
         <source>Store where the tool is as a target; on the selected body, if one is: it moves with it</source>
-        <translation type="unfinished"></translation>
+        <translation>将工具当前位置保存为目标点；若选中了物体，则保存在该物体上，并随其移动</translation>
     </message>
     <message>
         <source>Move the robot to the selected configuration, place or target</source>
-        <translation type="unfinished"></translation>
+        <translation>将机器人移到所选的位形、位置或目标点</translation>
     </message>
     <message>
         <source>Replace the selected place or target by where the robot stands</source>
-        <translation type="unfinished"></translation>
+        <translation>用机器人当前位形替换所选的位置或目标点</translation>
     </message>
     <message>
         <source>Remove the selected configuration, path, place or target</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所选的位形、路径、位置或目标点</translation>
     </message>
     <message>
         <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
-        <translation type="unfinished"></translation>
+        <translation>以用时最少的顺序和位形经过各关键位置</translation>
     </message>
     <message>
         <source>free of collisions but for links without meshes, %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>无碰撞（没有网格的连杆除外），%1 s</translation>
     </message>
     <message>
         <source>Store a configuration or a target first: where the path is to begin or end.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先保存位形或目标点，作为路径的起点或终点。</translation>
     </message>
     <message>
         <source>Select a configuration, a place or a target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择位形、位置或目标点。</translation>
     </message>
     <message>
         <source>There is nothing between the ends of the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>路径的两端之间没有任何位置。</translation>
     </message>
     <message>
         <source>Select a place of a path or a target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择路径上的位置或目标点。</translation>
     </message>
     <message>
         <source>Select a configuration, a path, a place or a target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择位形、路径、位置或目标点。</translation>
     </message>
     <message>
         <source>Try again in a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>请稍后再试。</translation>
     </message>
     <message>
         <source>Target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点 %1</translation>
     </message>
     <message>
         <source>Store %1 on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 保存到 %2 上</translation>
     </message>
     <message>
         <source>Set %1</source>
-        <translation type="unfinished"></translation>
+        <translation>设置 %1</translation>
     </message>
     <message>
         <source>Begin a path</source>
-        <translation type="unfinished"></translation>
+        <translation>开始一条路径</translation>
     </message>
     <message>
         <source>%1 is not the language of the controller of this robot, %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是此机器人（%2）的控制器所用的语言。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
     <message>
         <source>Show the r&amp;each of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>显示机械臂的可达范围(&amp;E)</translation>
     </message>
     <message>
         <source>Show what the tool&apos;s centre point reaches within the joint limits, in the upright plane of the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>在工具的竖直平面内，显示工具中心点在关节限位内的可达范围</translation>
     </message>
     <message>
         <source>Finding the reach of the arm</source>
-        <translation type="unfinished"></translation>
+        <translation>正在求机械臂的可达范围</translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellTargets</name>
     <message>
         <source>Looking for ways to the targets</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找到达目标点的方式</translation>
     </message>
 </context>
 <context>
@@ -7777,11 +7777,11 @@
     </message>
     <message>
         <source>&amp;Compare…</source>
-        <translation type="unfinished"></translation>
+        <translation>比较(&amp;C)…</translation>
     </message>
     <message>
         <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
-        <translation type="unfinished"></translation>
+        <translation>将两份所选作业写成对照报告（Ctrl+单击可选择第二份）</translation>
     </message>
 </context>
 <context>
@@ -8204,15 +8204,15 @@
     <name>handwheel::DimensionsView</name>
     <message>
         <source>Dimensions in the &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>在视图中显示尺寸(&amp;V)</translation>
     </message>
     <message>
         <source>Show diameters, lengths, radii and chamfers of the part in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>在视图中显示零件的直径、长度、半径和倒角</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished">正在测量</translation>
+        <translation>正在测量</translation>
     </message>
 </context>
 <context>
@@ -8619,45 +8619,45 @@
     </message>
     <message>
         <source>Op&amp;en the model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>打开参考答案(&amp;E)</translation>
     </message>
     <message>
         <source>Open a copy of the model solution, to look at it or to go on from it</source>
-        <translation type="unfinished"></translation>
+        <translation>打开参考答案的副本，以便查看或在其基础上继续</translation>
     </message>
     <message>
         <source>Model solution taken</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用参考答案</translation>
     </message>
     <message numerus="yes">
         <source>The work in “%1”, as it is after %n step(s) of its history, is the model solution now.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>“%1”中的作业（其历史记录的 %n 个步骤之后的状态）现为参考答案。</numerusform>
         </translation>
     </message>
     <message>
         <source>“Open the model solution” shows it. Students do not get it.</source>
-        <translation type="unfinished"></translation>
+        <translation>用“打开参考答案”可查看。学生得不到它。</translation>
     </message>
     <message>
         <source>It is in the folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>它位于文件夹 %1 中。</translation>
     </message>
     <message>
         <source>%1, class</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，班级</translation>
     </message>
     <message>
         <source>Save the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>保存对照报告</translation>
     </message>
     <message>
         <source>%1, report</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，报告</translation>
     </message>
     <message>
         <source>%1, comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，对照</translation>
     </message>
 </context>
 <context>
@@ -10128,7 +10128,7 @@
     </message>
     <message>
         <source>Critical configurations and targets on the way, from the top down (drag to reorder):</source>
-        <translation type="unfinished"></translation>
+        <translation>途经的关键位形和目标点，自上而下（拖动可重新排序）：</translation>
     </message>
 </context>
 <context>
@@ -10155,11 +10155,11 @@
     </message>
     <message>
         <source>Configurations, paths and targets</source>
-        <translation type="unfinished"></translation>
+        <translation>位形、路径和目标点</translation>
     </message>
     <message>
         <source>Targets</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点</translation>
     </message>
 </context>
 <context>
@@ -10414,15 +10414,15 @@
     </message>
     <message>
         <source>What the tool numbers of the program are: noses, holders, offsets</source>
-        <translation type="unfinished"></translation>
+        <translation>程序中各刀具编号的含义：刀尖、刀杆、偏置</translation>
     </message>
     <message>
         <source>&amp;Tools…</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具(&amp;T)…</translation>
     </message>
     <message>
         <source>&amp;Tools (%1)…</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具 (%1)(&amp;T)…</translation>
     </message>
 </context>
 <context>
@@ -10747,36 +10747,36 @@
     </message>
     <message>
         <source>Writes a program that makes the target from this part, a bore that goes through included. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>编写由此零件加工出目标的程序，包括通孔。程序会先经仿真，若发生碰撞或切入目标则被拒绝。</translation>
     </message>
     <message>
         <source>Drill for the bore</source>
-        <translation type="unfinished"></translation>
+        <translation>内孔的钻头</translation>
     </message>
     <message>
         <source>Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>直径。通孔先钻孔，再用镗刀粗镗和精镗；0 表示保持原样。</translation>
     </message>
     <message>
         <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>力：最大 %1 N，而练习的车床只能承受 %2 N。将计入评分。</translation>
     </message>
     <message>
         <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>功率：最大 %1 kW，而练习的车床只有 %2 kW。将计入评分。</translation>
     </message>
     <message>
         <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：%3 与 %4 相碰，在移往 ⌀ %1，Z %2 途中。</translation>
     </message>
     <message>
         <source>Cut the part as the program does. Its collisions are recorded, as on the machine: undo does not take them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>按程序切削零件。其碰撞会像在机床上一样被记录：撤销不会将其取消。</translation>
     </message>
     <message numerus="yes">
         <source>%n collision(s) recorded, which undo does not take back.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已记录 %n 处碰撞，撤销不会将其取消。</numerusform>
         </translation>
     </message>
 </context>
@@ -11237,55 +11237,55 @@
     </message>
     <message>
         <source>Crash: %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞：%1，%2</translation>
     </message>
     <message>
         <source>Cutting force</source>
-        <translation type="unfinished">切削力</translation>
+        <translation>切削力</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished">功率</translation>
+        <translation>功率</translation>
     </message>
     <message>
         <source>kW</source>
-        <translation type="unfinished">kW</translation>
+        <translation>kW</translation>
     </message>
     <message>
         <source>Material left over the target</source>
-        <translation type="unfinished"></translation>
+        <translation>超出目标的余料</translation>
     </message>
     <message>
         <source>Cut too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>切削过深</translation>
     </message>
     <message>
         <source>&amp;Compare with…</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他工件比较(&amp;C)…</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished">比较对象</translation>
+        <translation>比较对象</translation>
     </message>
     <message>
         <source>Workpieces (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>工件 (%1)</translation>
     </message>
     <message>
         <source>%1 cannot be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>无法比较 %1</translation>
     </message>
     <message>
         <source>It is no workpiece that something was cut from.</source>
-        <translation type="unfinished"></translation>
+        <translation>它不是经过切削的工件。</translation>
     </message>
     <message>
         <source>&amp;Leave %1</source>
-        <translation type="unfinished"></translation>
+        <translation>结束与 %1 的比较(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -11432,47 +11432,47 @@
     </message>
     <message>
         <source>Open the sample robot &amp;cell</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例机器人单元(&amp;C)</translation>
     </message>
     <message>
         <source>Open a robot before a block on a table, with a path along its edge</source>
-        <translation type="unfinished"></translation>
+        <translation>打开一个机器人，其前方桌上有方块，并有一条沿其边的路径</translation>
     </message>
     <message>
         <source>Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例单元。从左到右规划路径，或手动引导机器人沿边移动。</translation>
     </message>
     <message>
         <source>&amp;Lead the robot by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动引导机器人(&amp;L)</translation>
     </message>
     <message>
         <source>Lead the robot&apos;s tool; the arm follows, never through anything</source>
-        <translation type="unfinished"></translation>
+        <translation>引导机器人的工具；机械臂随之移动，绝不穿过任何物体</translation>
     </message>
     <message>
         <source>&amp;Choose the arm&apos;s configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>选择机械臂的位形(&amp;C)</translation>
     </message>
     <message>
         <source>See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>查看机械臂到达其工具某一位姿的所有方式：肩部、肘部和腕部</translation>
     </message>
     <message>
         <source>Place a body with &amp;handles</source>
-        <translation type="unfinished"></translation>
+        <translation>用操纵柄放置物体(&amp;H)</translation>
     </message>
     <message>
         <source>Move and turn the selected body along and about axes</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轴移动、绕轴转动所选物体</translation>
     </message>
     <message>
         <source>Lay a body &amp;face to face</source>
-        <translation type="unfinished"></translation>
+        <translation>面对面贴放物体(&amp;F)</translation>
     </message>
     <message>
         <source>Lay a body with one of its faces on a face of another</source>
-        <translation type="unfinished"></translation>
+        <translation>将物体以其一个面贴放到另一物体的面上</translation>
     </message>
 </context>
 <context>
@@ -12035,27 +12035,27 @@
     </message>
     <message>
         <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told</source>
-        <translation type="unfinished"></translation>
+        <translation>蓝：Ra 不大于 %1 µm，白：%2，红：不小于 %3，灰：未知</translation>
     </message>
     <message>
         <source>&amp;Target in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>在视图中显示目标(&amp;T)</translation>
     </message>
     <message>
         <source>Rou&amp;ghness in colours</source>
-        <translation type="unfinished"></translation>
+        <translation>以颜色显示粗糙度(&amp;G)</translation>
     </message>
     <message>
         <source>Show the outline of the target over the part</source>
-        <translation type="unfinished"></translation>
+        <translation>在零件上显示目标的轮廓线</translation>
     </message>
     <message>
         <source>Show how rough the part is, from feed and nose of its last cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>显示零件的粗糙程度，由其最后几次切削的进给和刀尖圆弧得出</translation>
     </message>
     <message>
         <source>Target of the exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>练习的目标</translation>
     </message>
 </context>
 <context>
@@ -12240,11 +12240,11 @@
     <name>handwheel::ToolCamera</name>
     <message>
         <source>&amp;View from the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>从工具观察(&amp;V)</translation>
     </message>
     <message>
         <source>Look from the tool&apos;s centre point along its axis; the view moves with the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>从工具中心点沿其轴线观察；视图随机器人移动</translation>
     </message>
 </context>
 <context>
@@ -12315,51 +12315,51 @@
     <name>handwheel::ToolTableDialog</name>
     <message>
         <source>Tools of the program</source>
-        <translation type="unfinished"></translation>
+        <translation>程序的刀具</translation>
     </message>
     <message>
         <source>What the numbers T of the program are. Of a tool of the lathe the holder, the post and the slide are looked at, too. What is not listed has the nose radius of the panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>程序中各编号 T 对应的刀具。对于车床上的刀具，还会考虑刀杆、刀架和拖板。未列出的刀具采用面板中的刀尖圆弧半径。</translation>
     </message>
     <message>
         <source>T</source>
-        <translation type="unfinished"></translation>
+        <translation>T</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished">工具</translation>
+        <translation>刀具</translation>
     </message>
     <message>
         <source>Nose radius</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖圆弧半径</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖方位</translation>
     </message>
     <message>
         <source>Offset X</source>
-        <translation type="unfinished"></translation>
+        <translation>X 偏置</translation>
     </message>
     <message>
         <source>Offset Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Z 偏置</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>添加(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除(&amp;R)</translation>
     </message>
     <message>
         <source>From the &amp;lathe</source>
-        <translation type="unfinished"></translation>
+        <translation>取自车床(&amp;L)</translation>
     </message>
     <message>
         <source>A nose alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅刀尖</translation>
     </message>
 </context>
 <context>
@@ -12605,19 +12605,19 @@
     </message>
     <message>
         <source>Too fast</source>
-        <translation type="unfinished"></translation>
+        <translation>过快</translation>
     </message>
     <message>
         <source>The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>此次走刀的进给最大达每转 %1 mm；最大允许 %2。</translation>
     </message>
     <message>
         <source>Undo it, and drag more slowly: f at the pointer is the feed.</source>
-        <translation type="unfinished"></translation>
+        <translation>请撤销，并放慢拖动：指针处的 f 即进给。</translation>
     </message>
     <message>
         <source>The bar is that of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>棒料由练习规定。</translation>
     </message>
 </context>
 </TS>

@@ -23,9 +23,11 @@ bool DrawnCurve::goOnTo(const Vec3& place) {
   const Vec3 across = way.cross(m_end.normal + next.normal);
   if (!(across.norm() > 1e-6 * length)) return false;
   const SurfaceTrack section = m_surface->sectionNear(m_end.place, across.normalized(), m_end.place);
-  const SurfaceTrack piece =
+  SurfaceTrack piece =
       pieceBetween(section, m_end.place, next.place, kSamePlace + kOnSection * length + 1e-9 * next.place.norm());
   if (piece.points.size() < 2) return false;
+  piece.points.front().normal = m_end.normal;  // of the faces that the places are on
+  piece.points.back().normal = next.normal;
   auto begin = piece.points.begin();
   if (!m_track.points.empty()) {
     m_track.points.back().normal += begin->normal;

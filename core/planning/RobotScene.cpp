@@ -190,14 +190,25 @@ std::set<LinkPair> RobotScene::closePairsMeeting(const ArmValues& values) const 
   Places places;
   placesAt(values, places);
   for (const Pair& pair : m_pairs) {
-    int joints = 0;  // that move one of them and not the other
-    for (const std::uint32_t part : {pair.first, pair.second}) {
-      for (std::uint32_t j = m_parts[part].joint; j != pair.common; j = m_joints[j].parent) ++joints;
-    }
-    if (joints > 2 || pairDistance(pair, places, 1.0, nullptr) > 0.0) continue;
+    if (jointsBetween(pair) > 2 || pairDistance(pair, places, 1.0, nullptr) > 0.0) continue;
     pairs.insert(std::minmax(m_parts[pair.first].link, m_parts[pair.second].link));
   }
   return pairs;
+}
+
+int RobotScene::jointsBetween(const Pair& pair) const {
+  int joints = 0;
+  for (const std::uint32_t part : {pair.first, pair.second}) {
+    for (std::uint32_t j = m_parts[part].joint; j != pair.common; j = m_joints[j].parent) ++joints;
+  }
+  return joints;
+}
+
+int RobotScene::jointsBetween(const LinkPair& links) const {
+  for (const Pair& pair : m_pairs) {
+    if (LinkPair(std::minmax(m_parts[pair.first].link, m_parts[pair.second].link)) == links) return jointsBetween(pair);
+  }
+  return 0;
 }
 
 void RobotScene::allowPairs(const std::set<LinkPair>& pairs) {

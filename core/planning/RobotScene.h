@@ -26,6 +26,8 @@ class RobotScene {
   // The pairs of links with at most two planned joints between them that meet at these values, as housings of wrists do
   // that are drawn larger than they are.
   std::set<LinkPair> closePairsMeeting(const ArmValues& values) const;
+  // How many joints move one of two links against the other; 0 also where one has no shape.
+  int jointsBetween(const LinkPair& links) const;
   void allowPairs(const std::set<LinkPair>& pairs);
 
   // owner: a number of the caller's.
@@ -97,6 +99,8 @@ class RobotScene {
     std::uint32_t first, second, common;  // groups; as in Pair
     std::uint32_t begin, end;             // in m_pairs
   };
+
+  int jointsBetween(const Pair& pair) const;
 
   // Where the frames of the joints are at some values, in the world.
   struct Places {

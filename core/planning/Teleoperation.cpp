@@ -153,6 +153,10 @@ Teleoperation::Step Teleoperation::lead(const Pose& wanted) {
     held = step.isBlocked && (m_values - values).cwiseAbs().maxCoeff() < kStill ? held + 1 : 0;
   }
   m_wanted = wanted;
+  if (held > 0) {
+    step = stepTo(wanted);
+    step.isBlocked = true;
+  }
   for (int i = 0; i < kMostSteps && !step.isBlocked; ++i) {
     const double off = step.behind + kLongestStep / kLargestTurn * angleBetween(step.tool, wanted);
     const ArmValues values = m_values;

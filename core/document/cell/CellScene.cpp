@@ -154,14 +154,16 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
   }
   RobotScene scene(robot, Pose::Identity(), std::move(shapes), arm->dofs, cell.joints, allowed.links);
   if (const Status sound = scene.isSound(); !sound) return sound.error();
+  // What the robot carries is somebody's choice and may be turned into the arm: of it only what always meets the link
+  // next to its own does not count.
+  const auto isOwn = [&](const LinkPair& pair) { return pair.second < cell.robot->model.links.size(); };
   std::set<LinkPair> alwaysMeeting = scene.alwaysMeeting();
+  std::erase_if(alwaysMeeting, [&](const LinkPair& pair) { return !isOwn(pair) && scene.jointsBetween(pair) > 1; });
   const JointValues rest = restValues(robot);
   ArmValues atRest(static_cast<Eigen::Index>(arm->dofs.size()));
   for (Eigen::Index i = 0; i < atRest.size(); ++i) atRest[i] = rest[arm->dofs[static_cast<std::size_t>(i)]];
-  // What the robot carries is somebody's choice, and may be turned into the arm at rest: only the robot's own links
-  // count.
   for (const LinkPair& pair : scene.closePairsMeeting(atRest)) {
-    if (pair.second < cell.robot->model.links.size()) alwaysMeeting.insert(pair);
+    if (isOwn(pair)) alwaysMeeting.insert(pair);
   }
   scene.allowPairs(alwaysMeeting);
   for (const BodyPointer& body : cell.bodies) {

@@ -100,7 +100,8 @@ class PathBlendsTest : public QObject {
   // Whatever the corner: where the tool goes from a place of the one motion to one of the other within the zone,
   // nothing is met.
   void anyCorner() {
-    QVERIFY(rc::check("free", [] {
+    int zones = 0;
+    QVERIFY(rc::check("free", [&zones] {
       const auto number = [](double low, double high) {
         return low + (high - low) * *rc::gen::inRange(0, 10'001) / 1e4;
       };
@@ -109,8 +110,8 @@ class PathBlendsTest : public QObject {
       const BlendBench open;
       const Pose tip = open.scene().arm.tipPose(open.scene().planned(b));
       const Vec3 way(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
-      RC_PRE(way.norm() > 0.1);
-      const BlendBench bench(std::pair{Vec3(tip.translation() + (30.0 + number(2.0, 60.0)) * way.normalized()), 20.0});
+      if (way.norm() < 0.1) return;
+      const BlendBench bench(std::pair{Vec3(tip.translation() + (50.0 + number(2.0, 100.0)) * way.normalized()), 20.0});
       const JointValues a = bench.moved(b, {number(-40.0, 40.0), number(-40.0, 40.0), number(10.0, 40.0)});
       const JointValues c = bench.moved(b, {number(-40.0, 40.0), number(10.0, 40.0), number(-40.0, 40.0)});
       const bool isLine = *rc::gen::arbitrary<bool>();
@@ -118,7 +119,8 @@ class PathBlendsTest : public QObject {
       const RobotPath path{"p",
                            {{.joints = a}, {.joints = b, .motion = kind, .blend = 8.0}, {.joints = c, .motion = kind}}};
       const double blend = bench.blends(path)[1];
-      RC_PRE(blend > 0.0);
+      if (blend == 0.0) return;
+      ++zones;
       const CellScene& scene = bench.scene();
       const ArmValues in = scene.planned(a), at = scene.planned(b), out = scene.planned(c);
       const auto within = [&](const ArmValues& end) {
@@ -137,6 +139,7 @@ class PathBlendsTest : public QObject {
           RC_ASSERT(scene.scene.nearest(values, 1.0).distance > 0.0);
       }
     }));
+    QVERIFY(zones >= 10);
   }
 };
 
