@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/ReplayDock.h"
 
+#include "controls/ScrolledPanel.h"
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -73,7 +74,7 @@ void ReplayDock::makeDock() {
   auto* const column = new QVBoxLayout(page);
   column->addLayout(row);
   column->addWidget(m_line, 1);
-  m_dock->setWidget(page);
+  m_dock->setWidget(new ScrolledPanel(page, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   if (auto* lathe = window->findChild<QDockWidget*>(QStringLiteral("latheDock")))
     window->tabifyDockWidget(lathe, m_dock);

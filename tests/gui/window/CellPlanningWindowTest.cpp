@@ -5,6 +5,7 @@
 #include "panels/time/TimeLinePanel.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QTreeWidget>
 
 using namespace handwheel;

@@ -52,7 +52,7 @@ class PanelRoomTest : public QObject {
   static void fits(WindowDriver& driver, const char* what) {
     driver.window().resize(1024, 700);
     const auto isSmall = [&] { return driver.window().width() <= 1024 && driver.window().height() <= 700; };
-    QTest::qWaitFor(isSmall, 2000);
+    const bool isInTime = QTest::qWaitFor(isSmall, 2000);
     QString wide;
     for (const QDockWidget* dock : driver.window().findChildren<QDockWidget*>()) {
       if (!dock->isVisible()) continue;
@@ -60,7 +60,7 @@ class PanelRoomTest : public QObject {
       wide += QStringLiteral("%1 %2 × %3; ").arg(dock->objectName()).arg(least.width()).arg(least.height());
     }
     const QSize least = driver.window().minimumSizeHint();
-    QVERIFY2(isSmall() && least.width() <= 1024 && least.height() <= 700,
+    QVERIFY2(isInTime && least.width() <= 1024 && least.height() <= 700,
              qPrintable(QStringLiteral("%1: %2 × %3, at least %4 × %5: %6")
                             .arg(QString::fromLatin1(what))
                             .arg(driver.window().width())
