@@ -1203,10 +1203,6 @@
         <translation>Nennen Sie eine Stellung oder ein Ziel, oder geben Sie die Gelenkwerte im Bogenmaß an („0 0.5 -1 …“).</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot cell, the name of a built-in robot</source>
-        <translation>„%1“ ist nichts davon: eine URDF-Datei, eine Tabelle nach Denavit und Hartenberg in JSON, eine Roboterzelle, der Name eines mitgelieferten Roboters</translation>
-    </message>
-    <message>
         <source>Name a file of one of these kinds, or a robot as irb120 or ur5.</source>
         <translation>Nennen Sie eine Datei einer dieser Arten oder einen Roboter wie irb120 oder ur5.</translation>
     </message>
@@ -1269,6 +1265,10 @@
     <message>
         <source>Report this to the author of the post; the program was not written.</source>
         <translation>Melden Sie dies dem Autor des Postprozessors; das Programm wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a URDF, a table after Denavit and Hartenberg, a robot cell nor a built-in robot</source>
+        <translation>„%1“ ist weder eine URDF-Datei noch eine Tabelle nach Denavit und Hartenberg, eine Roboterzelle oder ein eingebauter Roboter</translation>
     </message>
 </context>
 <context>
@@ -2392,6 +2392,26 @@
     <message>
         <source>a number and a name were expected</source>
         <translation>eine Nummer und ein Name wurden erwartet</translation>
+    </message>
+    <message>
+        <source>a place in another frame than UF : 0</source>
+        <translation>ein Punkt in einem anderen Koordinatensystem als UF : 0</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>Überschleifen</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
     </message>
 </context>
 <context>

@@ -1202,10 +1202,6 @@
         <translation>请指定一个位形或目标点，或以弧度给出各关节值（“0 0.5 -1 …”）。</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is none of these: a URDF, a table after Denavit and Hartenberg in JSON, a robot cell, the name of a built-in robot</source>
-        <translation>“%1”不属于以下任何一种：URDF、JSON 格式的 Denavit-Hartenberg 参数表、机器人单元、内置机器人的名称</translation>
-    </message>
-    <message>
         <source>Name a file of one of these kinds, or a robot as irb120 or ur5.</source>
         <translation>请指定上述类型之一的文件，或机器人名称，如 irb120 或 ur5。</translation>
     </message>
@@ -1268,6 +1264,10 @@
     <message>
         <source>Report this to the author of the post; the program was not written.</source>
         <translation>请向后处理器的作者报告此问题；程序未写入。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a URDF, a table after Denavit and Hartenberg, a robot cell nor a built-in robot</source>
+        <translation>“%1”既不是 URDF、Denavit-Hartenberg 表、机器人单元，也不是内置机器人</translation>
     </message>
 </context>
 <context>
@@ -2391,6 +2391,26 @@
     <message>
         <source>a number and a name were expected</source>
         <translation>应为编号和名称</translation>
+    </message>
+    <message>
+        <source>a place in another frame than UF : 0</source>
+        <translation>不在 UF : 0 坐标系中的位置</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>过渡</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>直线</translation>
     </message>
 </context>
 <context>

@@ -88,12 +88,12 @@ bool Teleoperation::advance(const ArmValues& to) {
     if (const auto went = advanceProven(to, nearer, distance)) return *went;
     if (isFreeAt(m_scene, m_values, nearer)) return false;
   }
-  if (!m_wayOut) m_wayOut.emplace(m_scene);
+  if (!m_escape) m_escape.emplace(m_scene);
   const ArmValues way = to - m_values;
   const double travel = m_scene.travelBound(m_values, way.cwiseAbs());
-  const double share = travel > WayOut::kLongestStep ? WayOut::kLongestStep / travel : 1.0;
+  const double share = travel > ContactEscape::kLongestStep ? ContactEscape::kLongestStep / travel : 1.0;
   const ArmValues place = m_values + 0.99 * share * way;
-  if (!m_wayOut->mayGo(m_values, place, m_settings.check.resolution)) return false;
+  if (!m_escape->mayGo(m_values, place, m_settings.check.resolution)) return false;
   m_values = place;
   return true;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "planning/ContactEscape.h"
 #include "planning/MotionCheck.h"
-#include "planning/WayOut.h"
 #include "robot/arm/SerialArm.h"
 
 namespace handwheel {
@@ -62,8 +62,8 @@ class Teleoperation {
   Pose m_tool;
   TeleoperationSettings m_settings;
   ArmValues m_values;
-  Pose m_wanted;                   // by lead(), last
-  std::optional<WayOut> m_wayOut;  // made when it is needed
+  Pose m_wanted;                          // by lead(), last
+  std::optional<ContactEscape> m_escape;  // made when it is needed
 };
 
 }  // namespace handwheel

@@ -11,12 +11,12 @@ namespace handwheel {
 
 // The way of a robot out of what it meets, where no motion can be proven free: small steps on which nothing that it
 // meets gets deeper, and nothing else is reached.
-class WayOut {
+class ContactEscape {
  public:
   static constexpr double kLongestStep = 0.5;  // mm that a point of the robot may move
 
   // The scene must outlive it. O(pieces of the scene).
-  explicit WayOut(const RobotScene& scene);
+  explicit ContactEscape(const RobotScene& scene);
 
   // Whether the robot may go from one place to another, no point of it further than kLongestStep. resolution: mm; what
   // is nearer than this counts as met.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "planning/WayOut.h"
+#include "planning/ContactEscape.h"
 
 #include <algorithm>
 
@@ -23,9 +23,9 @@ bool noneComesNearer(const Pairs& before, const Pairs& after, double travel, dou
 
 }  // namespace
 
-WayOut::WayOut(const RobotScene& scene) : m_scene(scene), m_query(scene.approachQuery(m_joints)) {}
+ContactEscape::ContactEscape(const RobotScene& scene) : m_scene(scene), m_query(scene.approachQuery(m_joints)) {}
 
-Pairs WayOut::distances(const ArmValues& values, double reach) {
+Pairs ContactEscape::distances(const ArmValues& values, double reach) {
   std::array<Pose, kMostArmJoints> poses;
   const std::span<Pose> placed(poses.data(), static_cast<std::size_t>(m_scene.size()));
   m_scene.jointPoses(values, placed);
@@ -36,7 +36,7 @@ Pairs WayOut::distances(const ArmValues& values, double reach) {
   return pairs;
 }
 
-bool WayOut::mayGo(const ArmValues& from, const ArmValues& to, double resolution) {
+bool ContactEscape::mayGo(const ArmValues& from, const ArmValues& to, double resolution) {
   const double travel = m_scene.travelBound(from, (to - from).cwiseAbs());
   if (!(travel <= kLongestStep)) return false;
   const double reach = 2.0 * travel + resolution;
