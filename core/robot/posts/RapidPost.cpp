@@ -59,8 +59,9 @@ std::string configurationText(const SerialArm& arm, const ArmValues& values) {
 
 std::string zoneText(double blend) {
   if (blend <= 0.0) return "fine";
-  const double turning = 1.5 * blend;
-  const double numbers[] = {blend, turning, turning, 0.1 * turning, turning, 0.1 * turning};
+  const double degrees = 0.1 * blend;
+  // The tool begins to turn within the zone that was proven, and not before.
+  const double numbers[] = {blend, blend, blend, degrees, blend, degrees};
   return "[FALSE," + fixedList(numbers, 3) + "]";
 }
 
