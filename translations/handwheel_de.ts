@@ -2413,6 +2413,10 @@
         <source>linear</source>
         <translation>linear</translation>
     </message>
+    <message>
+        <source>there are too many tools</source>
+        <translation>es sind zu viele Werkzeuge</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>

@@ -2412,6 +2412,10 @@
         <source>linear</source>
         <translation>直线</translation>
     </message>
+    <message>
+        <source>there are too many tools</source>
+        <translation>刀具过多</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>

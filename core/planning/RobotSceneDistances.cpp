@@ -67,6 +67,26 @@ double RobotScene::travelBound(const ArmValues& values, const ArmValues& spread)
   return most;
 }
 
+bool RobotScene::isFreeAround(const ArmValues& values, const ArmValues& spread, double clearance,
+                              double ownClearance) const {
+  Places places;
+  placesAt(values, places);
+  const auto travel = [&](const Part& part, std::uint32_t below) {
+    return speedOf(spread, part.joint, part.body.centre(), part.body.radius(), below, 1.0, places);
+  };
+  const auto isNear = [&](const Part& part) {
+    if (part.joint == kNone) return false;
+    const double least = std::max(clearance + travel(part, kNone), kTouching);
+    return m_obstacles.distance(part.body, places.of(part.joint), least, part.leftOut).owner != kNone;
+  };
+  const auto isPairNear = [&](const Pair& pair) {
+    const double moved = travel(m_parts[pair.first], pair.common) + travel(m_parts[pair.second], pair.common);
+    const double least = std::max(ownClearance + moved, kTouching);
+    return pairDistance(pair, places, least, nullptr) < least;
+  };
+  return std::ranges::none_of(m_parts, isNear) && std::ranges::none_of(m_pairs, isPairNear);
+}
+
 double RobotScene::pairDistance(const Pair& pair, const Places& places, double enough, QueryCounts* counts) const {
   const Part &first = m_parts[pair.first], &second = m_parts[pair.second];
   return distanceBetween(first.body, places.of(first.joint), second.body, places.of(second.joint), enough, counts);

@@ -129,7 +129,7 @@ class PlanTest : public QObject {
                               "380.000000000,60.000000000,105.000000000"})
       QVERIFY2(table.contains(place), table);
     const Ran broken = cell.run(words + QStringList{"--through", "400,0,100;400,0,0"});
-    QCOMPARE(broken.code, 2);
+    QCOMPARE(broken.code, 1);
     QVERIFY2(broken.err.contains("from place 2 of the curve to place 3"), broken.err);
     QVERIFY(cell.run(words + QStringList{"--through", "400,0"}).code != 0);
     QVERIFY(cell.run(words).code != 0);
@@ -287,6 +287,22 @@ class PlanTest : public QObject {
       QCOMPARE(ran.err.contains("warning") && ran.err.contains("ABB IRB 120"), isOther);
       QCOMPARE(jsonOf(cell.run(words + QStringList{"--json"}).out)["other_robot"].get<bool>(), isOther);
       if (!cell.read("p.txt").startsWith("motion,")) QVERIFY(cell.read("p.txt").contains("simplified shapes"));
+    }
+  }
+
+  // Programs of controllers with six joints, for an arm with seven.
+  void anotherNumberOfJoints() {
+    const PlannedCell cell;
+    QByteArray joints;
+    for (int i = 0; i < 7; ++i) joints += QByteArray(i == 0 ? "" : ",") + R"({"a": 100, "lower": -90, "upper": 90})";
+    cell.put("seven.dh.json", R"({"name": "seven", "joints": [)" + joints + "]}");
+    QCOMPARE(cell.run({"configuration", "seven.dh.json", "--add", "a", "-o", "seven.handwheel"}).code, 0);
+    cell.put("p.script", "def p():\n  movej([0,0,0,0,0,0])\nend\n");
+    cell.put("p.src", "DEF p()\nPTP {A1 0,A2 0,A3 0,A4 0,A5 0,A6 0}\nEND\n");
+    for (const char* file : {"p.script", "p.src"}) {
+      const Ran ran = cell.run({"verify", "seven.handwheel", file});
+      QCOMPARE(ran.code, 1);
+      QVERIFY2(ran.err.contains("6") && ran.err.contains("7"), ran.err);
     }
   }
 

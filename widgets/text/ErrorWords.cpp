@@ -306,6 +306,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "a name and := were expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "numbers in brackets were expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "there are too many motions"),
+    QT_TRANSLATE_NOOP("ErrorWord", "there are too many tools"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is neither numbers nor a name given before"),
     QT_TRANSLATE_NOOP("ErrorWord", "functions as Offs are not read"),
     QT_TRANSLATE_NOOP("ErrorWord", "it has too few numbers"),

@@ -170,7 +170,7 @@ int printComparison(const std::vector<RecordedHand>& hands, const std::vector<Te
   nlohmann::ordered_json report = nlohmann::ordered_json::object();
   std::string text;
   for (std::size_t i = 0; i < hands.size(); ++i) {
-    report[hands[i].help] = jsonOf(runs[i], true);
+    report[hands[i].help] = jsonOf(runs[i].following);
     text += hands[i].help + std::string(9 - hands[i].help.size(), ' ') + sentenceOf(runs[i].following) + "\n";
   }
   return print(isJson ? textOf(report) : text);

@@ -138,6 +138,7 @@ QWidget* RobotCellUi::makePanel() {
   panel->addWidget(RigidPartsUi::panel());
   panel->setStretchFactor(1, 2);
   panel->setStretchFactor(2, 2);
+  panel->setSizes({160, 260, 320});  // shares
   return panel;
 }
 

@@ -101,7 +101,7 @@ Result<CellPlans> changedPlace(const CellPlans& plans, const PlaceField& field, 
     if (field.field == "speed") place.speed = isLine(place) ? *kept : *kept / kPercent;
     return changed;
   }
-  return Error{ErrorCode::ElementMalformed, {id, "it is no property of a place"}, {}, {}};
+  return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
 }
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -133,6 +134,7 @@ Result<PostCheck> checkWritten(const Post& post, const RobotProgram& program, st
         motion.joints
             ? Pose(program.frame.inverse(Eigen::Isometry) * program.arm.tipPose(*motion.joints) * program.tool)
             : *motion.pose;
+    if (!got.matrix().allFinite()) check.distance = std::numeric_limits<double>::infinity();
     check.distance = std::max(check.distance, (got.translation() - wanted.translation()).norm());
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(got.linear().transpose() * wanted.linear()));
     check.angle = std::max(check.angle, std::abs(turn.angle()) / kRadiansPerDegree);

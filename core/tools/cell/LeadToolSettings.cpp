@@ -8,6 +8,7 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -18,8 +19,11 @@ constexpr Limits kForces{0.1, 20.0};          // N; the safety chain bounds it f
 constexpr Limits kReaches{0.0, 100.0};        // mm
 constexpr Limits kSnapDistances{0.0, 100.0};  // mm
 
-Property shownNumber(const char* id, const char* label, double value, Quantity quantity) {
-  Property property = numberSetting(id, label, value, quantity, {value, value});
+// A length to be read while the hand moves: to a hundredth.
+Property shownLength(const char* id, const char* label, double value) {
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+  Property property =
+      numberSetting(id, label, std::round(100.0 * value) / 100.0, Quantity::Length, {-kUnlimited, kUnlimited});
   property.editable = false;
   return property;
 }
@@ -66,18 +70,17 @@ std::vector<Property> LeadTool::settings() const {
 void LeadTool::addFigures(std::vector<Property>& all) const {
   if (m_lead && m_lead->hasMoved) {
     if (std::isfinite(m_lead->felt.distance)) {
-      all.push_back(shownNumber("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"),
-                                std::max(0.0, m_lead->felt.distance), Quantity::Length));
+      all.push_back(
+          shownLength("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"), std::max(0.0, m_lead->felt.distance)));
     }
-    all.push_back(
-        shownNumber("behind", QT_TRANSLATE_NOOP("Property", "Behind the hand"), m_lead->step.behind, Quantity::Length));
+    all.push_back(shownLength("behind", QT_TRANSLATE_NOOP("Property", "Behind the hand"), m_lead->step.behind));
     if (m_lead->step.isBlocked)
       all.back().problem = QT_TRANSLATE_NOOP("Property", "something is in the way");
     else if (m_lead->step.isAtLimit && m_lead->step.behind > 1.0)
       all.back().problem = QT_TRANSLATE_NOOP("Property", "a joint is at its limit");
     if (m_lead->following && m_lead->following->hasBegun()) {
-      all.push_back(shownNumber("deviation", QT_TRANSLATE_NOOP("Property", "Deviation"), m_lead->following->deviation(),
-                                Quantity::Length));
+      all.push_back(
+          shownLength("deviation", QT_TRANSLATE_NOOP("Property", "Deviation"), m_lead->following->deviation()));
     }
   }
   if (!m_services.tries || m_path.empty()) return;

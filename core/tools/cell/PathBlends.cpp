@@ -92,15 +92,10 @@ std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& pla
     std::reverse(before.begin(), before.end());
     const std::span<const ArmValues> after(way.joints.data() + valueOf[i], valueOf[i + 1] - valueOf[i] + 1);
     const ArmValues& at = before.front();
-    constexpr double kFar = 1e6;  // mm
-    const double obstacles = scene.scene.nearestObstacle(at, kFar).distance - clearance;
-    const double links = scene.scene.nearest(at, kFar).distance;
     for (double radius = place.blend; radius > 0.05 * place.blend; radius *= 0.7) {
       const ZoneSide in = sideOf(scene, plans.tool, before, radius), out = sideOf(scene, plans.tool, after, radius);
       const ArmValues spread = (hasLine ? 1.5 : 1.0) * (in.spread + out.spread);
-      const double travel = scene.scene.travelBound(at, spread);
-      // Parts of the robot may move towards each other.
-      if (travel >= obstacles || 2.0 * travel >= links) continue;
+      if (!scene.scene.isFreeAround(at, spread, clearance, 0.0)) continue;
       if (hasLine && !coversCorner(scene, at, in.end, out.end, spread)) continue;
       blends[i] = radius;
       break;

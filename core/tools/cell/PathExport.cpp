@@ -91,6 +91,8 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
   RobotProgram frame;
   frame.arm = scene.arm;
   frame.tool = cell.plans->tool;
+  // Readers of controllers with six joints count on six.
+  if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
   const Result<std::vector<ReadMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
   RobotPath path{"program", {}};
@@ -101,6 +103,10 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
       error.position = InputPosition::line(motion.line);
       return error;
     };
+    const bool isSound = motion.joints ? motion.joints->size() == scene.arm.size() && motion.joints->allFinite()
+                                       : motion.pose && motion.pose->matrix().allFinite();
+    if (!isSound)
+      return located({ErrorCode::ElementMalformed, {"motion", "a number for each joint was expected"}, {}, {}});
     if (motion.joints) {
       before = *motion.joints;
     } else {

@@ -25,12 +25,19 @@ JointValues valuesOf(std::initializer_list<double> numbers) {
 // An IRB 120, alone or with a ball.
 class BlendBench {
  public:
-  explicit BlendBench(const std::optional<std::pair<Vec3, double>>& ball = {}) {
+  explicit BlendBench(const std::optional<std::pair<Vec3, double>>& ball = {}, bool hasPen = false) {
     auto cell = std::make_shared<RobotCellSnapshot>(*cellOf(*libraryTable("irb120")));
     if (ball) {
       Body body{.id = 1, .name = "ball", .geometry = *PrimitiveGeometry::make(Primitive::Sphere, {ball->second})};
       body.pose.translation() = ball->first;
       cell->bodies = cell->bodies.with(std::make_shared<const Body>(std::move(body)));
+    }
+    if (hasPen) {
+      Body pen{.id = 2, .name = "pen", .geometry = *PrimitiveGeometry::make(Primitive::Cylinder, {6.0, 90.0})};
+      pen.carrier = "flange";
+      pen.pose.translation() = Vec3(0.0, 0.0, 45.0);
+      cell->bodies = cell->bodies.with(std::make_shared<const Body>(std::move(pen)));
+      plans.tool.translation() = Vec3(0.0, 0.0, 90.0);
     }
     CollisionMeshes meshes;
     m_scene = std::make_shared<const CellScene>(std::move(sceneOf(*cell, meshes)).value());
@@ -59,9 +66,16 @@ class PathBlendsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // In the open: joint motions and lines, in every combination.
+  // In the open: joint motions and lines, in every combination; also with a tool, which is next to a link that it can
+  // never meet.
+  void inTheOpen_data() {
+    QTest::addColumn<bool>("hasPen");
+    QTest::newRow("bare") << false;
+    QTest::newRow("with a pen") << true;
+  }
   void inTheOpen() {
-    const BlendBench bench;
+    QFETCH(const bool, hasPen);
+    const BlendBench bench({}, hasPen);
     const JointValues a = valuesOf({0.2, 0.3, 0.1, 0.1, 0.8, 0.0}), b = bench.moved(a, {0.0, -80.0, 0.0}),
                       c = bench.moved(b, {0.0, 0.0, 60.0});
     for (const bool isLine : {false, true}) {
