@@ -9,7 +9,7 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QItemSelectionModel>
 #include <QLocale>
 #include <QPushButton>
@@ -78,11 +78,11 @@ ClassView::ClassView(QWidget* parent)
     : QWidget(parent), m_table(new ResultTable(this)), m_recordings(new TimeLinePanel(this)) {
   setObjectName(QStringLiteral("classView"));
   auto* column = new QVBoxLayout(this);
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new QGridLayout;  // in pairs: the panel may be narrow
   const auto button = [&](const QString& text, const char* name) {
     auto* made = new QPushButton(text, this);
     made->setObjectName(QString::fromLatin1(name));
-    buttons->addWidget(made);
+    buttons->addWidget(made, buttons->count() / 2, buttons->count() % 2);
     return made;
   };
   QPushButton* mark = button(tr("&Mark…"), "markSubmissions");

@@ -95,6 +95,7 @@ TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setFocusPolicy(Qt::StrongFocus);  // so that a field that is being edited is left
     column->addWidget(button);
   }
   column->addWidget(measured);

@@ -81,7 +81,7 @@ void ToolKeysTest::aNewKeyActsAndIsTold() {
   }
   QVERIFY(bench.hints("Q: smaller brush"));
   QVERIFY(!bench.hints("[: smaller brush"));
-  QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush (X)"));
+  QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush (Q)"));
   bench.press(Qt::Key_BracketLeft);
   QCOMPARE(bench.radius(), once);
   bench.press(Qt::Key_Q);
