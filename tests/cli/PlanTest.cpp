@@ -294,7 +294,9 @@ class PlanTest : public QObject {
   void anotherNumberOfJoints() {
     const PlannedCell cell;
     QByteArray joints;
-    for (int i = 0; i < 7; ++i) joints += QByteArray(i == 0 ? "" : ",") + R"({"a": 100, "lower": -90, "upper": 90})";
+    for (int i = 0; i < 7; ++i)
+      joints += QByteArray(i == 0 ? "" : ",") + R"({"name": "j)" + QByteArray::number(i) +
+                R"(", "a": 100, "alpha": 90, "lower": -90, "upper": 90})";
     cell.put("seven.dh.json", R"({"name": "seven", "joints": [)" + joints + "]}");
     QCOMPARE(cell.run({"configuration", "seven.dh.json", "--add", "a", "-o", "seven.handwheel"}).code, 0);
     cell.put("p.script", "def p():\n  movej([0,0,0,0,0,0])\nend\n");
