@@ -293,11 +293,10 @@ class PlanTest : public QObject {
   // Programs of controllers with six joints, for an arm with seven.
   void anotherNumberOfJoints() {
     const PlannedCell cell;
-    QByteArray joints;
+    nlohmann::json joints = nlohmann::json::array();
     for (int i = 0; i < 7; ++i)
-      joints += QByteArray(i == 0 ? "" : ",") + R"({"name": "j)" + QByteArray::number(i) +
-                R"(", "a": 100, "alpha": 90, "lower": -90, "upper": 90})";
-    cell.put("seven.dh.json", R"({"name": "seven", "joints": [)" + joints + "]}");
+      joints.push_back({{"name", "j" + std::to_string(i)}, {"a", 100}, {"alpha", 90}, {"lower", -90}, {"upper", 90}});
+    cell.put("seven.dh.json", QByteArray::fromStdString(nlohmann::json{{"name", "seven"}, {"joints", joints}}.dump()));
     QCOMPARE(cell.run({"configuration", "seven.dh.json", "--add", "a", "-o", "seven.handwheel"}).code, 0);
     cell.put("p.script", "def p():\n  movej([0,0,0,0,0,0])\nend\n");
     cell.put("p.src", "DEF p()\nPTP {A1 0,A2 0,A3 0,A4 0,A5 0,A6 0}\nEND\n");

@@ -94,7 +94,8 @@ std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& pla
     const ArmValues& at = before.front();
     for (double radius = place.blend; radius > 0.05 * place.blend; radius *= 0.7) {
       const ZoneSide in = sideOf(scene, plans.tool, before, radius), out = sideOf(scene, plans.tool, after, radius);
-      const ArmValues spread = (hasLine ? 1.5 : 1.0) * (in.spread + out.spread);
+      constexpr double kRounding = 1e-6;  // rad, mm: of joints that stand still, as inverse kinematics finds them
+      const ArmValues spread = ((hasLine ? 1.5 : 1.0) * (in.spread + out.spread)).array() + kRounding;
       if (!scene.scene.isFreeAround(at, spread, clearance, 0.0)) continue;
       if (hasLine && !coversCorner(scene, at, in.end, out.end, spread)) continue;
       blends[i] = radius;

@@ -93,6 +93,17 @@ class PathBlendsTest : public QObject {
     }
   }
 
+  // A corner in the plane of the arm: the joints that stand still there do not make it an exact stop.
+  void inThePlaneOfTheArm() {
+    const BlendBench bench;
+    const JointValues a = valuesOf({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = bench.moved(a, {-40.0, 0.0, 0.0}),
+                      c = bench.moved(b, {0.0, 0.0, -40.0});
+    const auto line = ProgramMotion::Kind::Linear;
+    const RobotPath path{"p",
+                         {{.joints = a}, {.joints = b, .motion = line, .blend = 3.0}, {.joints = c, .motion = line}}};
+    QVERIFY(bench.blends(path)[1] > 0.5);
+  }
+
   // A ball so near to the flange at the place that the way across the zone may meet it: the zone is as small as that.
   void besideABall() {
     const JointValues a = valuesOf({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = valuesOf({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
