@@ -251,7 +251,11 @@ Status writePath(const PlannedProblem& problem, const std::filesystem::path& fol
   nlohmann::json waypoints = nlohmann::json::array();
   for (const ArmValues& values : problem.path) waypoints.push_back(std::vector<double>(values.begin(), values.end()));
   const nlohmann::json json = {{"waypoints", waypoints}, {"certified", problem.isCertified}};
-  return writeFileAtomically(folder / (problem.name + ".json"), json.dump(), {});
+  // A set from elsewhere does not say where files are written.
+  std::string name = problem.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == '\\'; }, '_');
+  return writeFileAtomically(folder / (name + ".json"), json.dump(), {});
 }
 
 int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
