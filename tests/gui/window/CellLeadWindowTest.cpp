@@ -84,14 +84,15 @@ class CellLeadWindowTest : public QObject {
     LeadWindow driver;
     driver.view()->setStandardView(StandardView::Front);
     driver.view()->setCamera(driver.view()->camera());
+    const auto height = [&] {
+      const auto* tool = driver.find<QDockWidget>("kindDock")->findChild<QWidget*>(QStringLiteral("property/tool.z"));
+      return tool->findChild<QLineEdit*>()->text().section(' ', 0, 0).toDouble();
+    };
+    const double before = height();
     driver.drag({0, 400});
     QVERIFY(driver.settle());
-    const auto* tool = driver.find<QDockWidget>("kindDock")->findChild<QWidget*>(QStringLiteral("property/tool.z"));
-    QVERIFY(tool);
-    QVERIFY(tool->findChild<QLineEdit*>() || tool->findChild<QLabel*>());
-    const QString height =
-        tool->findChild<QLineEdit*>() ? tool->findChild<QLineEdit*>()->text() : tool->findChild<QLabel*>()->text();
-    QVERIFY2(height.section(' ', 0, 0).toDouble() > -10.0, qPrintable(height));
+    QVERIFY2(height() < before - 100.0, qPrintable(QString::number(height())));
+    QVERIFY2(height() > -10.0, qPrintable(QString::number(height())));
   }
 };
 
