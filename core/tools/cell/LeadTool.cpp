@@ -89,6 +89,7 @@ void LeadTool::begin(const PointerEvent& event) {
   auto scene = m_services.scene();
   const auto tool = toolPose();
   if (!scene || !tool) return;
+  if (!m_guide && !m_path.empty()) chooseGuide(m_path);  // the cell may have been under way when it was chosen
   const Pose& centre = m_document.plans()->tool;
   TeleoperationSettings settings;
   settings.check.clearance = m_document.plans()->clearance;

@@ -45,7 +45,7 @@ class LeadBench {
   RobotCellDocument& document() { return *m_document; }
   LeadTool tool() {
     LeadServices services;
-    services.scene = [this] { return m_scene; };
+    services.scene = [this] { return isUnderWay ? nullptr : m_scene; };
     services.addPlace = [this] { ++places; };
     services.time = [this] { return time; };
     services.tries = &tries;
@@ -65,6 +65,7 @@ class LeadBench {
   }
 
   int places = 0;
+  bool isUnderWay = false;  // the cell is being prepared
   double time = 0.0;
   std::vector<LeadTry> tries;
 
@@ -291,6 +292,19 @@ class LeadToolTest : public QObject {
     QVERIFY(std::abs(bench.tries[0].figures.seconds - 1.0) < 0.1);
     const auto shown = tool.settings();
     QVERIFY(propertyNamed(shown, "try.1") && propertyNamed(shown, "try.2") && !propertyNamed(shown, "try.0"));
+  }
+
+  // A path that was chosen is followed also when the cell has been prepared anew since.
+  void thePathOutlivesThePreparation() {
+    LeadBench bench;
+    bench.addTurn(-0.6);
+    LeadTool tool = bench.tool();
+    tool.setSetting("path", PropertyValue(1.0));
+    bench.isUnderWay = true;
+    tool.documentChanged();
+    bench.isUnderWay = false;
+    followTurn(bench, tool, -0.6, 6.0);
+    QCOMPARE(bench.tries.size(), std::size_t{1});
   }
 
   // NaN and leaps from a device.
