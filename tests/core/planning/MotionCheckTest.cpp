@@ -58,7 +58,8 @@ class MotionCheckTest : public QObject {
     QVERIFY(!scene.isFree(values, 0.0, 0.0));
   }
 
-  // What is found free is free at each of very many points, and keeps its clearance; what is blocked is too near there.
+  // What is found free is free at each of very many points, and keeps both clearances; what is blocked is too near
+  // there.
   void freeIsFree() {
     int free = 0;
     QVERIFY(rc::check([&free] {
@@ -68,14 +69,19 @@ class MotionCheckTest : public QObject {
         addBall(scene, {evenly(-700, 700), evenly(-700, 700), evenly(-20, 20)}, evenly(1, 30), i);
       MotionCheckSettings settings;
       settings.clearance = *rc::gen::element(0.0, 5.0);
+      settings.ownClearance = *rc::gen::element(0.0, 2.0);
       const ArmValues from = anyValues(3), to = anyValues(3);
       MotionCheck check(scene, from, to, settings);
       if (check.run() == MotionCheck::State::Free) {
         ++free;
-        RC_ASSERT(leastAlong(scene, from, to, 2e-3) >= settings.clearance);
+        RC_ASSERT(leastAlong(scene, from, to, 2e-3) >= std::min(settings.clearance, settings.ownClearance));
+        for (int i = 0; i <= 3000; ++i)
+          RC_ASSERT(scene.nearestObstacle(from + i / 3000.0 * (to - from), 1e9).distance >= settings.clearance);
       } else {
         const ArmValues at = from + check.blockedAt() * (to - from);
-        RC_ASSERT(scene.nearest(at, 1e9).distance <= settings.clearance + settings.resolution);
+        const bool isOwn = check.blockedBy().otherLink != kNone;
+        RC_ASSERT((isOwn ? scene.nearest(at, 1e9) : scene.nearestObstacle(at, 1e9)).distance <=
+                  (isOwn ? settings.ownClearance : settings.clearance) + settings.resolution);
       }
     }));
     QVERIFY(free > 10);
@@ -87,7 +93,7 @@ class MotionCheckTest : public QObject {
     QVERIFY(rc::check([&] {
       const RobotModel robot = planarArm(std::vector<double>(14, 60.0), 8.0);
       RobotScene scene = sceneOf(robot);
-      for (std::uint32_t i = 0; i < 4; ++i)
+      for (std::uint32_t i = 0; i < 9; ++i)
         addBall(scene, {evenly(-800, 800), evenly(-800, 800), evenly(-20, 20)}, evenly(1, 30), i);
       ArmValues from(14), to(14);
       for (Eigen::Index i = 0; i < 14; ++i) {
