@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
+#include "base/SoleOwner.h"
+
 #include <cassert>
 #include <cstddef>
 #include <memory>
@@ -58,14 +59,7 @@ class PagedArray {
 
   Page& writable(std::size_t page) {
     auto& p = m_pages[page];
-    if (p.use_count() == 1) {
-      // After the last read of a snapshot dropped elsewhere.
-#ifdef __SANITIZE_THREAD__
-      const std::shared_ptr<Page> acquired = p;  // ThreadSanitizer knows no fences; taking a reference is one to it
-#else
-      std::atomic_thread_fence(std::memory_order_acquire);
-#endif
-    } else {
+    if (!isSoleOwner(p)) {
       auto copy = std::make_shared<Page>();
       copy->reserve(kPageSize);
       copy->assign(p->begin(), p->end());

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/SparseVolume.h"
+
+#include "base/SoleOwner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace handwheel {
+namespace {
+
+constexpr int kKeyBits = 21;  // of a region along each axis: 2^27 voxels
+constexpr std::int32_t kKeyOffset = 1 << (kKeyBits - 1);
+
+VoxelIndex regionOfKey(std::uint64_t key) {
+  const auto part = [&](int shift) {
+    return static_cast<std::int32_t>((key >> shift) & ((1u << kKeyBits) - 1)) - kKeyOffset;
+  };
+  return {part(0), part(kKeyBits), part(2 * kKeyBits)};
+}
+
+}  // namespace
+
+std::int16_t depthSample(double voxels) {
+  const double scaled = std::clamp(std::round(voxels * VolumeBlock::kUnit), -32767.0, 32767.0);
+  const auto sample = static_cast<std::int16_t>(scaled);
+  return sample != 0 ? sample : static_cast<std::int16_t>(voxels < 0.0 ? -1 : 1);
+}
+
+bool SparseVolume::Region::isEmpty() const {
+  return full.none() && std::none_of(blocks.begin(), blocks.end(), [](const Block& b) { return b != nullptr; });
+}
+
+std::uint64_t SparseVolume::keyOf(const VoxelIndex& block) {
+  std::uint64_t key = 0;
+  for (int k = 2; k >= 0; --k) {
+    const std::int32_t region = (block[k] >> 3) + kKeyOffset;
+    assert(region >= 0 && region < 2 * kKeyOffset);
+    key = key << kKeyBits | static_cast<std::uint32_t>(region);
+  }
+  return key;
+}
+
+std::size_t SparseVolume::placeOf(const VoxelIndex& block) {
+  return VolumeBlock::at(block.x() & 7, block.y() & 7, block.z() & 7);
+}
+
+SparseVolume::Content SparseVolume::content(const VoxelIndex& block) const {
+  const auto found = m_regions.find(keyOf(block));
+  if (found == m_regions.end()) return {};
+  const std::size_t place = placeOf(block);
+  return {found->second->blocks[place], found->second->full[place]};
+}
+
+void SparseVolume::setContent(const VoxelIndex& block, Content content) {
+  const std::uint64_t key = keyOf(block);
+  auto found = m_regions.find(key);
+  if (found == m_regions.end()) {
+    if (!content.block && !content.isFull) return;
+    found = m_regions.emplace(key, std::make_shared<Region>()).first;
+  } else if (!isSoleOwner(found->second)) {
+    found->second = std::make_shared<Region>(*found->second);
+  }
+  Region& region = *found->second;
+  const std::size_t place = placeOf(block);
+  if (region.blocks[place]) --m_blockCount;
+  if (content.block) ++m_blockCount;
+  region.full[place] = !content.block && content.isFull;
+  region.blocks[place] = std::move(content.block);
+  if (region.isEmpty()) m_regions.erase(found);
+}
+
+std::int16_t SparseVolume::sample(const VoxelIndex& voxel) const {
+  const VoxelIndex block = blockOf(voxel);
+  const auto found = m_regions.find(keyOf(block));
+  if (found == m_regions.end()) return VolumeBlock::kEmpty;
+  const std::size_t place = placeOf(block);
+  if (const Block& samples = found->second->blocks[place])
+    return samples->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
+  return found->second->full[place] ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+}
+
+void SparseVolume::forEachBlock(const std::function<void(const VoxelIndex&, const Block&)>& visit) const {
+  std::vector<std::uint64_t> keys;
+  keys.reserve(m_regions.size());
+  for (const auto& [key, region] : m_regions) keys.push_back(key);
+  std::sort(keys.begin(), keys.end());
+  for (const std::uint64_t key : keys) {
+    const Region& region = *m_regions.at(key);
+    const VoxelIndex first = 8 * regionOfKey(key);
+    for (int i = 0; i < 512; ++i)
+      if (const Block& block = region.blocks[static_cast<std::size_t>(i)])
+        visit(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6), block);
+  }
+}
+
+std::vector<VoxelIndex> SparseVolume::blocks() const {
+  std::vector<VoxelIndex> all;
+  all.reserve(m_blockCount);
+  forEachBlock([&](const VoxelIndex& at, const Block&) { all.push_back(at); });
+  return all;
+}
+
+std::size_t SparseVolume::bytes() const {
+  constexpr std::size_t kCounts = 16;  // of a shared pointer's object, beside it
+  return sizeof *this + m_regions.size() * (sizeof(Region) + kCounts + 32) +
+         m_blockCount * (sizeof(VolumeBlock) + kCounts);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace handwheel {
+
+// The number of a voxel, or of a block of them, along each axis.
+using VoxelIndex = Eigen::Vector3i;
+
+// 8 by 8 by 8 samples of a volume: depths below the surface, in 8192ths of a voxel, x fastest. Above 0 it is material.
+struct VolumeBlock {
+  static constexpr int kSize = 8;
+  static constexpr std::size_t kCount = 512;
+  static constexpr std::int16_t kFull = 32767;    // as deep as can be stored, nearly four voxels
+  static constexpr std::int16_t kEmpty = -32767;  // as far outside
+  static constexpr double kUnit = 8192.0;         // to a voxel
+
+  std::array<std::int16_t, kCount> depths;
+
+  static std::size_t at(int x, int y, int z) { return static_cast<std::size_t>((z * kSize + y) * kSize + x); }
+};
+
+// A sample for a depth in voxels. Never 0: each sample is inside or outside.
+std::int16_t depthSample(double voxels);
+
+// A sparse volume: material given by its depth below the surface, stored near the surface only. Blocks that the surface
+// does not come near are full or empty, and take no memory of their own.
+//
+// A value: copies share blocks, and a copy takes time and memory in proportion to the volume's 64³ regions. So a
+// snapshot is cheap, and an edit is the blocks that it changed. Reading different copies on different threads is safe.
+class SparseVolume {
+ public:
+  using Block = std::shared_ptr<const VolumeBlock>;
+
+  // What a block holds: samples, or nothing (outside) or material everywhere.
+  struct Content {
+    Block block;          // null: uniform
+    bool isFull = false;  // of a uniform one
+
+    bool operator==(const Content&) const = default;
+  };
+
+  SparseVolume() = default;
+  // The centre of voxel (0, 0, 0), and the edge of a voxel; mm, above 0.
+  SparseVolume(const Vec3& origin, double voxel) : m_origin(origin), m_voxel(voxel) {}
+
+  const Vec3& origin() const { return m_origin; }
+  double voxel() const { return m_voxel; }
+  Vec3 centre(const VoxelIndex& voxel) const { return m_origin + m_voxel * voxel.cast<double>(); }
+
+  Content content(const VoxelIndex& block) const;
+  void setContent(const VoxelIndex& block, Content content);
+
+  // The sample of a voxel, as VolumeBlock stores it. O(1).
+  std::int16_t sample(const VoxelIndex& voxel) const;
+
+  // Calls visit(number of the block, block) for each that holds samples, in an order that depends on the blocks alone.
+  void forEachBlock(const std::function<void(const VoxelIndex&, const Block&)>& visit) const;
+  // All of them, in that order.
+  std::vector<VoxelIndex> blocks() const;
+  std::size_t blockCount() const { return m_blockCount; }
+  bool isEmpty() const { return m_regions.empty(); }
+  // Memory of this version, were it the only one; bytes.
+  std::size_t bytes() const;
+
+  // The block of a voxel.
+  static VoxelIndex blockOf(const VoxelIndex& voxel) {
+    return voxel.unaryExpr([](int i) { return i >> 3; });
+  }
+
+ private:
+  // 8 by 8 by 8 blocks.
+  struct Region {
+    std::array<Block, 512> blocks;
+    std::bitset<512> full;  // of those without samples
+
+    bool isEmpty() const;
+  };
+  static std::uint64_t keyOf(const VoxelIndex& region);
+  static std::size_t placeOf(const VoxelIndex& block);
+
+  Vec3 m_origin = Vec3::Zero();
+  double m_voxel = 1.0;
+  std::unordered_map<std::uint64_t, std::shared_ptr<Region>> m_regions;
+  std::size_t m_blockCount = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/SurfaceToVolume.h"
+
+#include "base/NumberText.h"
+#include "mesh/structure/MeshErrors.h"
+#include "mesh/structure/Weld.h"
+#include "proximity/ClosestPoint.h"
+#include "volume/BoundaryCaps.h"
+#include "volume/SurfaceRows.h"
+#include "volume/VolumeErrors.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace handwheel {
+namespace {
+
+constexpr double kBand = 3.0;            // voxels from the surface in which distances are exact
+constexpr int kTile = 32;                // voxels along an edge of what is sampled at once; four blocks
+constexpr double kMostVoxels = 1 << 24;  // along an axis
+
+using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map
+using Tiles = std::vector<std::pair<Tile, std::vector<std::uint32_t>>>;
+
+struct Corners {
+  Vec3 a, b, c;
+  Vec3 normal;  // unit; zero for a triangle without area
+
+  Corners(const TriangleSoup& soup, const Triangle& t)
+      : a(soup.points[t[0]]), b(soup.points[t[1]]), c(soup.points[t[2]]) {
+    const Vec3 cross = (b - a).cross(c - a);
+    const double length = cross.norm();
+    normal = length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
+  }
+  Vec3 low() const { return a.cwiseMin(b).cwiseMin(c); }
+  Vec3 high() const { return a.cwiseMax(b).cwiseMax(c); }
+};
+
+int floorOf(double v) {
+  return static_cast<int>(std::floor(v));
+}
+
+// The triangles that come within the band of each tile; all in voxels.
+Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed) {
+  std::map<Tile, std::vector<std::uint32_t>> near;
+  const double halfDiagonal = 0.5 * kTile * std::sqrt(3.0);
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    if (!isUsed[i]) continue;
+    const Corners t(soup, soup.triangles[i]);
+    const Vec3 low = (t.low().array() - kBand) / kTile, high = (t.high().array() + kBand) / kTile;
+    for (int z = floorOf(low.z()); z <= high.z(); ++z)
+      for (int y = floorOf(low.y()); y <= high.y(); ++y)
+        for (int x = floorOf(low.x()); x <= high.x(); ++x) {
+          const Vec3 middle = kTile * Vec3(x + 0.5, y + 0.5, z + 0.5);
+          if (std::abs(t.normal.dot(middle - t.a)) <= halfDiagonal + kBand)
+            near[{z, y, x}].push_back(static_cast<std::uint32_t>(i));
+        }
+  }
+  return {std::make_move_iterator(near.begin()), std::make_move_iterator(near.end())};
+}
+
+// Squared distances of the voxels of a tile from triangles, up to the band.
+class TileDistances {
+ public:
+  explicit TileDistances(const VoxelIndex& first)
+      : m_first(first), m_squared(static_cast<std::size_t>(kTile * kTile * kTile), kFar) {}
+
+  static constexpr float kFar = static_cast<float>(kBand * kBand);
+
+  void add(const Corners& t) {
+    const VoxelIndex low = (t.low().array() - kBand).ceil().cast<int>().max(m_first.array());
+    const VoxelIndex high = (t.high().array() + kBand).floor().cast<int>().min(m_first.array() + kTile - 1);
+    const double slope = t.normal.x();
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y) {
+        // The part of the row that is within the band of the triangle's plane.
+        double begin = low.x(), end = high.x();
+        const double offset = t.normal.dot(Vec3(0.0, y, z) - t.a);
+        if (std::abs(slope) > 1e-9) {
+          const double at = (-kBand - offset) / slope, other = (kBand - offset) / slope;
+          begin = std::max(begin, std::min(at, other));
+          end = std::min(end, std::max(at, other));
+        } else if (std::abs(offset) > kBand + 1e-6) {
+          continue;
+        }
+        float* row = &m_squared[index(0, y - m_first.y(), z - m_first.z())];
+        for (int x = static_cast<int>(std::ceil(begin)); x <= end; ++x) {
+          const Vec3 p(x, y, z);
+          const auto squared = static_cast<float>((closestOnTriangle(p, t.a, t.b, t.c) - p).squaredNorm());
+          float& least = row[x - m_first.x()];
+          least = std::min(least, squared);
+        }
+      }
+  }
+
+  float squared(const VoxelIndex& inTile) const { return m_squared[index(inTile.x(), inTile.y(), inTile.z())]; }
+
+ private:
+  static std::size_t index(int x, int y, int z) { return static_cast<std::size_t>((z * kTile + y) * kTile + x); }
+
+  VoxelIndex m_first;
+  std::vector<float> m_squared;
+};
+
+using NumberedBlock = std::pair<VoxelIndex, SparseVolume::Block>;
+
+// The block of a tile, signed; null where nothing of the band is in it.
+SparseVolume::Block signedBlock(const TileDistances& distances, const VoxelIndex& inTile, const VoxelIndex& firstVoxel,
+                                const SurfaceRows& rows) {
+  constexpr int n = VolumeBlock::kSize;
+  bool isNear = false;
+  for (int i = 0; i < n * n * n && !isNear; ++i)
+    isNear = distances.squared(inTile + VoxelIndex(i % n, i / n % n, i / n / n)) < TileDistances::kFar;
+  if (!isNear) return nullptr;
+  auto block = std::make_shared<VolumeBlock>();
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) {
+        const VoxelIndex at(x, y, z);
+        const float squared = distances.squared(inTile + at);
+        const bool isInside = rows.isInside(firstVoxel + at);
+        std::int16_t& depth = block->depths[VolumeBlock::at(x, y, z)];
+        if (squared >= TileDistances::kFar) {
+          depth = isInside ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+        } else {
+          depth = depthSample(std::sqrt(static_cast<double>(squared)));
+          if (!isInside) depth = static_cast<std::int16_t>(-depth);
+        }
+      }
+  return block;
+}
+
+// The triangles of a surface that bound its inside, or that no row along any axis crosses.
+std::vector<bool> boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX, const Progress& progress) {
+  std::vector<bool> bounding(closed.triangles.size(), true);
+  if (alongX.isSimple()) return bounding;
+  std::vector<bool> crossed = alongX.crossed();
+  bounding = alongX.bounding();
+  TriangleSoup turned = closed;
+  for (int axis = 1; axis < 3 && !progress.cancelled(); ++axis) {
+    for (Vec3& p : turned.points) p = Vec3(p.y(), p.z(), p.x());
+    const SurfaceRows rows(turned, progress);
+    for (std::size_t i = 0; i < bounding.size(); ++i) {
+      bounding[i] = bounding[i] || rows.bounding()[i];
+      crossed[i] = crossed[i] || rows.crossed()[i];
+    }
+  }
+  for (std::size_t i = 0; i < bounding.size(); ++i) bounding[i] = bounding[i] || !crossed[i];
+  return bounding;
+}
+
+// Marks the blocks without samples that are inside. What bounds the inside is in blocks with samples, so one voxel
+// speaks for its block. Returns how many there are.
+std::size_t fillInside(SparseVolume& volume, const SurfaceRows& rows, const VoxelIndex& blocks,
+                       const Progress& progress) {
+  std::size_t full = 0;
+  for (int z = 0; z < blocks.z() && !progress.cancelled(); ++z)
+    for (int y = 0; y < blocks.y(); ++y) {
+      if (rows.row(8 * y, 8 * z).empty()) continue;
+      for (int x = 0; x < blocks.x(); ++x) {
+        const VoxelIndex at(x, y, z);
+        if (!rows.isInside(8 * at) || volume.content(at).block) continue;
+        volume.setContent(at, {nullptr, true});
+        ++full;
+      }
+    }
+  return full;
+}
+
+double volumeInside(const TriangleSoup& soup) {
+  double six = 0.0;
+  for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));
+  return six / 6.0;
+}
+
+// The share of the area whose triangles' middles have a sample of less than a voxel beside them.
+double nearShareOf(const SparseVolume& volume, const TriangleSoup& soup, const std::vector<bool>& isUsed) {
+  double near = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    if (!isUsed[i]) continue;
+    const Corners t(soup, soup.triangles[i]);
+    const double area = 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
+    all += area;
+    const Vec3 middle = (t.a + t.b + t.c) / 3.0;
+    const VoxelIndex base = middle.array().floor().cast<int>();
+    bool isInside = false, isOutside = false;
+    for (int k = 0; k < 8; ++k)
+      (volume.sample(base + VoxelIndex(k & 1, k >> 1 & 1, k >> 2)) > 0 ? isInside : isOutside) = true;
+    if (isInside && isOutside) near += area;
+  }
+  return all > 0.0 ? near / all : 0.0;
+}
+
+}  // namespace
+
+Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress) {
+  if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
+  if (!(voxel > 0.0) || !std::isfinite(voxel))
+    return Error{ErrorCode::ValueOutOfRange, {"voxel", shortestText(voxel), "0", "1e300"}, {}, {}};
+  TriangleSoup closed = weld(soup, progress.part(0.0, 0.05));
+  Box bounds;
+  for (const Vec3& p : closed.points) {
+    if (!p.allFinite()) return Error{ErrorCode::NumberNotFinite, {shortestText(p.x() + p.y() + p.z())}, {}, {}};
+    bounds.extend(p);
+  }
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const double extent = bounds.sizes().maxCoeff();
+  if (!(extent / voxel < kMostVoxels))
+    return Error{
+        VolumeErrors::TooFine, {shortestText(voxel), shortestText(extent), shortestText(extent / kMostVoxels)}, {}, {}};
+
+  // Four voxels of space around the part; from here on in voxels.
+  SurfaceVolume made;
+  made.volume = SparseVolume(bounds.min().array() - 4.0 * voxel, voxel);
+  for (Vec3& p : closed.points) p = (p - made.volume.origin()) / voxel;
+  made.closedBoundaries = closeBoundaries(closed, progress);
+  const SurfaceRows rows(closed, progress.part(0.05, 0.3));
+  const std::vector<bool> bounding = boundingTriangles(closed, rows, progress.part(0.3, 0.4));
+  const Tiles tiles = tilesNear(closed, bounding);
+
+  std::vector<std::vector<NumberedBlock>> blocks(tiles.size());
+  std::atomic<std::size_t> done{0}, inside{0};
+  const Progress sampling = progress.part(0.4, 0.9);
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    const Tile& tile = tiles[i].first;
+    const VoxelIndex first = kTile * VoxelIndex(tile[2], tile[1], tile[0]);
+    TileDistances distances(first);
+    for (const std::uint32_t t : tiles[i].second) distances.add(Corners(closed, closed.triangles[t]));
+    constexpr int n = kTile / VolumeBlock::kSize;
+    for (int b = 0; b < n * n * n; ++b) {
+      const VoxelIndex inTile = VolumeBlock::kSize * VoxelIndex(b % n, b / n % n, b / n / n);
+      SparseVolume::Block block = signedBlock(distances, inTile, first + inTile, rows);
+      if (!block) continue;
+      inside += static_cast<std::size_t>(
+          std::count_if(block->depths.begin(), block->depths.end(), [](std::int16_t d) { return d > 0; }));
+      blocks[i].emplace_back(SparseVolume::blockOf(first + inTile), std::move(block));
+    }
+    sampling.set(static_cast<double>(++done) / static_cast<double>(tiles.size()));
+  });
+  for (std::vector<NumberedBlock>& some : blocks)
+    for (NumberedBlock& block : some) made.volume.setContent(block.first, {std::move(block.second), false});
+  const VoxelIndex extentInBlocks = ((bounds.sizes() / voxel).array() / 8.0 + 2.0).ceil().cast<int>();
+  inside += 512 * fillInside(made.volume, rows, extentInBlocks, progress);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (inside == 0) return Error{VolumeErrors::NothingInside, {}, {}, {}};
+
+  const double cube = voxel * voxel * voxel;
+  made.enclosed = cube * static_cast<double>(inside);
+  made.expected = cube * volumeInside(closed);
+  made.nearShare = nearShareOf(made.volume, closed, bounding);
+  progress.set(1.0);
+  return made;
+}
+
+double predictedVolumeBytes(const TriangleSoup& soup, double voxel) {
+  double area = 0.0;
+  for (const Triangle& t : soup.triangles)
+    area += 0.5 * (soup.points[t[1]] - soup.points[t[0]]).cross(soup.points[t[2]] - soup.points[t[0]]).norm();
+  // A plane in any direction, three voxels thick on either side, meets so many blocks to its area: their mean extent
+  // across it is 1.5 edges (the mean projection of a cube), and the band's two more.
+  const double edge = VolumeBlock::kSize * voxel;
+  const double blocks = area / (edge * edge) * (1.5 + 2.0 * kBand / VolumeBlock::kSize);
+  return blocks * (sizeof(VolumeBlock) + 64.0);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/structure/TriangleSoup.h"
+#include "volume/SparseVolume.h"
+
+#include <cstddef>
+
+namespace handwheel {
+
+// A volume that was made of a surface, and what shows whether it is what the surface encloses.
+struct SurfaceVolume {
+  SparseVolume volume;
+  std::size_t closedBoundaries = 0;  // holes, gaps and turned faces that cones were put into
+  double enclosed = 0.0;             // mm³ of the voxels inside
+  double expected = 0.0;             // mm³ inside the closed surface, by its triangles; of overlaps each counts
+  double nearShare = 0.0;            // of the area that bounds material: what is within a voxel of the volume's surface
+};
+
+// Samples the distance from a surface at the centres of voxels, exactly up to three voxels from it, and signs it by
+// winding numbers of the surface closed (closeBoundaries()): inside is what it goes round at least once. Overlapping
+// bodies become one, and walls within them vanish; a surface that is inside out encloses nothing.
+//
+// voxel: edge of a voxel, mm. On all threads of the arena; O(area / voxel² + n log n).
+// Errors: volume.no-triangles, volume.not-finite, volume.too-fine (more than 2^24 voxels along an axis),
+// volume.nothing-inside, cancelled.
+Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {});
+
+// The memory that it is going to take at least; bytes. Within a third for surfaces that are smooth at the scale of a
+// few voxels. O(n).
+double predictedVolumeBytes(const TriangleSoup& soup, double voxel);
+
+}  // namespace handwheel

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/VolumeErrors.h"
+
+namespace handwheel {
+
+const ErrorDescription VolumeErrors::TooFine{
+    .id = "TooFine",
+    .sentences = {translatable("ErrorText", "voxels of %1 mm are too fine for a part of %2 mm")},
+    .advice = {translatable("ErrorText", "Choose voxels of at least %3 mm.")}};
+
+const ErrorDescription VolumeErrors::NothingInside{
+    .id = "NothingInside",
+    .sentences = {translatable("ErrorText", "the surface encloses nothing")},
+    .advice = {translatable("ErrorText", "Turn its faces outwards if it is inside out; a flat sheet has no inside.")}};
+
+}  // namespace handwheel

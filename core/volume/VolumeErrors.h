@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The error codes of volumes.
+namespace handwheel::VolumeErrors {
+
+extern const ErrorDescription TooFine;        // {voxel in mm, extent in mm, least voxel in mm}
+extern const ErrorDescription NothingInside;  // the surface goes round nothing: flat, or inside out
+
+}  // namespace handwheel::VolumeErrors

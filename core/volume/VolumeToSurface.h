@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/TriangleSoup.h"
+#include "volume/SparseVolume.h"
+
+namespace handwheel {
+
+// The surface of a volume: triangles of marching cubes (CellPolygons) through the cells of its samples, points shared.
+// Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart by a
+// thousandth. O(blocks), on all threads of the arena; the same for any number of them. Empty when cancelled.
+TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/SurfaceToVolume.h"
+
+#include "MeshShapes.h"
+#include "SolidAngles.h"
+#include "TestClass.h"
+#include "proximity/TriangleHierarchy.h"
+#include "volume/VolumeErrors.h"
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <limits>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// Each sample of a volume against the distance by the hierarchy and the side by the solid angles, for some voxels.
+void compare(const SparseVolume& volume, const TriangleSoup& soup, int step) {
+  const TriangleHierarchy hierarchy(soup.points, soup.triangles);
+  const VoxelIndex size = (hierarchy.bounds().sizes() / volume.voxel()).array().ceil().cast<int>() + 8;
+  for (int z = 0; z < size.z(); z += step)
+    for (int y = 0; y < size.y(); y += step)
+      for (int x = 0; x < size.x(); x += step) {
+        const VoxelIndex at(x, y, z);
+        const Vec3 p = volume.centre(at);
+        const double distance = std::sqrt(hierarchy.nearest(p)->squaredDistance) / volume.voxel();
+        const double depth = volume.sample(at) / VolumeBlock::kUnit;
+        if (distance > 1e-4) QCOMPARE(depth > 0.0, windingNumber(soup, p) > 0.5);
+        if (distance < 2.99) {
+          QVERIFY(std::abs(std::abs(depth) - distance) < 2e-4);
+        } else {
+          QVERIFY(std::abs(depth) > 2.98);
+        }
+      }
+}
+
+}  // namespace
+
+class SurfaceToVolumeTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aBall() {
+    const TriangleSoup ball = moved(icosphere(3), Vec3(7.1, -3.3, 100.7), 10.0);
+    const Result<SurfaceVolume> made = volumeOfSurface(ball, 0.37);
+    QVERIFY(made.hasValue());
+    QCOMPARE(made->closedBoundaries, std::size_t{0});
+    compare(made->volume, ball, 3);
+    const double expected = 4.0 / 3.0 * M_PI * 1000.0;
+    QVERIFY(std::abs(made->enclosed / expected - 1.0) < 0.015);  // 1,280 flat faces take more than 1 % off a ball
+    QVERIFY(std::abs(made->enclosed / made->expected - 1.0) < 3e-3);
+    QVERIFY(made->nearShare > 0.999);
+  }
+
+  // Faces along voxel planes, and exactly on voxel centres.
+  void aCube() {
+    const TriangleSoup block = cube(8.0, Vec3(1.0, 2.0, 3.0));
+    const Result<SurfaceVolume> made = volumeOfSurface(unshared(block), 0.5);
+    QVERIFY(made.hasValue());
+    compare(made->volume, block, 1);
+  }
+
+  // A hole with a flat edge is closed by a flat lid: a box without one of its sides is the box.
+  void aHoleIsClosed() {
+    const TriangleSoup box = cube(10.0, Vec3(0.3, 0.2, 0.1));
+    TriangleSoup open = box;
+    std::erase_if(open.triangles, [&](const Triangle& t) {
+      return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return box.points[v].z() > 10.0; });
+    });
+    QCOMPARE(open.triangles.size(), std::size_t{10});
+    const Result<SurfaceVolume> made = volumeOfSurface(open, 0.25);
+    QVERIFY(made.hasValue());
+    QCOMPARE(made->closedBoundaries, std::size_t{1});
+    compare(made->volume, box, 2);
+  }
+
+  // A triangle that is turned round counts as one that is missing, and one that is there twice is there once.
+  void faultyTriangles() {
+    const TriangleSoup ball = moved(icosphere(2), Vec3::Zero(), 10.0);
+    for (const bool isTwice : {false, true}) {
+      TriangleSoup faulty = ball;
+      Triangle& t = faulty.triangles[17];
+      if (isTwice) {
+        faulty.triangles.push_back(t);
+      } else {
+        std::swap(t[0], t[1]);
+      }
+      const Result<SurfaceVolume> made = volumeOfSurface(faulty, 0.4);
+      QVERIFY(made.hasValue());
+      compare(made->volume, ball, 3);
+    }
+  }
+
+  // What overlaps becomes one: no wall is left inside.
+  void overlapsBecomeOne() {
+    TriangleSoup balls = moved(icosphere(3), Vec3::Zero(), 10.0);
+    append(balls, moved(icosphere(3), Vec3(12.0, 0.0, 0.0), 10.0));
+    const Result<SurfaceVolume> made = volumeOfSurface(balls, 0.5);
+    QVERIFY(made.hasValue());
+    const VoxelIndex middle = ((Vec3(6.0, 0.0, 0.0) - made->volume.origin()) / 0.5).array().round().cast<int>();
+    for (int x = -14; x <= 14; ++x) QVERIFY(made->volume.sample(middle + VoxelIndex(x, 0, 0)) > 2 * 8192);
+    // Two caps of the lens of two spheres of radius r whose centres are d apart: π (4r + d)(2r - d)² / 12.
+    const double r = 10.0, d = 12.0;
+    const double lens = M_PI * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
+    const double expected = 2.0 * 4.0 / 3.0 * M_PI * r * r * r - lens;
+    QVERIFY(std::abs(made->enclosed / expected - 1.0) < 0.02);
+  }
+
+  void whatHasNoInside() {
+    QVERIFY(volumeOfSurface(turnedOver(moved(icosphere(2), Vec3::Zero(), 5.0)), 0.5).error().code ==
+            VolumeErrors::NothingInside);
+    TriangleSoup flat{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()}, {{0, 1, 2}}};
+    QVERIFY(volumeOfSurface(flat, 0.1).error().code == VolumeErrors::NothingInside);
+    QVERIFY(!volumeOfSurface({}, 0.1).hasValue());
+    QVERIFY(!volumeOfSurface(cube(), 0.0).hasValue());
+    QVERIFY(!volumeOfSurface(cube(), std::nan("")).hasValue());
+    QVERIFY(volumeOfSurface(cube(), 1e-9).error().code == VolumeErrors::TooFine);
+    TriangleSoup broken = cube();
+    broken.points[3].x() = std::numeric_limits<double>::infinity();
+    QVERIFY(!volumeOfSurface(broken, 0.1).hasValue());
+  }
+
+  // Voxels as large as the part, and a part that is far from the origin.
+  void extremes() {
+    QVERIFY(volumeOfSurface(cube(1.0, Vec3::Constant(-0.5)), 0.9).hasValue());
+    const TriangleSoup far = moved(icosphere(3), Vec3::Constant(1e9), 10.0);
+    const Result<SurfaceVolume> made = volumeOfSurface(far, 0.5);
+    QVERIFY(made.hasValue());
+    QVERIFY(std::abs(made->enclosed / made->expected - 1.0) < 1e-2);
+  }
+
+  void memoryIsPredicted() {
+    for (const double voxel : {0.5, 0.2, 0.1}) {
+      const TriangleSoup ball = moved(icosphere(4), Vec3::Zero(), 10.0);
+      const Result<SurfaceVolume> made = volumeOfSurface(ball, voxel);
+      const double ratio = static_cast<double>(made->volume.bytes()) / predictedVolumeBytes(ball, voxel);
+      QVERIFY2(ratio > 0.75 && ratio < 1.5, qPrintable(QString::number(ratio)));
+    }
+  }
+
+  void cancelled() {
+    JobState state;
+    state.cancelled = true;
+    QVERIFY(volumeOfSurface(icosphere(3), 0.05, Progress(state)).error().code == ErrorCode::Cancelled);
+  }
+};
+
+HANDWHEEL_TEST(SurfaceToVolumeTest)
+#include "SurfaceToVolumeTest.moc"
