@@ -75,27 +75,26 @@ class TileDistances {
   static constexpr float kFar = static_cast<float>(kBand * kBand);
 
   void add(const Corners& t) {
-    const VoxelIndex low = (t.low().array() - kBand).ceil().cast<int>().max(m_first.array());
-    const VoxelIndex high = (t.high().array() + kBand).floor().cast<int>().min(m_first.array() + kTile - 1);
+    const Vec3 lowest = t.low(), highest = t.high();
+    const VoxelIndex low = (lowest.array() - kBand).ceil().cast<int>().max(m_first.array());
+    const VoxelIndex high = (highest.array() + kBand).floor().cast<int>().min(m_first.array() + kTile - 1);
+    const auto beside = [&](double v, Eigen::Index axis) {
+      return std::max({0.0, lowest[axis] - v, v - highest[axis]});
+    };
     const double slope = t.normal.x();
     for (int z = low.z(); z <= high.z(); ++z)
       for (int y = low.y(); y <= high.y(); ++y) {
-        // The part of the row that is within the band of the triangle's plane.
-        double begin = low.x(), end = high.x();
         const double offset = t.normal.dot(Vec3(0.0, y, z) - t.a);
-        if (std::abs(slope) > 1e-9) {
-          const double at = (-kBand - offset) / slope, other = (kBand - offset) / slope;
-          begin = std::max(begin, std::min(at, other));
-          end = std::min(end, std::max(at, other));
-        } else if (std::abs(offset) > kBand + 1e-6) {
-          continue;
-        }
+        const double besideRow = beside(y, 1) * beside(y, 1) + beside(z, 2) * beside(z, 2);
         float* row = &m_squared[index(0, y - m_first.y(), z - m_first.z())];
-        for (int x = static_cast<int>(std::ceil(begin)); x <= end; ++x) {
-          const Vec3 p(x, y, z);
-          const auto squared = static_cast<float>((closestOnTriangle(p, t.a, t.b, t.c) - p).squaredNorm());
+        for (int x = low.x(); x <= high.x(); ++x) {
           float& least = row[x - m_first.x()];
-          least = std::min(least, squared);
+          // No point of the triangle is nearer than its plane, or than its box.
+          const double fromPlane = offset + slope * x, besideBox = beside(x, 0);
+          if (std::max(fromPlane * fromPlane, besideRow + besideBox * besideBox) >= static_cast<double>(least))
+            continue;
+          const Vec3 p(x, y, z);
+          least = std::min(least, static_cast<float>((closestOnTriangle(p, t.a, t.b, t.c) - p).squaredNorm()));
         }
       }
   }
