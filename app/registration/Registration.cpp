@@ -5,15 +5,18 @@
 #include "cli/cell/BodyCommand.h"
 #include "cli/exercise/ExerciseCommand.h"
 #include "cli/mesh/MeshCommands.h"
+#include "cli/volume/VolumeCommands.h"
 #include "cli/workpiece/TurnCommand.h"
 #include "document/cell/RobotCellKind.h"
 #include "document/exercise/ExerciseKind.h"
 #include "document/mesh/MeshKind.h"
+#include "document/volume/VolumeKind.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/exercise/TurningSubject.h"
 #include "window/cell/RobotCellUi.h"
 #include "window/exercise/ExerciseUi.h"
 #include "window/mesh/MeshUi.h"
+#include "window/volume/VolumeUi.h"
 #include "window/workpiece/WorkpieceUi.h"
 
 namespace handwheel {
@@ -54,6 +57,7 @@ std::vector<KindRegistration> registeredKinds() {
   std::vector<KindRegistration> all;
   all.push_back({entryWithKind<RobotCellUi, RobotCellKind>(), cellCommands()});
   all.push_back({exerciseEntry(), exerciseCommands()});
+  all.push_back({entryOf<VolumeUi, VolumeKind>(), volumeCommands()});
   all.push_back({entryOf<WorkpieceUi, WorkpieceKind>(), workpieceCommands()});
   all.push_back({entryWithKind<MeshUi, MeshKind>(), meshCommands()});
   return all;

@@ -8,6 +8,7 @@
 #include "window/JobRunner.h"
 #include "window/WindowServices.h"
 #include "window/documents/Autosave.h"
+#include "window/documents/CopyActions.h"
 #include "window/documents/FileActions.h"
 #include "window/documents/RecentFiles.h"
 #include "window/documents/Thumbnails.h"
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
   ShortcutModel m_keys;
   DocumentTabs* m_tabs;
   FileActions m_fileActions;
+  CopyActions m_copies;
   Autosave m_autosave;
   QAction m_showPanel;
   QAction m_quit;

@@ -76,6 +76,7 @@ void MainWindow::connectDocumentsPanel() {
 
 void MainWindow::connectMessages() {
   connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
+  connect(&m_copies, &CopyActions::message, m_messages, &MessageBar::showMessage);
   connect(&m_fileActions, &FileActions::saved, m_messages, &MessageBar::withdraw);
   connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
   connect(&m_haptics, &HapticSession::message, m_messages, &MessageBar::showMessage);

@@ -53,6 +53,7 @@ void MainWindow::buildMenus() {
   file->addActions(m_fileActions.startActions());
   file->addSeparator();
   file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
+  file->addActions(m_copies.actions());
   file->addSeparator();
   file->addActions({m_fileActions.closeTab(), &m_quit});
 

@@ -173,6 +173,10 @@ GeometryPointer DocumentKind::bodyGeometry(const Snapshot& content, std::vector<
   return std::make_shared<const MeshGeometry>(weld(soup));
 }
 
+Result<SnapshotPointer> DocumentKind::ofSurface(const TriangleSoup&, const std::string&, Progress) const {
+  return Error{ErrorCode::Unsupported, {"a surface as " + id()}, {}, {}};
+}
+
 DocumentKinds::DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds) : m_kinds(std::move(kinds)) {}
 
 const DocumentKind* DocumentKinds::withId(std::string_view id) const {

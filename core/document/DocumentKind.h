@@ -75,6 +75,12 @@ class DocumentKind {
   // the notes. By default its display as one mesh.
   virtual GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const;
 
+  // Whether a document of this kind can be made of the surface of one of another kind, and its content then. source:
+  // the name of that document. Errors: Cancelled, and those of the kind.
+  virtual bool isMadeOfSurfaces() const { return false; }
+  virtual Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
+                                            Progress progress) const;
+
   virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
 
   // The output of 'handwheel inspect --json'.

@@ -22,6 +22,12 @@ VoxelIndex regionOfKey(std::uint64_t key) {
   return {part(0), part(kKeyBits), part(2 * kKeyBits)};
 }
 
+std::size_t insideOf(const SparseVolume::Content& content) {
+  if (!content.block) return content.isFull ? VolumeBlock::kCount : 0;
+  const auto& depths = content.block->depths;
+  return static_cast<std::size_t>(std::count_if(depths.begin(), depths.end(), [](std::int16_t d) { return d > 0; }));
+}
+
 }  // namespace
 
 std::int16_t depthSample(double voxels) {
@@ -68,6 +74,8 @@ void SparseVolume::setContent(const VoxelIndex& block, Content content) {
   const std::size_t place = placeOf(block);
   if (region.blocks[place]) --m_blockCount;
   if (content.block) ++m_blockCount;
+  m_inside -= insideOf({region.blocks[place], region.full[place]});
+  m_inside += insideOf(content);
   region.full[place] = !content.block && content.isFull;
   region.blocks[place] = std::move(content.block);
   if (region.isEmpty()) m_regions.erase(found);
@@ -83,7 +91,7 @@ std::int16_t SparseVolume::sample(const VoxelIndex& voxel) const {
   return found->second->full[place] ? VolumeBlock::kFull : VolumeBlock::kEmpty;
 }
 
-void SparseVolume::forEachBlock(const std::function<void(const VoxelIndex&, const Block&)>& visit) const {
+void SparseVolume::forEach(const std::function<void(const VoxelIndex&, const Content&)>& visit) const {
   std::vector<std::uint64_t> keys;
   keys.reserve(m_regions.size());
   for (const auto& [key, region] : m_regions) keys.push_back(key);
@@ -91,16 +99,20 @@ void SparseVolume::forEachBlock(const std::function<void(const VoxelIndex&, cons
   for (const std::uint64_t key : keys) {
     const Region& region = *m_regions.at(key);
     const VoxelIndex first = 8 * regionOfKey(key);
-    for (int i = 0; i < 512; ++i)
-      if (const Block& block = region.blocks[static_cast<std::size_t>(i)])
-        visit(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6), block);
+    for (int i = 0; i < 512; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      if (region.blocks[place] || region.full[place])
+        visit(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6), {region.blocks[place], region.full[place]});
+    }
   }
 }
 
 std::vector<VoxelIndex> SparseVolume::blocks() const {
   std::vector<VoxelIndex> all;
   all.reserve(m_blockCount);
-  forEachBlock([&](const VoxelIndex& at, const Block&) { all.push_back(at); });
+  forEach([&](const VoxelIndex& at, const Content& content) {
+    if (content.block) all.push_back(at);
+  });
   return all;
 }
 

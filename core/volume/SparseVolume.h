@@ -64,11 +64,14 @@ class SparseVolume {
   // The sample of a voxel, as VolumeBlock stores it. O(1).
   std::int16_t sample(const VoxelIndex& voxel) const;
 
-  // Calls visit(number of the block, block) for each that holds samples, in an order that depends on the blocks alone.
-  void forEachBlock(const std::function<void(const VoxelIndex&, const Block&)>& visit) const;
-  // All of them, in that order.
+  // Calls visit(number of the block, content) for each that is not empty, in an order that depends on the content
+  // alone.
+  void forEach(const std::function<void(const VoxelIndex&, const Content&)>& visit) const;
+  // Those that hold samples, in that order.
   std::vector<VoxelIndex> blocks() const;
-  std::size_t blockCount() const { return m_blockCount; }
+  std::size_t blockCount() const { return m_blockCount; }  // of those
+  // What is inside by its voxels; mm³.
+  double material() const { return static_cast<double>(m_inside) * m_voxel * m_voxel * m_voxel; }
   bool isEmpty() const { return m_regions.empty(); }
   // Memory of this version, were it the only one; bytes.
   std::size_t bytes() const;
@@ -93,6 +96,7 @@ class SparseVolume {
   double m_voxel = 1.0;
   std::unordered_map<std::uint64_t, std::shared_ptr<Region>> m_regions;
   std::size_t m_blockCount = 0;
+  std::size_t m_inside = 0;  // voxels
 };
 
 }  // namespace handwheel

@@ -156,10 +156,8 @@ std::vector<bool> boundingTriangles(const TriangleSoup& closed, const SurfaceRow
 }
 
 // Marks the blocks without samples that are inside. What bounds the inside is in blocks with samples, so one voxel
-// speaks for its block. Returns how many there are.
-std::size_t fillInside(SparseVolume& volume, const SurfaceRows& rows, const VoxelIndex& blocks,
-                       const Progress& progress) {
-  std::size_t full = 0;
+// speaks for its block.
+void fillInside(SparseVolume& volume, const SurfaceRows& rows, const VoxelIndex& blocks, const Progress& progress) {
   for (int z = 0; z < blocks.z() && !progress.cancelled(); ++z)
     for (int y = 0; y < blocks.y(); ++y) {
       if (rows.row(8 * y, 8 * z).empty()) continue;
@@ -167,10 +165,8 @@ std::size_t fillInside(SparseVolume& volume, const SurfaceRows& rows, const Voxe
         const VoxelIndex at(x, y, z);
         if (!rows.isInside(8 * at) || volume.content(at).block) continue;
         volume.setContent(at, {nullptr, true});
-        ++full;
       }
     }
-  return full;
 }
 
 double volumeInside(const TriangleSoup& soup) {
@@ -225,7 +221,7 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   const Tiles tiles = tilesNear(closed, bounding);
 
   std::vector<std::vector<NumberedBlock>> blocks(tiles.size());
-  std::atomic<std::size_t> done{0}, inside{0};
+  std::atomic<std::size_t> done{0};
   const Progress sampling = progress.part(0.4, 0.9);
   tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
@@ -238,8 +234,6 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
       const VoxelIndex inTile = VolumeBlock::kSize * VoxelIndex(b % n, b / n % n, b / n / n);
       SparseVolume::Block block = signedBlock(distances, inTile, first + inTile, rows);
       if (!block) continue;
-      inside += static_cast<std::size_t>(
-          std::count_if(block->depths.begin(), block->depths.end(), [](std::int16_t d) { return d > 0; }));
       blocks[i].emplace_back(SparseVolume::blockOf(first + inTile), std::move(block));
     }
     sampling.set(static_cast<double>(++done) / static_cast<double>(tiles.size()));
@@ -247,16 +241,36 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   for (std::vector<NumberedBlock>& some : blocks)
     for (NumberedBlock& block : some) made.volume.setContent(block.first, {std::move(block.second), false});
   const VoxelIndex extentInBlocks = ((bounds.sizes() / voxel).array() / 8.0 + 2.0).ceil().cast<int>();
-  inside += 512 * fillInside(made.volume, rows, extentInBlocks, progress);
+  fillInside(made.volume, rows, extentInBlocks, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (inside == 0) return Error{VolumeErrors::NothingInside, {}, {}, {}};
+  if (!(made.volume.material() > 0.0)) return Error{VolumeErrors::NothingInside, {}, {}, {}};
 
-  const double cube = voxel * voxel * voxel;
-  made.enclosed = cube * static_cast<double>(inside);
-  made.expected = cube * volumeInside(closed);
+  made.expected = voxel * voxel * voxel * volumeInside(closed);
   made.nearShare = nearShareOf(made.volume, closed, bounding);
   progress.set(1.0);
   return made;
+}
+
+SparseVolume ballOfVoxels(double radius, double voxel) {
+  SparseVolume ball(Vec3::Zero(), voxel);
+  const int blocks = static_cast<int>(std::ceil((radius / voxel + kBand) / VolumeBlock::kSize));
+  for (int z = -blocks; z < blocks; ++z)
+    for (int y = -blocks; y < blocks; ++y)
+      for (int x = -blocks; x < blocks; ++x) {
+        const VoxelIndex at(x, y, z);
+        auto block = std::make_shared<VolumeBlock>();
+        bool isFull = true, isEmpty = true;
+        for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
+          const VoxelIndex sample = VolumeBlock::kSize * at + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
+          const std::int16_t depth = depthSample(radius / voxel - sample.cast<double>().norm());
+          block->depths[static_cast<std::size_t>(i)] = depth;
+          isFull = isFull && depth == VolumeBlock::kFull;
+          isEmpty = isEmpty && depth == VolumeBlock::kEmpty;
+        }
+        if (isFull) ball.setContent(at, {nullptr, true});
+        if (!isFull && !isEmpty) ball.setContent(at, {std::move(block), false});
+      }
+  return ball;
 }
 
 double predictedVolumeBytes(const TriangleSoup& soup, double voxel) {

@@ -15,7 +15,6 @@ namespace handwheel {
 struct SurfaceVolume {
   SparseVolume volume;
   std::size_t closedBoundaries = 0;  // holes, gaps and turned faces that cones were put into
-  double enclosed = 0.0;             // mm³ of the voxels inside
   double expected = 0.0;             // mm³ inside the closed surface, by its triangles; of overlaps each counts
   double nearShare = 0.0;            // of the area that bounds material: what is within a voxel of the volume's surface
 };
@@ -28,6 +27,9 @@ struct SurfaceVolume {
 // Errors: volume.no-triangles, volume.not-finite, volume.too-fine (more than 2^24 voxels along an axis),
 // volume.nothing-inside, cancelled.
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {});
+
+// A ball around the origin; mm.
+SparseVolume ballOfVoxels(double radius, double voxel);
 
 // The memory that it is going to take at least; bytes. Within a third for surfaces that are smooth at the scale of a
 // few voxels. O(n).

@@ -9,6 +9,11 @@ const ErrorDescription VolumeErrors::TooFine{
     .sentences = {translatable("ErrorText", "voxels of %1 mm are too fine for a part of %2 mm")},
     .advice = {translatable("ErrorText", "Choose voxels of at least %3 mm.")}};
 
+const ErrorDescription VolumeErrors::TooLarge{
+    .id = "TooLarge",
+    .sentences = {translatable("ErrorText", "voxels of %1 mm would take %2 MB, and %3 MB are left")},
+    .advice = {translatable("ErrorText", "Choose larger voxels, or close other programs.")}};
+
 const ErrorDescription VolumeErrors::NothingInside{
     .id = "NothingInside",
     .sentences = {translatable("ErrorText", "the surface encloses nothing")},

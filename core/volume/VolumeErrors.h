@@ -8,6 +8,7 @@
 namespace handwheel::VolumeErrors {
 
 extern const ErrorDescription TooFine;        // {voxel in mm, extent in mm, least voxel in mm}
+extern const ErrorDescription TooLarge;       // {voxel in mm, MB that it takes, MB that there are}
 extern const ErrorDescription NothingInside;  // the surface goes round nothing: flat, or inside out
 
 }  // namespace handwheel::VolumeErrors

@@ -37,25 +37,53 @@ std::uint64_t keyOf(const VoxelIndex& block) {
   return key;
 }
 
-// The blocks whose cells can have triangles: those with samples, and those that meet them with their high sides.
-std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume) {
-  std::vector<VoxelIndex> all = volume.blocks();
-  const std::size_t own = all.size();
-  std::unordered_map<std::uint64_t, bool> known;
+using BlockNumbers = std::unordered_map<std::uint64_t, std::uint32_t>;
+
+// Adds what of the neighbours of the first `own` blocks is not in the list yet, in the directions given.
+void addNeighbours(std::vector<VoxelIndex>& blocks, std::size_t own, int direction) {
+  BlockNumbers known;
   known.reserve(2 * own);
-  for (const VoxelIndex& block : all) known.emplace(keyOf(block), true);
+  for (std::size_t i = 0; i < own; ++i) known.emplace(keyOf(blocks[i]), 0);
   for (std::size_t i = 0; i < own; ++i)
     for (int k = 1; k < 8; ++k) {
-      const VoxelIndex below = all[i] - VoxelIndex(k & 1, k >> 1 & 1, k >> 2);
-      if (known.emplace(keyOf(below), true).second) all.push_back(below);
+      const VoxelIndex next = blocks[i] + direction * VoxelIndex(k & 1, k >> 1 & 1, k >> 2);
+      if (known.emplace(keyOf(next), 0).second) blocks.push_back(next);
     }
-  return all;
+}
+
+// Leaves out the points that no triangle has.
+void dropUnused(TriangleSoup& soup) {
+  std::vector<std::uint32_t> number(soup.points.size(), kNone);
+  std::uint32_t used = 0;
+  std::vector<bool> isUsed(soup.points.size(), false);
+  for (const Triangle& t : soup.triangles)
+    for (const std::uint32_t v : t) isUsed[v] = true;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (!isUsed[i]) continue;
+    soup.points[used] = soup.points[i];
+    number[i] = used++;
+  }
+  soup.points.resize(used);
+  for (Triangle& t : soup.triangles)
+    for (std::uint32_t& v : t) v = number[v];
 }
 
 }  // namespace
 
+std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume) {
+  std::vector<VoxelIndex> all = volume.blocks();
+  addNeighbours(all, all.size(), -1);
+  return all;
+}
+
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress) {
-  const std::vector<VoxelIndex> blocks = blocksWithCells(volume);
+  return surfaceOf(volume, blocksWithCells(volume), progress);
+}
+
+TriangleSoup surfaceOf(const SparseVolume& volume, std::span<const VoxelIndex> cellBlocks, Progress progress) {
+  // The blocks with these cells, and then those that own edges of theirs.
+  std::vector<VoxelIndex> blocks(cellBlocks.begin(), cellBlocks.end());
+  addNeighbours(blocks, cellBlocks.size(), 1);
   std::vector<CrossedEdges> crossed(blocks.size());
   const auto forAll = [&](Progress part, auto work) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), kBlocksAtOnce),
@@ -74,11 +102,11 @@ TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress) {
       edges.before[w] = static_cast<std::uint16_t>(edges.points);
       edges.points += static_cast<std::uint32_t>(std::popcount(edges.bits[w]));
     }
-    cells.forEachTriangle([&](const auto&) { ++edges.triangles; });
+    if (i < cellBlocks.size()) cells.forEachTriangle([&](const auto&) { ++edges.triangles; });
   });
   TriangleSoup soup;
   if (progress.cancelled()) return soup;
-  std::unordered_map<std::uint64_t, std::uint32_t> numbers;
+  BlockNumbers numbers;
   numbers.reserve(blocks.size());
   std::uint32_t points = 0, triangles = 0;
   for (std::size_t i = 0; i < crossed.size(); ++i) {
@@ -96,6 +124,7 @@ TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress) {
     std::uint32_t point = crossed[i].firstPoint;
     cells.forEachCrossedEdge(
         [&](std::size_t edge, double share) { soup.points[point++] = cells.pointOn(edge, share); });
+    if (crossed[i].triangles == 0) return;
     std::uint32_t triangle = crossed[i].firstTriangle;
     cells.forEachTriangle([&](const std::array<BlockCells::Edge, 3>& corners) {
       Triangle& t = soup.triangles[triangle++];
@@ -106,6 +135,7 @@ TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress) {
     });
   });
   if (progress.cancelled()) return {};
+  dropUnused(soup);
   return soup;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshKind.h"
 
+#include "mesh/structure/MeshErrors.h"
+
 #include "base/NumberText.h"
 #include "document/container/Blobs.h"
 #include "document/formats/MeshExport.h"
@@ -9,6 +11,7 @@
 #include "document/mesh/MeshBlobs.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/SubdivisionLevelStore.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <QString>
 #include <algorithm>
@@ -85,6 +88,16 @@ Result<OpenedFile> MeshKind::import(const std::filesystem::path& path, const Rea
   opened.content = meshSnapshotOf(*file, m_nearWeld, progress.part(0.5, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return opened;
+}
+
+Result<SnapshotPointer> MeshKind::ofSurface(const TriangleSoup& surface, const std::string&, Progress progress) const {
+  if (surface.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
+  MeshFile file;
+  file.soup = surface;
+  file.numbers = NumberType::Float64;
+  SnapshotPointer content = meshSnapshotOf(file, m_nearWeld, progress);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return content;
 }
 
 Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::filesystem::path& path,

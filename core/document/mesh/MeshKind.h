@@ -32,6 +32,9 @@ class MeshKind : public DocumentKind {
   void save(const Snapshot& content, Container& container) const override;
   Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                Progress progress) const override;
+  bool isMadeOfSurfaces() const override { return true; }
+  Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
+                                    Progress progress) const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;

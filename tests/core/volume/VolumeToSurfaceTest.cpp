@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/VolumeToSurface.h"
 
+#include "ClosedSurface.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "proximity/SelfIntersection.h"
@@ -14,31 +15,11 @@
 #include <QtTest>
 #include <map>
 #include <random>
-#include <set>
 
 using namespace handwheel;
 using namespace handwheel::test;
 
 namespace {
-
-// Closed, oriented and manifold: each edge is passed once each way, and the triangles round a point are one ring.
-bool isClosedManifold(const TriangleSoup& soup) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> passed;
-  std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> rings;
-  for (const Triangle& t : soup.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!passed.emplace(t[k], t[(k + 1) % 3]).second) return false;
-      if (!rings[t[k]].emplace(t[(k + 1) % 3], t[(k + 2) % 3]).second) return false;
-    }
-  for (const auto& [from, to] : passed)
-    if (!passed.contains({to, from})) return false;
-  for (const auto& [point, ring] : rings) {
-    std::size_t length = 0;
-    for (std::uint32_t at = ring.begin()->first; length == 0 || at != ring.begin()->first; ++length) at = ring.at(at);
-    if (length != ring.size()) return false;
-  }
-  return rings.size() == soup.points.size();
-}
 
 double enclosed(const TriangleSoup& soup) {
   double six = 0.0;

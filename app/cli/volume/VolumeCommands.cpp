@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/volume/VolumeCommands.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/mesh/MeshOutput.h"
+#include "document/formats/MeshExport.h"
+#include "document/mesh/MeshSnapshot.h"
+#include "document/volume/VolumeKind.h"
+#include "document/volume/VolumeMaking.h"
+#include "tools/volume/VolumeOperations.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Request {
+  fs::path input, output;
+  ReadOptions read;
+};
+
+// Reads the words that both commands have. Returns what is wrong with them, or nothing.
+std::string readRequest(const Arguments& arguments, Request& request, OperationValues& values) {
+  if (!arguments.has("output")) return "The option -o OUT is missing.";
+  request.input = arguments.operands[0];
+  request.output = arguments.valueOf("output");
+  request.read.partial = arguments.has("partial");
+  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return problem;
+  const std::string problem = problemOf(values);
+  return problem.empty() ? problem : sentenceOf(problem);
+}
+
+struct Done {
+  DocumentFile file;  // what reading lost
+  std::string refusal;
+  std::string text;
+  nlohmann::ordered_json report;
+};
+
+int deliver(const std::optional<Result<Done>>& result, const Arguments& arguments) {
+  if (!*result) return fail((*result)->error());
+  const Done& done = (*result)->value();
+  reportLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  return print(arguments.has("json") ? done.report.dump() + "\n" : done.text);
+}
+
+std::vector<OptionSpec> withShared(std::vector<OptionSpec> options) {
+  options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
+  options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
+  options.push_back({"help", 'h', "", "Show this help"});
+  return options;
+}
+
+// The triangles of a mesh, of a file unwelded.
+TriangleSoup trianglesOf(const Input& input) {
+  const MeshSnapshot* document = input.meshDocument();
+  return document ? document->mesh.mesh.compact().soup : input.mesh->soup;
+}
+
+Result<Done> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
+                          Progress progress) {
+  if (!isContainerName(request.output)) return unknownEnding(request.output, {std::string(kContainerEnding)});
+  const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
+  if (!input) return input.error();
+  Done done{input->opened.file, refusalToReplace(request.output, input->opened.file), {}, {}};
+  if (!done.refusal.empty()) return done;
+  const Result<MadeVolume> made = makeVolume(trianglesOf(*input), values.given("voxel"),
+                                             request.input.filename().string(), progress.part(0.1, 0.8));
+  if (!made) {
+    Error error = made.error();
+    error.subject = request.input.string();
+    return error;
+  }
+  const DocumentKind& kind = *kinds.withId("volume");
+  DocumentFile file;
+  file.displayUnit = input->opened.file.displayUnit;
+  const Result<WrittenFile> written = saveDocument(kind, file, *made->volume, request.output, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  const SparseVolume& volume = made->volume->volume;
+  done.report = {{"voxel_mm", volume.voxel()},
+                 {"volume_mm3", volume.material()},
+                 {"enclosed_mm3", made->surface.expected},
+                 {"near_share", made->surface.nearShare},
+                 {"closed_boundaries", made->surface.closedBoundaries},
+                 {"blocks", volume.blockCount()},
+                 {"bytes", volume.bytes()}};
+  done.text = request.output.string() + ": voxels of " + roundedText(volume.voxel()) + " mm, " +
+              roundedText(volume.material()) + " mm³, " + roundedText(static_cast<double>(volume.bytes()) / 1e6, 3) +
+              " MB.\n";
+  if (made->surface.closedBoundaries > 0)
+    done.text += "Boundaries closed: " + std::to_string(made->surface.closedBoundaries) + ".\n";
+  return done;
+}
+
+Result<Done> remeshFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
+                        Progress progress) {
+  if (const auto format = formatForOutput(request.output); !format) return format.error();
+  const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
+  if (!opened) return opened.error();
+  Done done{opened->file, {}, {}, {}};
+  const auto volume = std::dynamic_pointer_cast<const VolumeSnapshot>(opened->content);
+  if (!volume) {
+    done.refusal = request.input.string() + ": it is no volume. 'handwheel voxelize' makes one of a mesh.";
+    return done;
+  }
+  const Result<Remeshed> made = remesh(volume->volume, values, progress.part(0.1, 0.8));
+  if (!made) return made.error();
+  const Result<ExportReport> written =
+      exportMesh(made->mesh, NumberType::Float64, request.output, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  done.report = {{"triangles_before", made->before}, {"triangles", made->mesh.liveFaceCount()}};
+  if (made->largestDistance) done.report["distance_mm"] = *made->largestDistance;
+  done.text = request.output.string() + ": " + std::to_string(made->mesh.liveFaceCount()) + " triangles";
+  if (made->largestDistance)
+    done.text += " of " + std::to_string(made->before) + ", at most " + roundedText(*made->largestDistance) +
+                 " mm from the surface";
+  done.text += ".\n";
+  return done;
+}
+
+CommandSpec voxelizeSpec() {
+  CommandSpec spec = {"voxelize",
+                      "FILE",
+                      "Makes a volume of what a mesh encloses. Holes and gaps are closed, bodies that overlap become "
+                      "one, and walls\n"
+                      "within them vanish. Exit code 0: done; 1: error.",
+                      {{"output", 'o', "OUT", "The volume, a .handwheel"}}};
+  for (OptionSpec& option : optionsOf(voxelizeOperation())) spec.options.push_back(std::move(option));
+  spec.options = withShared(std::move(spec.options));
+  return spec;
+}
+
+CommandSpec remeshSpec() {
+  CommandSpec spec = {"remesh",
+                      "VOLUME",
+                      "Makes a mesh of the surface of a volume: closed, manifold, oriented and free of "
+                      "self-intersections.\n"
+                      "Exit code 0: done; 1: error.",
+                      {{"output", 'o', "OUT", "The mesh: " + meshFormatWords(false)}}};
+  for (OptionSpec& option : optionsOf(remeshOperation())) spec.options.push_back(std::move(option));
+  spec.options = withShared(std::move(spec.options));
+  return spec;
+}
+
+int runVoxelize(const Arguments& arguments, const DocumentKinds& kinds) {
+  Request request;
+  OperationValues values(voxelizeOperation());
+  const std::string problem = readRequest(arguments, request, values);
+  if (!problem.empty()) return failUsage(problem, "voxelize");
+  std::optional<Result<Done>> result;
+  runInterruptible("Making the volume",
+                   [&](CommandJob& job) { result = voxelizeFile(request, values, kinds, job.progress()); });
+  return deliver(result, arguments);
+}
+
+int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
+  Request request;
+  OperationValues values(remeshOperation());
+  const std::string problem = readRequest(arguments, request, values);
+  if (!problem.empty()) return failUsage(problem, "remesh");
+  std::optional<Result<Done>> result;
+  runInterruptible("Making the mesh",
+                   [&](CommandJob& job) { result = remeshFile(request, values, kinds, job.progress()); });
+  return deliver(result, arguments);
+}
+
+}  // namespace
+
+std::vector<Command> volumeCommands() {
+  return {{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}};
+}
+
+}  // namespace handwheel

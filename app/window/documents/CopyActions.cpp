@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/documents/CopyActions.h"
+
+#include "document/Document.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "theme/Icons.h"
+#include "window/ActionToolTip.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+CopyActions::CopyActions(const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open)
+    : m_tabs(tabs), m_jobs(jobs), m_open(std::move(open)) {
+  for (const auto& kind : kinds.all()) {
+    if (!kind->isMadeOfSurfaces()) continue;
+    const QString title = QCoreApplication::translate("DocumentKind", kind->title().c_str());
+    auto* action = new QAction(tr("Open a copy as %1").arg(title), this);
+    action->setObjectName(QStringLiteral("copyAs/") + QString::fromStdString(kind->id()));
+    action->setIcon(icon(QStringLiteral("kind-") + QString::fromStdString(kind->id())));
+    setActionToolTip(*action, tr("Open the surface of this document as a new document of that kind"));
+    connect(action, &QAction::triggered, this, [this, made = kind.get()] { start(*made); });
+    m_actions.emplace_back(kind.get(), action);
+  }
+  connect(&m_tabs, &DocumentTabs::currentChanged, this, &CopyActions::follow);
+  follow();
+}
+
+QList<QAction*> CopyActions::actions() const {
+  QList<QAction*> all;
+  for (const auto& [kind, action] : m_actions) all << action;
+  return all;
+}
+
+void CopyActions::follow() {
+  const DocumentTab* const current = m_tabs.current();
+  for (const auto& [kind, action] : m_actions) action->setEnabled(current && &current->document.kind() != kind);
+}
+
+void CopyActions::start(const DocumentKind& kind) {
+  DocumentTab* const from = m_tabs.current();
+  from->document.settle();
+  Job job;
+  const QString name = from->document.name();
+  job.name = tr("Copying %1").arg(name);
+  const auto failed = [this, name](const Error& error) {
+    if (error.code == ErrorCode::Cancelled) return;
+    emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});
+  };
+  job.work = [this, failed, &kind, name = name.toStdString(), &own = from->document.kind(),
+              content = from->document.snapshot(),
+              unit = from->document.displayUnit()](Progress progress) -> Job::Finish {
+    Result<SnapshotPointer> made = kind.ofSurface(placedSoup(own.display(*content)), name, progress);
+    if (!made) return [failed, error = made.error()] { failed(error); };
+    OpenedFile opened;
+    opened.kind = &kind;
+    opened.file.displayUnit = unit;
+    opened.content = std::move(*made);
+    return [this, opened = std::move(opened)]() mutable { m_open(std::move(opened)); };
+  };
+  job.failed = failed;
+  job.owner = &from->document;
+  m_jobs.start(std::move(job));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+
+#include <QAction>
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace handwheel {
+
+class DocumentTabs;
+class JobRunner;
+struct DocumentTab;
+struct Message;
+
+// The actions that open the surface of the current document as one of another kind: a mesh as a volume, and back.
+class CopyActions : public QObject {
+  Q_OBJECT
+
+ public:
+  using Open = std::function<DocumentTab*(OpenedFile opened)>;
+
+  CopyActions(const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open);
+
+  // One for each kind that is made of surfaces.
+  QList<QAction*> actions() const;
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  void follow();
+  void start(const DocumentKind& kind);
+
+  DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
+  Open m_open;
+  std::vector<std::pair<const DocumentKind*, QAction*>> m_actions;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Container.h"
+#include "volume/SparseVolume.h"
+
+namespace handwheel {
+
+// Writes a volume into a container: voxel and origin into the object manifest["document"], and a blob for each region
+// of 64³ voxels ("volume/regions/0000").
+void writeVolume(const SparseVolume& volume, Container& container);
+
+// Reads it from any input. Regions that are missing or make no sense are empty, and are added to the damage; where
+// material would then end between samples it is closed off. Errors: ElementMalformed, Cancelled.
+Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& damage, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/volume/VolumeKind.h"
+
+#include "document/DocumentErrors.h"
+#include "document/formats/MeshExport.h"
+#include "document/volume/VolumeBlobs.h"
+#include "document/volume/VolumeDocument.h"
+#include "document/volume/VolumeMaking.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "volume/VolumeToSurface.h"
+
+#include <QtGlobal>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+namespace {
+
+const VolumeSnapshot& volumeOf(const Snapshot& content) {
+  return static_cast<const VolumeSnapshot&>(content);
+}
+
+}  // namespace
+
+std::string VolumeKind::title() const {
+  return QT_TRANSLATE_NOOP("DocumentKind", "Volume");
+}
+
+std::vector<FileFormat> VolumeKind::formats() const {
+  std::vector<FileFormat> all;
+  for (FileFormat& format : meshFileFormats()) {
+    if (!format.writes) continue;
+    format.reads = false;
+    all.push_back(std::move(format));
+  }
+  return all;
+}
+
+bool VolumeKind::recognises(std::string_view, std::string_view) const {
+  return false;
+}
+
+Result<OpenedFile> VolumeKind::import(const std::filesystem::path&, const ReadOptions&, Progress) const {
+  return Error{DocumentError::FormatUnknown, {}, {}, {}};
+}
+
+Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
+                                         Progress progress) const {
+  const TriangleSoup surface = surfaceOf(volumeOf(content).volume, progress.part(0.0, 0.2));
+  const HalfEdgeMesh mesh = buildMesh(surface, progress.part(0.2, 0.4)).mesh;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.4, 1.0));
+  if (!report) return report.error();
+  return WrittenFile{report->bytes, notesOn(*report)};
+}
+
+void VolumeKind::save(const Snapshot& content, Container& container) const {
+  writeVolume(volumeOf(content).volume, container);
+  (*container.manifest)["document"]["source"] = volumeOf(content).source;
+}
+
+Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector<Error>& damage,
+                                         Progress progress) const {
+  Result<SparseVolume> volume = readVolume(container, damage, progress.part(0.0, 0.5));
+  if (!volume) return volume.error();
+  auto snapshot = std::make_shared<VolumeSnapshot>();
+  snapshot->volume = std::move(*volume);
+  snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.5, 1.0));
+  const nlohmann::json source = (*container.manifest)["document"].value("source", nlohmann::json());
+  if (source.is_string()) snapshot->source = source.get<std::string>();
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return SnapshotPointer(std::move(snapshot));
+}
+
+SnapshotPointer VolumeKind::blank() const {
+  constexpr double kRadius = 20.0, kVoxel = 0.25;  // mm
+  auto ball = std::make_shared<VolumeSnapshot>();
+  ball->volume = ballOfVoxels(kRadius, kVoxel);
+  ball->surface = VolumeSurface(ball->volume);
+  return ball;
+}
+
+Result<SnapshotPointer> VolumeKind::ofSurface(const TriangleSoup& surface, const std::string& source,
+                                              Progress progress) const {
+  Result<MadeVolume> made = makeVolume(surface, std::nullopt, source, progress);
+  if (!made) return made.error();
+  return SnapshotPointer(std::move(made->volume));
+}
+
+std::unique_ptr<Document> VolumeKind::make(OpenedFile opened) const {
+  return std::make_unique<VolumeDocument>(std::move(opened));
+}
+
+nlohmann::json VolumeKind::describe(const Snapshot& content) const {
+  const VolumeSnapshot& volume = volumeOf(content);
+  return {{"voxel", volume.volume.voxel()},
+          {"volume", volume.volume.material()},
+          {"blocks", volume.volume.blockCount()},
+          {"bytes", volume.volume.bytes()},
+          {"triangles", volume.surface.triangleCount()},
+          {"source", volume.source}};
+}
+
+DisplayModel VolumeKind::display(const Snapshot& content) const {
+  DisplayModel model;
+  for (const auto& [key, piece] : volumeOf(content).surface.pieces()) {
+    DisplayPart part;
+    part.name = "volume " + std::to_string(key[2]) + " " + std::to_string(key[1]) + " " + std::to_string(key[0]);
+    part.group = "volume";
+    part.soup = piece;
+    part.colour = {0.76f, 0.66f, 0.55f};  // clay
+    model.parts.push_back(std::move(part));
+  }
+  return model;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Snapshot.h"
+#include "volume/SparseVolume.h"
+#include "volume/VolumeSurface.h"
+
+#include <string>
+
+namespace handwheel {
+
+// The value of a volume document.
+struct VolumeSnapshot : Snapshot {
+  SparseVolume volume;
+  VolumeSurface surface;  // of the volume
+  std::string source;     // the file that it was made from, UTF-8; empty where there is none
+};
+
+}  // namespace handwheel

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/Operation.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+#include "volume/SparseVolume.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// Makes a volume of a surface: its parameter is the voxel.
+const Operation& voxelizeOperation();
+
+// Makes a mesh of a volume's surface, with fewer triangles where the parameters ask for it.
+const Operation& remeshOperation();
+
+struct Remeshed {
+  HalfEdgeMesh mesh;
+  std::size_t before = 0;                 // triangles of the surface
+  std::optional<double> largestDistance;  // mm from it; none where nothing was reduced
+};
+
+// Errors: Cancelled.
+Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress);
+
+}  // namespace handwheel

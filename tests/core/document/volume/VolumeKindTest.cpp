@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/volume/VolumeKind.h"
+
+#include "ClosedSurface.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "document/formats/MeshFormat.h"
+#include "document/volume/VolumeBlobs.h"
+#include "document/volume/VolumeDocument.h"
+#include "document/volume/VolumeEdit.h"
+#include "mesh/structure/Weld.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeToSurface.h"
+
+#include <rapidcheck.h>
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+using nlohmann::json;
+
+namespace {
+
+std::shared_ptr<VolumeSnapshot> snapshotOf(const TriangleSoup& soup, double voxel) {
+  auto snapshot = std::make_shared<VolumeSnapshot>();
+  snapshot->volume = volumeOfSurface(soup, voxel)->volume;
+  snapshot->surface = VolumeSurface(snapshot->volume);
+  snapshot->source = "ball.stl";
+  return snapshot;
+}
+
+// The same samples in the same places.
+bool same(const SparseVolume& a, const SparseVolume& b) {
+  if (a.origin() != b.origin() || a.voxel() != b.voxel() || a.material() != b.material()) return false;
+  bool isSame = true;
+  std::size_t count = 0;
+  a.forEach([&](const VoxelIndex& at, const SparseVolume::Content& content) {
+    const SparseVolume::Content other = b.content(at);
+    isSame = isSame && content.isFull == other.isFull && !content.block == !other.block &&
+             (!content.block || content.block->depths == other.block->depths);
+    ++count;
+  });
+  b.forEach([&](const VoxelIndex&, const SparseVolume::Content&) { --count; });
+  return isSame && count == 0;
+}
+
+}  // namespace
+
+class VolumeKindTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void savedIsLoaded() {
+    QVERIFY(rc::check([this] {
+      const auto part = [](int low, int high) { return *rc::gen::inRange(low, high) / 10.0; };
+      const double x = part(-5000, 5000), size = part(10, 60), voxel = size / part(11, 200);
+      const auto value = snapshotOf(moved(cube(size), Vec3(x, -x, 0.3)), voxel);
+      Container container;
+      m_kind.save(*value, container);
+      std::vector<Error> damage;
+      const auto loaded = m_kind.load(container, damage, {});
+      RC_ASSERT(loaded.hasValue() && damage.empty());
+      const auto& read = static_cast<const VolumeSnapshot&>(**loaded);
+      RC_ASSERT(same(read.volume, value->volume));
+      RC_ASSERT(read.source == value->source);
+      RC_ASSERT(read.surface.triangleCount() == value->surface.triangleCount());
+    }));
+  }
+
+  // A region that is lost is missing, is said, and the rest is closed off: also where the loss is beside what is full.
+  void aLostRegion() {
+    const auto value = snapshotOf(moved(icosphere(3), Vec3::Zero(), 10.0), 0.1);
+    Container container;
+    m_kind.save(*value, container);
+    const std::size_t regions = container.blobs.size();
+    QVERIFY(regions > 8);
+    const auto blob = std::next(container.blobs.begin(), static_cast<std::ptrdiff_t>(regions / 2));
+    container.blobs.erase(blob);
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded.hasValue());
+    QCOMPARE(damage.size(), std::size_t{1});
+    const auto& read = static_cast<const VolumeSnapshot&>(**loaded);
+    QVERIFY(read.volume.material() < value->volume.material());
+    QVERIFY(read.volume.material() > 0.5 * value->volume.material());
+    QVERIFY(isClosedManifold(surfaceOf(read.volume)));
+  }
+
+  void hostile_data() {
+    QTest::addColumn<QByteArray>("document");
+    QTest::addColumn<bool>("isRead");
+    QTest::newRow("nothing") << QByteArray("{}") << false;
+    QTest::newRow("no object") << QByteArray("7") << false;
+    QTest::newRow("voxel of 0") << QByteArray(R"({"voxel": 0, "origin": [0, 0, 0], "regions": 0})") << false;
+    QTest::newRow("voxel of text") << QByteArray(R"({"voxel": "1", "origin": [0, 0, 0], "regions": 0})") << false;
+    QTest::newRow("far away") << QByteArray(R"({"voxel": 1, "origin": [0, 1e300, 0], "regions": 0})") << false;
+    QTest::newRow("two coordinates") << QByteArray(R"({"voxel": 1, "origin": [0, 0], "regions": 0})") << false;
+    QTest::newRow("negative count") << QByteArray(R"({"voxel": 1, "origin": [0, 0, 0], "regions": -1})") << true;
+    QTest::newRow("huge count") << QByteArray(R"({"voxel": 1, "origin": [0, 0, 0], "regions": 1e18})") << true;
+    QTest::newRow("no source") << QByteArray(R"({"voxel": 1, "origin": [0, 0, 0], "regions": 0, "source": 3})") << true;
+  }
+  void hostile() {
+    QFETCH(QByteArray, document);
+    QFETCH(bool, isRead);
+    Container container;
+    (*container.manifest)["document"] = json::parse(document.toStdString());
+    std::vector<Error> damage;
+    QCOMPARE(m_kind.load(container, damage, {}).hasValue(), isRead);
+  }
+
+  // Any bytes in place of a region end in a volume or in damage, and in a closed surface.
+  void anyRegion() {
+    const auto value = snapshotOf(cube(5.0), 1.0);
+    Container container;
+    m_kind.save(*value, container);
+    QVERIFY(rc::check([&] {
+      Container damaged = container;
+      std::string& bytes = damaged.blobs.begin()->second;
+      const int changes = *rc::gen::inRange(1, 20);
+      for (int i = 0; i < changes; ++i) {
+        const auto at = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(bytes.size())));
+        bytes[at] = static_cast<char>(*rc::gen::inRange(-128, 128));
+      }
+      if (*rc::gen::arbitrary<bool>())
+        bytes.resize(static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(bytes.size()))));
+      std::vector<Error> damage;
+      const auto loaded = m_kind.load(damaged, damage, {});
+      RC_ASSERT(loaded.hasValue());
+      RC_ASSERT(isClosedManifold(surfaceOf(static_cast<const VolumeSnapshot&>(**loaded).volume)));
+    }));
+  }
+
+  void exportedIsTheSurface() {
+    QTemporaryDir folder;
+    const auto value = snapshotOf(moved(icosphere(3), Vec3::Zero(), 10.0), 0.5);
+    const std::filesystem::path path = folder.filePath("ball.stl").toStdString();
+    QVERIFY(m_kind.exportTo(*value, path, {}).hasValue());
+    const auto read = readMeshFile(path, {});
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->soup.triangles.size(), value->surface.triangleCount());
+    QVERIFY(isClosedManifold(weld(read->soup)));
+    QVERIFY(!m_kind.exportTo(*value, folder.filePath("ball.txt").toStdString(), {}).hasValue());
+  }
+
+  void editsAreExchanged() {
+    const auto before = snapshotOf(cube(5.0), 0.5), after = snapshotOf(cube(6.0), 0.5);
+    OpenedFile opened;
+    opened.kind = &m_kind;
+    opened.content = before;
+    VolumeDocument document(std::move(opened));
+    document.commit("change", std::make_unique<VolumeEdit>(after, 3));
+    QCOMPARE(document.volume(), std::shared_ptr<const VolumeSnapshot>(after));
+    document.history()->undo();
+    QCOMPARE(document.volume(), std::shared_ptr<const VolumeSnapshot>(before));
+    document.history()->redo();
+    QCOMPARE(document.volume(), std::shared_ptr<const VolumeSnapshot>(after));
+    QCOMPARE(std::get<double>(document.property("voxel")->value), 0.5);
+  }
+
+ private:
+  VolumeKind m_kind;
+};
+
+HANDWHEEL_TEST(VolumeKindTest)
+#include "VolumeKindTest.moc"
