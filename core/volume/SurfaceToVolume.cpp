@@ -251,6 +251,14 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   return made;
 }
 
+double usualVoxel(const TriangleSoup& surface) {
+  constexpr double kVoxelsAcross = 256.0;
+  Box bounds;
+  for (const Vec3& p : surface.points) bounds.extend(p);
+  const double extent = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
+  return extent > 0.0 ? extent / kVoxelsAcross : 1.0;
+}
+
 SparseVolume ballOfVoxels(double radius, double voxel) {
   SparseVolume ball(Vec3::Zero(), voxel);
   const int blocks = static_cast<int>(std::ceil((radius / voxel + kBand) / VolumeBlock::kSize));

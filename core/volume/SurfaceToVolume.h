@@ -28,6 +28,9 @@ struct SurfaceVolume {
 // volume.nothing-inside, cancelled.
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {});
 
+// The voxel for a surface where a person chooses none: a 256th of its largest extent; mm.
+double usualVoxel(const TriangleSoup& surface);
+
 // A ball around the origin; mm.
 SparseVolume ballOfVoxels(double radius, double voxel);
 

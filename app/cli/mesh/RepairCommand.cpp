@@ -13,6 +13,7 @@
 #include "cli/mesh/BatchRepair.h"
 #include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
+#include "cli/mesh/RepairByVolume.h"
 #include "cli/mesh/RepairJson.h"
 #include "document/AtomicFile.h"
 #include "text/RepairText.h"
@@ -149,11 +150,15 @@ CommandSpec repairSpec() {
       {"time-limit", 0, "S", "Repair many: stop a file after S seconds"},
       {"help", 'h', "", "Show this help"},
   };
+  for (OptionSpec& option : volumeRepairOptions()) options.push_back(std::move(option));
   options.insert(options.end(), others.begin(), others.end());
   return {"repair", "IN [IN...]", purpose, std::move(options)};
 }
 
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (isByVolume(arguments)) return runRepairByVolume(arguments, kinds);
+  if (arguments.has("voxel") || (arguments.has("by") && arguments.valueOf("by") != "triangles"))
+    return failUsage("--by is triangles or volume; --voxel belongs to volume.", "repair");
   if (isBatch(arguments)) return runBatchRepair(arguments, kinds);
   RepairRequest request;
   const std::string problem = readRequest(arguments, kinds, request);

@@ -9,18 +9,10 @@
 namespace handwheel {
 namespace {
 
-constexpr double kVoxelsAcross = 256.0;
 // The triangles of its display, and what making it takes for a while, as shares of the volume; measured.
 constexpr double kDisplay = 4.0, kWhileMaking = 1.5;
 
 }  // namespace
-
-double usualVoxel(const TriangleSoup& surface) {
-  Box bounds;
-  for (const Vec3& p : surface.points) bounds.extend(p);
-  const double extent = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
-  return extent > 0.0 ? extent / kVoxelsAcross : 1.0;
-}
 
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress) {

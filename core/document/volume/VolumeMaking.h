@@ -17,9 +17,6 @@ struct MadeVolume {
   SurfaceVolume surface;  // what became of the surface; its volume shares the blocks
 };
 
-// The voxel for a surface where a person chooses none: a 256th of its largest extent; mm.
-double usualVoxel(const TriangleSoup& surface);
-
 // The content of a document of what a surface encloses. voxel: mm; none: the usual one. Errors: those of
 // volumeOfSurface(), and VolumeErrors::TooLarge where it would take more memory than the system has left.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh/RepairByVolume.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/Wording.h"
+#include "cli/mesh/MeshOutput.h"
+#include "document/formats/MeshExport.h"
+#include "document/mesh/MeshSnapshot.h"
+#include "mesh/measure/Deviation.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "text/RepairText.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeRepair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+namespace {
+
+constexpr std::array<std::string_view, 5> kOptions{"by", "voxel", "output", "partial", "json"};
+
+struct Request {
+  std::filesystem::path input, output;
+  ReadOptions read;
+  std::optional<double> voxel;
+};
+
+struct Done {
+  DocumentFile file;
+  std::string refusal;
+  MeshReport after;
+  VolumeRepair repair;
+  double voxel = 0.0;
+  double scanTo99 = 0.0, scanToMost = 0.0;  // mm from the scan to the repaired surface: of 99 % of its area, and most
+};
+
+Result<Done> repairFile(const Request& request, const DocumentKinds& kinds, Progress progress) {
+  const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
+  if (!input) return input.error();
+  Done done;
+  done.file = input->opened.file;
+  done.refusal = refusalToReplace(request.output, input->opened.file);
+  if (!done.refusal.empty()) return done;
+  const MeshSnapshot* document = input->meshDocument();
+  const TriangleSoup soup = document ? document->mesh.mesh.compact().soup : input->mesh->soup;
+  done.voxel = request.voxel.value_or(usualVoxel(soup));
+  Result<VolumeRepair> repair = repairByVolume(soup, {.voxel = done.voxel}, progress.part(0.1, 0.7));
+  if (!repair) {
+    Error error = repair.error();
+    error.subject = request.input.string();
+    return error;
+  }
+  done.repair = std::move(*repair);
+  const Result<Deviation> measured = deviation(done.repair.mesh, buildMesh(soup).mesh, {}, progress.part(0.7, 0.8));
+  if (!measured) return measured.error();
+  done.scanTo99 = measured->ofScan.percentiles.back();
+  done.scanToMost = std::abs(measured->ofScan.farthest().distance);
+  const Status written = writeMesh(*input, done.repair.mesh, request.output, progress.part(0.8, 0.9));
+  if (!written) return written.error();
+  done.after = reportOn(done.repair.mesh.compact().soup, SelfIntersections::Count, progress.part(0.9, 1.0));
+  return done;
+}
+
+std::string textOf(const Done& done, const Request& request) {
+  return request.output.string() + ": " + stateText(done.after).toStdString() + ". Voxels of " +
+         roundedText(done.voxel) + " mm; " + std::to_string(done.after.triangles) +
+         " triangles; 99 % of the scan's area is within " + roundedText(done.scanTo99, 3) +
+         " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) + " mm.\n";
+}
+
+nlohmann::ordered_json jsonOf(const Done& done) {
+  return {{"by", "volume"},
+          {"voxel_mm", done.voxel},
+          {"closed_boundaries", done.repair.closedBoundaries},
+          {"near_share", done.repair.nearShare},
+          {"triangles_sampled", done.repair.sampledTriangles},
+          {"triangles", done.after.triangles},
+          {"scan_distance_99_mm", done.scanTo99},
+          {"scan_distance_mm", done.scanToMost},
+          {"sound", done.after.isSound()}};
+}
+
+}  // namespace
+
+std::vector<OptionSpec> volumeRepairOptions() {
+  return {{"by", 0, "WAY", "triangles (default), or volume: the surface of the volume that is enclosed replaces all"},
+          {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"}};
+}
+
+bool isByVolume(const Arguments& arguments) {
+  return arguments.valueOf("by") == "volume";
+}
+
+int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "repair");
+  for (const auto& [name, value] : arguments.options) {
+    if (std::find(kOptions.begin(), kOptions.end(), name) == kOptions.end())
+      return failUsage("--" + name + " has no meaning for a repair by volume.", "repair");
+  }
+  Request request;
+  request.input = arguments.operands[0];
+  request.output = arguments.valueOf("output");
+  request.read.partial = arguments.has("partial");
+  if (arguments.has("voxel")) {
+    double voxel = 0.0;
+    if (!readNumber(arguments.valueOf("voxel"), voxel) || !(voxel > 0.0) || !std::isfinite(voxel))
+      return failUsage("--voxel needs a length in mm, above 0.", "repair");
+    request.voxel = voxel;
+  }
+  if (!isContainerName(request.output)) {
+    if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
+  }
+  std::optional<Result<Done>> result;
+  runInterruptible("Repairing", [&](CommandJob& job) { result = repairFile(request, kinds, job.progress()); });
+  if (!*result) return fail((*result)->error());
+  const Done& done = (*result)->value();
+  reportLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  const int code = print(arguments.has("json") ? jsonOf(done).dump() + "\n" : textOf(done, request));
+  if (code != kExitDone) return code;
+  return done.after.isSound() ? kExitDone : kExitSomethingLeft;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+#include "mesh/structure/TriangleSoup.h"
+
+#include <cstddef>
+
+namespace handwheel {
+
+// How a surface is repaired by a volume.
+struct VolumeRepairOptions {
+  double voxel = 0.0;     // mm
+  bool isReduced = true;  // to about as many triangles as the surface had
+};
+
+// A surface that was repaired by a volume.
+struct VolumeRepair {
+  HalfEdgeMesh mesh;                 // closed, manifold, oriented, free of self-intersections
+  std::size_t closedBoundaries = 0;  // as in SurfaceVolume
+  std::size_t sampledTriangles = 0;  // of the volume's surface, before any were taken away
+  double nearShare = 0.0;            // as in SurfaceVolume
+};
+
+// Replaces a surface by that of the volume that it encloses (He 2008, 4.1: the volume workflow). All defects go: holes,
+// gaps, self-intersections, walls inside, whatever is not manifold. Details below the size of a voxel go too, and sharp
+// edges are cut off by up to half a voxel. Triangles are taken away by quadrics; where that made any meet, all stay.
+// Errors: those of volumeOfSurface().
+Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
+                                    Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/VolumeRepair.h"
+
+#include "ClosedSurface.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "proximity/SelfIntersection.h"
+#include "proximity/TriangleHierarchy.h"
+#include "volume/SurfaceToVolume.h"
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A ball with what scans have: holes, triangles that are turned or there twice, another ball half in it, one wholly in
+// it, and vertices that are not joined.
+TriangleSoup anyScan() {
+  const auto number = [](int low, int high) { return *rc::gen::inRange(low, high); };
+  TriangleSoup scan = moved(icosphere(2), Vec3::Zero(), 10.0);
+  const int holes = number(0, 8);
+  for (int i = 0; i < holes; ++i)
+    scan.triangles.erase(scan.triangles.begin() + number(0, static_cast<int>(scan.triangles.size())));
+  const int turned = number(0, 10);
+  for (int i = 0; i < turned; ++i) {
+    Triangle& t = scan.triangles[static_cast<std::size_t>(number(0, static_cast<int>(scan.triangles.size())))];
+    std::swap(t[0], t[1]);
+  }
+  const int twice = number(0, 10);
+  for (int i = 0; i < twice; ++i)
+    scan.triangles.push_back(
+        scan.triangles[static_cast<std::size_t>(number(0, static_cast<int>(scan.triangles.size())))]);
+  if (number(0, 2) == 1) append(scan, moved(icosphere(2), Vec3(9.0, 0.0, 0.0), 4.0));
+  if (number(0, 2) == 1) append(scan, moved(icosphere(2), Vec3(1.0, 0.0, 0.0), 4.0));
+  if (number(0, 2) == 1) scan = unshared(scan);
+  return scan;
+}
+
+}  // namespace
+
+class VolumeRepairTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void anyScanBecomesSound() {
+    int reduced = 0;
+    QVERIFY(rc::check([&] {
+      const TriangleSoup scan = anyScan();
+      const Result<VolumeRepair> repair = repairByVolume(scan, {.voxel = 1.0});
+      RC_ASSERT(repair.hasValue());
+      const TriangleSoup after = repair->mesh.compact().soup;
+      RC_ASSERT(isClosedManifold(after));
+      RC_ASSERT(selfIntersections(after.points, after.triangles)->empty());
+      reduced += after.triangles.size() < repair->sampledTriangles;
+      // A surface that is outside of the ball by more than what was taken away allows would be geometry nobody has.
+      const TriangleHierarchy hierarchy(scan.points, scan.triangles);
+      for (const Vec3& p : after.points) RC_ASSERT(std::sqrt(hierarchy.nearest(p)->squaredDistance) < 3.0);
+    }));
+    QVERIFY(reduced > 30);
+  }
+
+  void withoutReduction() {
+    const TriangleSoup ball = moved(icosphere(3), Vec3::Zero(), 10.0);
+    const Result<VolumeRepair> repair = repairByVolume(ball, {.voxel = 0.5, .isReduced = false});
+    QCOMPARE(repair->mesh.liveFaceCount(), repair->sampledTriangles);
+    QVERIFY(repair->nearShare > 0.999);
+  }
+
+  void whatCannotBe() {
+    QVERIFY(!repairByVolume({}, {.voxel = 0.5}).hasValue());
+    QVERIFY(!repairByVolume(cube(), {.voxel = 0.0}).hasValue());
+    JobState state;
+    state.cancelled = true;
+    QVERIFY(repairByVolume(cube(), {.voxel = 0.01}, Progress(state)).error().code == ErrorCode::Cancelled);
+  }
+
+  void usualVoxels() {
+    QCOMPARE(usualVoxel(cube(256.0)), 1.0);
+    QVERIFY(usualVoxel({}) > 0.0);
+  }
+};
+
+HANDWHEEL_TEST(VolumeRepairTest)
+#include "VolumeRepairTest.moc"
