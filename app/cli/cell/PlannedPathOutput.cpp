@@ -9,6 +9,7 @@
 #include "cli/cell/PathReport.h"
 #include "document/AtomicFile.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/PlansEdit.h"
 
 #include <algorithm>
 
@@ -27,6 +28,7 @@ int writePath(const PlannedAndChecked& planned, const CellScene& scene, const Ce
   CellPlans plans = *cell.plans;
   std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == planned.path.path.name; });
   plans.paths.push_back(planned.path.path);
+  if (const Status fits = checkCounts(plans); !fits) return fail(fits.error());
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));
   return saveCell(file, cell, output);
 }

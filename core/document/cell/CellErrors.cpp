@@ -108,6 +108,11 @@ const ErrorDescription CellError::TargetStray{
     .advice = {translatable("ErrorText", "Undo that, or remove the target.")}};
 
 const ErrorDescription CellError::ToolOutOfReach{
+const ErrorDescription CellError::PlansFull{
+    .id = "PlansFull",
+    .sentences = {translatable("ErrorText", "the cell would have %2 %1, and it can hold %3")},
+    .advice = {translatable("ErrorText", "Remove what is not needed any more, or plan it in another cell.")}};
+
     .id = "ToolOutOfReach",
     .sentences = {translatable("ErrorText", "the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that")},
     .advice = {translatable("ErrorText", "Choose a nearer place, or turn the tool.")}};

@@ -26,6 +26,7 @@ extern const ErrorDescription TrackBlocked;       // {point, count, x, y, z; mm;
 extern const ErrorDescription TrackBroken;        // {point, count, x, y, z; mm} not without a leap of a joint
 extern const ErrorDescription PlaceNameTaken;     // {name} by a configuration or a target
 extern const ErrorDescription TargetStray;        // {target} the body that it is on is missing
+extern const ErrorDescription PlansFull;          // {what, count, most} more than a cell can hold
 extern const ErrorDescription ToolOutOfReach;     // {x, y, z; mm} whatever the limits
 extern const ErrorDescription ToolBeyondLimits;   // {x, y, z; mm; joint}
 extern const ErrorDescription ToolBlocked;        // {x, y, z; mm; link, link or body} by the nearest way

@@ -55,8 +55,7 @@ Result<JointValues> valuesFrom(const Json& row, const std::string& element, cons
     if (!row[i].is_number()) return malformedPath(element, "a number for each joint was expected");
     values[columns[i]] = row[i].get<double>();
   }
-  if (const Status within = checkLimits(robot, values); !within) return within.error();
-  return values;
+  return valuesWithinLimits(robot, std::move(values));
 }
 
 double numberAt(const Json& json, const char* key, double otherwise, double least, double largest) {
@@ -93,15 +92,18 @@ Result<PathPlace> placeFrom(const Json& json, const std::string& element, const 
 Status checkLimits(const RobotModel& robot, const JointValues& joints) {
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
     const Joint& joint = robot.jointOfDof(dof);
-    const double value = joints[static_cast<Eigen::Index>(dof)];
+    double& value = joints[static_cast<Eigen::Index>(dof)];
+    const double most = joint.kind == JointKind::Prismatic ? kFarthestTravel : kMostTurn;
     const bool isFree = joint.kind == JointKind::Continuous;
-    const double least = isFree ? -kFarthestTravel : joint.limits.nearest(-HUGE_VAL),
-                 largest = isFree ? kFarthestTravel : joint.limits.nearest(HUGE_VAL);
-    if (value >= least - kSlack && value <= largest + kSlack) continue;
-    return Error{
-        ErrorCode::ValueOutOfRange, {joint.name, shownText(value), shownText(least), shownText(largest)}, {}, {}};
+    const double least = isFree ? -most : std::max(joint.limits.lower, -most),
+                 largest = isFree ? most : std::min(joint.limits.upper, most);
+    if (!(value >= least - kSlack && value <= largest + kSlack) || least > largest) {
+      return Error{
+          ErrorCode::ValueOutOfRange, {joint.name, shownText(value), shownText(least), shownText(largest)}, {}, {}};
+    }
+    value = std::clamp(value, least, largest);
   }
-  return Done{};
+  return joints;
 }
 
 Json toJson(const RobotModel& robot, const JointValues& joints) {
@@ -120,8 +122,7 @@ Result<JointValues> jointsFrom(const Json& json, const RobotModel& robot, const 
     if (!value.is_number()) return malformedPath("joints." + name, "a number was expected");
     values[dof] = value.get<double>();
   }
-  if (const Status within = checkLimits(robot, values); !within) return within.error();
-  return values;
+  return valuesWithinLimits(robot, std::move(values));
 }
 
 Json toJson(const RobotModel& robot, const RobotPath& path) {

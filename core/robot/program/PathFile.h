@@ -26,7 +26,9 @@ Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const
 nlohmann::json toJson(const RobotModel& robot, const JointValues& joints);
 Result<JointValues> jointsFrom(const nlohmann::json& json, const RobotModel& robot, const JointValues& others);
 
-// Error where a value is not within the limits of its joint: ValueOutOfRange {joint, value, least, largest; rad, mm}.
-Status checkLimits(const RobotModel& robot, const JointValues& joints);
+// The values as paths take them: what printed digits put beyond a limit is brought back onto it, so that planning and
+// verification, which allow less, agree with what was read. Error where a value is beyond the limits of its joint, or a
+// hinge beyond kMostTurn: ValueOutOfRange {joint, value, least, largest; rad, mm}.
+Result<JointValues> valuesWithinLimits(const RobotModel& robot, JointValues joints);
 
 }  // namespace handwheel

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace handwheel {
 
@@ -65,12 +67,26 @@ struct CellPlans {
   double clearance = 0.0;        // mm that paths keep from everything
 
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
+// Gives each thing a name that no other has: the one that is wished for, or that with the least number from 2 on that
+// makes it another one. Counts on from the last number, so that n names take O(n).
+class FreeNames {
+ public:
+  void add(const std::string& taken) { m_taken.insert(taken); }
+  std::string take(const std::string& wish);
+
+ private:
+  std::unordered_set<std::string> m_taken;
+  std::unordered_map<std::string, std::size_t> m_numbers;  // the last that was given
+};
+
   const NamedTarget* target(std::string_view name) const;                // null: there is none
   const RobotPath* path(std::string_view name) const;                    // null: there is none
-  // A name that none of the paths has: this one, or with a number.
-  std::string freePathName(const std::string& wish) const;
-  std::string freePlaceName(const std::string& wish) const;  // neither of a configuration nor of a target
-  std::size_t bytes() const;                                 // about
+  // Names that are free. O(names); who wants several keeps it.
+  FreeNames pathNames() const;
+  FreeNames placeNames() const;  // neither of a configuration nor of a target
+  std::string freePathName(const std::string& wish) const { return pathNames().take(wish); }
+  std::string freePlaceName(const std::string& wish) const { return placeNames().take(wish); }
+  std::size_t bytes() const;  // about
 
   bool operator==(const CellPlans& other) const;
 };

@@ -224,12 +224,12 @@ Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& c
     if (!values) return values.error();
     return PathPlace{.joints = scene.whole(*values), .name = target->name};
   }
-  if (text == "here") return PathPlace{.joints = cell.joints};
-  const auto numbers = numbersOf(text, scene.scene.size());
-  if (!numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
-  PathPlace place{.joints = scene.whole(*numbers)};
-  if (const Status within = checkLimits(scene.robot->model, place.joints); !within) return within.error();
-  return place;
+  const bool isHere = text == "here";
+  const auto numbers = isHere ? std::nullopt : numbersOf(text, scene.scene.size());
+  if (!isHere && !numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
+  Result<JointValues> within = valuesWithinLimits(scene.robot->model, isHere ? cell.joints : scene.whole(*numbers));
+  if (!within) return within.error();
+  return PathPlace{.joints = std::move(within).value()};
 }
 
 Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,

@@ -105,3 +105,43 @@ class PathFileTest : public QObject {
 
 HANDWHEEL_TEST(PathFileTest)
 #include "PathFileTest.moc"
+  // What a file has in few digits may be a little beyond a limit: the path is within, for planner and verifier alike.
+  void printedDigitsBeyondALimit() {
+    QVERIFY(rc::check("within, and no further away than the digits", [] {
+      const double over = anyNumber(-0.9e-6, 0.9e-6), under = anyNumber(-0.9e-6, 0.9e-6);
+      const auto within = valuesWithinLimits(arm(), pair(3.0 + over, -3.0 + under));
+      RC_ASSERT(within.hasValue());
+      RC_ASSERT((*within)[0] == std::min(3.0, 3.0 + over) && (*within)[1] == std::max(-3.0, -3.0 + under));
+    }));
+    QVERIFY(!valuesWithinLimits(arm(), pair(3.0 + 2e-6, 0)).hasValue());
+    const auto path = readPath(R"({"waypoints": [[3.0000005, -3.0000005]]})", arm(), pair(0, 0));
+    QVERIFY(path.hasValue() && path->places[0].joints == pair(3, -3));
+  }
+
+  // A motion of a million turns could be looked at for days.
+  void tooManyTurns() {
+    const RobotModel wide = readOrThrow(planarArm({0.5, 0.5}, limit(-1e6, 1e6))).robot;
+    QVERIFY(readPath(R"({"waypoints": [[1000, -1000]]})", wide, pair(0, 0)).hasValue());
+    for (const char* text : {R"({"waypoints": [[1001, 0]]})", R"({"places": [{"joints": {"j2": -1001}}]})"}) {
+      const auto path = readPath(text, wide, pair(0, 0));
+      QVERIFY(!path.hasValue() && path.error().code == ErrorCode::ValueOutOfRange);
+    }
+    // Slides of course go further than 1000 mm.
+    const RobotModel slide =
+        readOrThrow(robotOf(link("a") + link("b") + joint("j", "prismatic", "a", "b", limit(0, 9)))).robot;
+    QVERIFY(valuesWithinLimits(slide, JointValues::Constant(1, 8e3)).hasValue());
+  }
+
+  // As one by one, and of many names alike each once.
+  void manyNamesAlike() {
+    FreeNames names;
+    names.add("way 3");
+    std::vector<std::string> taken;
+    for (int i = 0; i < 20'000; ++i) taken.push_back(names.take("way"));
+    QCOMPARE(taken[0], std::string("way"));
+    QCOMPARE(taken[1], std::string("way 2"));
+    QCOMPARE(taken[2], std::string("way 4"));
+    QCOMPARE(taken.back(), std::string("way 20001"));
+    QCOMPARE(names.take("way 7"), std::string("way 7 2"));
+  }
+
