@@ -19,12 +19,6 @@ using nlohmann::json;
 
 const std::string kPlans = "cell/plans.json";
 
-json numbersOfPose(const Pose& pose) {
-  json numbers = json::array();
-  for (Eigen::Index i = 0; i < 12; ++i) numbers.push_back(pose.matrix()(i / 4, i % 4));
-  return numbers;
-}
-
 class PlansReading {
  public:
   PlansReading(const RobotModel& robot, const JointValues& others, std::vector<Error>& damage)
@@ -104,13 +98,13 @@ class PlansReading {
     const auto rigid = isRigid(pose) ? std::optional(pose) : nearestRigid(pose);
     if (!rigid) note({ErrorCode::ElementMalformed, {element, "its pose cannot be used"}, {}, {}});
     return rigid;
-  FreeNames m_placeNames, m_pathNames;
   }
 
   const RobotModel& m_robot;
   const JointValues& m_others;
   std::vector<Error>& m_damage;
   CellPlans m_plans;
+  FreeNames m_placeNames, m_pathNames;
 };
 
 }  // namespace

@@ -21,6 +21,9 @@ Result<RobotPath> pathFrom(const nlohmann::json& json, const RobotModel& robot, 
 // The same from a file's text; errors of parseJson(), too.
 Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others);
 
+// A pose as twelve numbers, row by row: the turn and, last in each row, the place.
+nlohmann::json numbersOfPose(const Pose& pose);
+
 // Joint values under the names of the joints that move, and back; what is missing is that of `others`. Errors: as
 // pathFrom().
 nlohmann::json toJson(const RobotModel& robot, const JointValues& joints);

@@ -26,6 +26,10 @@ std::string FreeNames::take(const std::string& wish) {
   return name;
 }
 
+bool PathProcess::operator==(const PathProcess& other) const {
+  return values == other.values && part.matrix() == other.part.matrix();
+}
+
 bool NamedTarget::operator==(const NamedTarget& other) const {
   return name == other.name && pose.matrix() == other.pose.matrix() && body == other.body;
 }
@@ -64,6 +68,13 @@ std::size_t CellPlans::bytes() const {
   for (const NamedTarget& each : targets) sum += sizeof each + each.name.size();
   for (const RobotPath& path : paths) {
     sum += sizeof path + path.name.size();
+    if (!path.process) continue;
+    for (const auto& [name, value] : path.process->values) {
+      const auto* const text = std::get_if<std::string>(&value);
+      sum += sizeof value + name.size() + (text ? text->size() : 0);
+    }
+  }
+  for (const RobotPath& path : paths) {
     for (const PathPlace& place : path.places) sum += sizeof place + place.name.size() + ofValues(place.joints);
   }
   return sum;

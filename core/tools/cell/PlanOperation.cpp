@@ -103,7 +103,7 @@ class LegPlanning {
       return Error{CellError::LineUnreachable, {name, roundedText(100.0 * line.reached, 3)}, {}, {}};
     if (!line.isFree()) {
       const auto [link, other] = m_scene.namesOf(line.blocked);
-      return Error{CellError::PathCollides, {name, "1", link, other}, {}, {}};
+      return Error{CellError::LineCollides, {name, link, other}, {}, {}};
     }
     path.places.push_back(to);
     return Done{};

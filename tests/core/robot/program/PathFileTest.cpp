@@ -45,6 +45,11 @@ class PathFileTest : public QObject {
         place.blend = anyNumber(0, 50);
         path.places.push_back(place);
       }
+      if (*rc::gen::arbitrary<bool>()) {
+        path.process = PathProcess{{{"along", anyNumber(0, 4)}, {"free", true}, {"part", "a \"block\""}}, {}};
+        path.process->part =
+            Pose(Eigen::Translation3d(1.5, -2.0, 1e3) * Eigen::AngleAxisd(anyNumber(-3, 3), Vec3(1, 2, 2) / 3.0));
+      }
       const auto again = readPath(toJson(arm(), path).dump(), arm(), pair(0, 0));
       RC_ASSERT(again.hasValue());
       RC_ASSERT(*again == path);
@@ -60,6 +65,23 @@ class PathFileTest : public QObject {
     const auto other = readPath(R"({"joints": ["j2"], "waypoints": [[0.5]]})", arm(), pair(0.25, 0));
     QVERIFY(other.hasValue());
     QVERIFY(other->places[0].joints == pair(0.25, 0.5));
+  }
+
+  // What made a path cannot be used: the path is as good without it.
+  void brokenProcess() {
+    for (const char* process :
+         {"7", "{}", R"({"values": {}})", R"({"values": {}, "part": [1, 2]})", R"({"values": 1, "part": [1]})",
+          R"({"values": {}, "part": [2,0,0,0, 0,1,0,0, 0,0,1,0]})",
+          R"({"values": {}, "part": [-1,0,0,0, 0,1,0,0, 0,0,1,0]})"}) {
+      const auto path =
+          readPath(R"({"waypoints": [[0, 1]], "process": )" + std::string(process) + "}", arm(), pair(0, 0));
+      QVERIFY2(path.hasValue() && !path->process && path->places.size() == 1, process);
+    }
+    const auto path =
+        readPath(R"({"waypoints": [], "process": {"values": {"a": [1], "b": 2}, "part": [1,0,0,0, 0,1,0,0, 0,0,1,7]}})",
+                 arm(), pair(0, 0));
+    QVERIFY(path.hasValue() && path->process && path->process->values.size() == 1);
+    QVERIFY(path->process->part.translation() == Vec3(0, 0, 7));
   }
 
   void refusals_data() {
@@ -94,17 +116,6 @@ class PathFileTest : public QObject {
     QCOMPARE(QString::fromLatin1(path.error().code->id), code);
   }
 
-  void names() {
-    CellPlans plans;
-    plans.paths = {{"way", {}}, {"way 2", {}}};
-    QCOMPARE(plans.freePathName("way"), std::string("way 3"));
-    QCOMPARE(plans.freePathName("other"), std::string("other"));
-    QVERIFY(plans.path("way 2") && !plans.path("way 9"));
-  }
-};
-
-HANDWHEEL_TEST(PathFileTest)
-#include "PathFileTest.moc"
   // What a file has in few digits may be a little beyond a limit: the path is within, for planner and verifier alike.
   void printedDigitsBeyondALimit() {
     QVERIFY(rc::check("within, and no further away than the digits", [] {
@@ -145,3 +156,14 @@ HANDWHEEL_TEST(PathFileTest)
     QCOMPARE(names.take("way 7"), std::string("way 7 2"));
   }
 
+  void names() {
+    CellPlans plans;
+    plans.paths = {{"way", {}}, {"way 2", {}}};
+    QCOMPARE(plans.freePathName("way"), std::string("way 3"));
+    QCOMPARE(plans.freePathName("other"), std::string("other"));
+    QVERIFY(plans.path("way 2") && !plans.path("way 9"));
+  }
+};
+
+HANDWHEEL_TEST(PathFileTest)
+#include "PathFileTest.moc"
