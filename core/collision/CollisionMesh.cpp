@@ -3,9 +3,11 @@
 #include "collision/CollisionMesh.h"
 
 #include "collision/FclHierarchy.h"
+#include "proximity/ExactOrientation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -49,40 +51,87 @@ TriangleSoup welded(const TriangleSoup& soup) {
   return made;
 }
 
+// Whether the ray from p along z may meet a box. In doubt it does.
+bool mayMeetRayUp(const fcl::OBBd& box, const Vec3& p) {
+  const Vec3 from = box.axis.transpose() * (p - box.To), way = box.axis.row(2);
+  constexpr double kRounding = 1e-9;  // of lengths
+  const double slack = kRounding * (box.extent.norm() + box.To.norm() + p.norm());
+  double first = 0.0, last = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double half = box.extent[k] + slack;
+    if (std::abs(way[k]) < kRounding) {  // it changes by less than the slack along the whole box
+      if (std::abs(from[k]) > half + kRounding * box.extent.norm()) return false;
+      continue;
+    }
+    const double a = (-half - from[k]) / way[k], b = (half - from[k]) / way[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first <= last;
+}
+
+// Which way the ray from p along z passes a triangle: 1 out of what it bounds, -1 into it, 0 not at all. The ray is
+// taken to be off p by nearly nothing in x, and by nearly nothing of that in y: so it meets no edge and no corner, and
+// of triangles that share one exactly those that a ray beside it would meet. Exact, but for points on the triangle.
+int passes(const Vec3& p, const std::array<const Vec3*, 3>& corners) {
+  const Vec2 at = p.head<2>();
+  int around = 0;  // how often the triangle, seen from above, goes around the ray
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &a = *corners[k], &b = *corners[(k + 1) % 3];
+    const bool isUp = b.y() > p.y();
+    if ((a.y() > p.y()) == isUp) continue;
+    const Vec3 &lower = isUp ? a : b, &upper = isUp ? b : a;
+    if (sideOfLine(lower.head<2>(), upper.head<2>(), at) > 0) around += isUp ? 1 : -1;
+  }
+  if (around == 0) return 0;
+  const int side = ExactPlane(*corners[0], *corners[1], *corners[2]).side(p);
+  return side == -around ? around : 0;
+}
+
 }  // namespace
 
-CollisionMesh::CollisionMesh(const TriangleSoup& soup) : m_soup(welded(soup)) {
+CollisionMesh::CollisionMesh(const TriangleSoup& original) {
+  const TriangleSoup soup = welded(original);
   auto hierarchy = std::make_unique<Hierarchy>();
   hierarchy->model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Triangle> triangles;
-  for (const Triangle& t : m_soup.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  for (const Triangle& t : soup.triangles) triangles.emplace_back(t[0], t[1], t[2]);
   if (!triangles.empty()) {
-    hierarchy->model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(m_soup.points.size()));
-    hierarchy->model->addSubModel(m_soup.points, triangles);
+    hierarchy->model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(soup.points.size()));
+    hierarchy->model->addSubModel(soup.points, triangles);
     hierarchy->model->endModel();
     hierarchy->model->computeLocalAABB();
     for (int i = 0; i < hierarchy->model->getNumBVs(); ++i)
       hierarchy->radii.push_back(hierarchy->model->getBV(i).bv.obb.extent.norm());
   }
   m_hierarchy = std::move(hierarchy);
-  for (const Triangle& t : m_soup.triangles) {
-    for (const std::uint32_t v : t) m_bounds.extend(m_soup.points[v]);
+  for (const Triangle& t : soup.triangles) {
+    for (const std::uint32_t v : t) m_bounds.extend(soup.points[v]);
   }
-  m_isClosed = hasNoBorder(m_soup);
+  m_isClosed = hasNoBorder(soup);
 }
 
 CollisionMesh::~CollisionMesh() = default;
 
-// Van Oosterom and Strackee 1983, The solid angle of a plane triangle.
+// Counts the triangles that a ray up from the point passes, from below or from above.
 bool CollisionMesh::contains(const Vec3& p) const {
   if (!m_isClosed || !m_bounds.contains(p)) return false;
-  double sum = 0.0;
-  for (const Triangle& t : m_soup.triangles) {
-    const Vec3 a = m_soup.points[t[0]] - p, b = m_soup.points[t[1]] - p, c = m_soup.points[t[2]] - p;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  const auto& model = *m_hierarchy->model;
+  int winding = 0;
+  std::vector<int> open{0};
+  while (!open.empty()) {
+    const auto& node = model.getBV(open.back());
+    open.pop_back();
+    if (!mayMeetRayUp(node.bv.obb, p)) continue;
+    if (node.isLeaf()) {
+      const fcl::Triangle& t = model.tri_indices[node.primitiveId()];
+      winding += passes(p, {&model.vertices[t[0]], &model.vertices[t[1]], &model.vertices[t[2]]});
+    } else {
+      open.push_back(node.leftChild());
+      open.push_back(node.rightChild());
+    }
   }
-  return std::abs(sum) > M_PI;  // half of what a point inside sees, over two
+  return winding != 0;
 }
 
 }  // namespace handwheel

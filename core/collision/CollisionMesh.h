@@ -19,7 +19,8 @@ class CollisionMesh {
 
   const Box& bounds() const { return m_bounds; }  // mm; empty without triangles
   bool isClosed() const { return m_isClosed; }    // every edge has two triangles, which makes an inside
-  // Whether a point is inside of a closed mesh: by the winding number. O(n).
+  // Whether a point is inside of a closed mesh: by the winding number, which is exact.
+  // Either for a point on its surface. O(log n) on ordinary surfaces, O(n) where all of it lies above the point.
   bool contains(const Vec3& p) const;
 
   struct Hierarchy;  // of the library that does the queries
@@ -27,7 +28,6 @@ class CollisionMesh {
 
  private:
   std::unique_ptr<const Hierarchy> m_hierarchy;
-  TriangleSoup m_soup;
   Box m_bounds;
   bool m_isClosed = false;
 };

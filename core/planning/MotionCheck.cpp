@@ -146,8 +146,8 @@ void MotionCheck::open(const Interval& interval) {
   std::push_heap(m_open.begin(), m_open.end());
 }
 
-MotionCheck::State MotionCheck::run(QueryCounts* counts) {
-  while (step(counts) == State::Open) {
+MotionCheck::State MotionCheck::run(const Progress& progress, QueryCounts* counts) {
+  while (!progress.cancelled() && step(counts) == State::Open) {
   }
   return m_state;
 }

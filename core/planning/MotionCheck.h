@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "planning/RobotScene.h"
 
 #include <vector>
@@ -56,8 +57,8 @@ class MotionCheck {
 
   // Looks at one point of the motion. O(pieces of the scene).
   State step(QueryCounts* counts = nullptr);
-  // All that is needed.
-  State run(QueryCounts* counts = nullptr);
+  // All that is needed; O(length of the motion / what is free around it) points. Open: it was cancelled before that.
+  State run(const Progress& progress = {}, QueryCounts* counts = nullptr);
 
   // Of a motion that is blocked: where it was found, as a share of the motion, and what is too near there.
   double blockedAt() const { return m_blockedAt; }

@@ -130,9 +130,10 @@ ob::PlannerPtr plannerFor(std::string_view id, const ob::SpaceInformationPtr& sp
 }
 
 // Whatever a planner does with what it is told: the path that it hands over is proven as a whole.
-bool isProven(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check) {
+bool isProven(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
+              const Progress& progress) {
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (MotionCheck(scene, path[i - 1], path[i], check).run() != MotionCheck::State::Free) return false;
+    if (MotionCheck(scene, path[i - 1], path[i], check).run(progress) != MotionCheck::State::Free) return false;
   }
   return path.size() > 1;
 }
@@ -175,10 +176,11 @@ PlanResult planByOmpl(const RobotScene& scene, const ArmValues& start, const Arm
     result.path.push_back(run.valuesOf(state));
   result.path.front() = start;  // bit for bit
   result.path.back() = goal;
-  if (isProven(scene, result.path, settings.check))
+  if (isProven(scene, result.path, settings.check, progress))
     result.outcome = PlanResult::Outcome::Solved;
   else
     result.path.clear();
+  if (result.path.empty() && progress.cancelled()) result.outcome = PlanResult::Outcome::Cancelled;
   return result;
 }
 

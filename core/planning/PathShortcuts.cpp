@@ -11,15 +11,16 @@ namespace handwheel {
 
 namespace {
 
-bool isFree(const RobotScene& scene, const ArmValues& a, const ArmValues& b, const MotionCheckSettings& check) {
-  return MotionCheck(scene, a, b, check).run() == MotionCheck::State::Free;
+bool isFree(const RobotScene& scene, const ArmValues& a, const ArmValues& b, const MotionCheckSettings& check,
+            const Progress& progress) {
+  return MotionCheck(scene, a, b, check).run(progress) == MotionCheck::State::Free;
 }
 
 // Leaves out each point that its neighbours can do without, the ends of long ways first.
-void leaveOut(const RobotScene& scene, JointPath& path, const MotionCheckSettings& check) {
+void leaveOut(const RobotScene& scene, JointPath& path, const MotionCheckSettings& check, const Progress& progress) {
   for (std::size_t span = path.size() - 1; span >= 2; --span) {
-    for (std::size_t i = 0; i + span < path.size();) {
-      if (!isFree(scene, path[i], path[i + span], check)) {
+    for (std::size_t i = 0; i + span < path.size() && !progress.cancelled();) {
+      if (!isFree(scene, path[i], path[i + span], check, progress)) {
         ++i;
         continue;
       }
@@ -52,7 +53,7 @@ JointPath shortened(const RobotScene& scene, JointPath path, const MotionCheckSe
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   if (path.size() < 3) return path;
-  leaveOut(scene, path, check);
+  leaveOut(scene, path, check, progress);
   RandomSequence random(seed);
   for (int round = 0; round < rounds && path.size() > 2; ++round) {
     if (progress.cancelled() || std::chrono::duration<double>(Clock::now() - begin).count() > seconds) break;
@@ -64,7 +65,7 @@ JointPath shortened(const RobotScene& scene, JointPath path, const MotionCheckSe
     const ArmValues b = path[j] + random.share() * (path[j + 1] - path[j]);
     double before = lengthOf(scene, a, path[i + 1]) + lengthOf(scene, path[j], b);
     for (std::size_t k = i + 1; k < j; ++k) before += lengthOf(scene, path[k], path[k + 1]);
-    if (lengthOf(scene, a, b) > 0.98 * before || !isFree(scene, a, b, check)) continue;
+    if (lengthOf(scene, a, b) > 0.98 * before || !isFree(scene, a, b, check, progress)) continue;
     // The pieces of the motions that are left are parts of what is known to be free.
     path.erase(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     path.insert(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, {a, b});

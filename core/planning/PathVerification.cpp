@@ -60,7 +60,7 @@ VerifiedPath verified(const RobotScene& scene, const JointPath& path, const Moti
     const ArmValues &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
     const MotionCheckSettings check = i < offs.size() ? widened(settings, offs[i]) : settings;
     MotionCheck motion(scene, from, to, check);
-    while (motion.state() == MotionCheck::State::Open && !progress.cancelled()) motion.step();
+    motion.run(progress);
     result.steps += motion.steps();
     result.certified.push_back(motion.state() == MotionCheck::State::Free);
     if (result.certified.back() || progress.cancelled()) continue;

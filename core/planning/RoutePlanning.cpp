@@ -18,7 +18,7 @@ Route planRoute(const RobotScene& scene, std::span<const ArmValues> places, cons
     const Progress part = progress.part(done, done + share);
     MotionCheck direct(scene, places[i - 1], places[i], settings.plan.check);
     const bool isWithin = scene.isWithinLimits(places[i - 1]) && scene.isWithinLimits(places[i]);
-    if (isWithin && direct.run() == MotionCheck::State::Free) {
+    if (isWithin && direct.run(part) == MotionCheck::State::Free) {
       route.steps += direct.steps();
       route.legs.push_back({places[i - 1], places[i]});
       continue;

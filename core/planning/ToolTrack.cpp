@@ -258,7 +258,7 @@ CheckedLine checkLine(const RobotScene& scene, const SerialArm& arm, const Pose&
     const MotionCheckSettings wider =
         widened(check, scene.travelBound(followed.path[i], followed.offs[i - 1]));  // by which the arm may be off
     MotionCheck motion(scene, followed.path[i - 1], followed.path[i], wider);
-    motion.run();
+    motion.run(progress);
     checked.steps += motion.steps();
     if (motion.state() == MotionCheck::State::Free) continue;
     checked.blocked = motion.blockedBy();

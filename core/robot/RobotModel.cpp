@@ -48,22 +48,42 @@ std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link) {
   return kNone;
 }
 
-JointValues withinLimits(const RobotModel& robot, JointValues values) {
-  // A whole turn of a joint is not one of those that follow it.
-  std::vector<bool> isFollowed(robot.dofs.size());
+namespace {
+
+// By degree of freedom: whether a whole turn changes nothing. It does of those that others follow, as it is not a whole
+// turn of these.
+std::vector<bool> turnFreely(const RobotModel& robot) {
+  std::vector<bool> all(robot.dofs.size());
+  for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)
+    all[dof] = robot.jointOfDof(dof).kind == JointKind::Continuous;
   for (std::uint32_t j = 0; j < robot.joints.size(); ++j) {
     const std::uint32_t dof = robot.joints[j].dof;
-    if (dof != kNone && robot.dofs[dof] != j) isFollowed[dof] = true;
+    if (dof != kNone && robot.dofs[dof] != j) all[dof] = false;
   }
+  return all;
+}
+
+}  // namespace
+
+JointValues withinLimits(const RobotModel& robot, JointValues values) {
+  const std::vector<bool> isFree = turnFreely(robot);
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
-    const Joint& joint = robot.jointOfDof(dof);
     double& value = values[static_cast<Eigen::Index>(dof)];
-    if (joint.kind == JointKind::Continuous && !isFollowed[dof])
+    if (isFree[dof] && std::abs(value) > kMostTurn)
       value = std::remainder(value, 2.0 * std::numbers::pi);
     else
-      value = joint.limits.nearest(value);
+      value = robot.jointOfDof(dof).limits.nearest(value);
   }
   return values;
+}
+
+JointValues byShortestTurn(const RobotModel& robot, const JointValues& from, JointValues to) {
+  const std::vector<bool> isFree = turnFreely(robot);
+  for (Eigen::Index dof = 0; dof < to.size(); ++dof) {
+    if (isFree[static_cast<std::size_t>(dof)])
+      to[dof] = from[dof] + std::remainder(to[dof] - from[dof], 2.0 * std::numbers::pi);
+  }
+  return to;
 }
 
 JointValues restValues(const RobotModel& robot) {

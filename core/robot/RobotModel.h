@@ -26,6 +26,10 @@ enum class JointKind {
 // No joint goes further than this, whatever its limits, so that what follows it stays finite; rad, mm.
 inline constexpr double kFarthestTravel = 1e9;
 
+// No hinge of a path turns further than this from 0, whatever its limits (150 turns), so that a motion stays so short
+// that it can be proven; rad.
+inline constexpr double kMostTurn = 1e3;
+
 // The limits of a joint's position, velocity and effort.
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();  // rad, mm
@@ -123,9 +127,14 @@ std::uint32_t toolLink(const RobotModel& robot);
 // Finds the degree of freedom nearest to a link in its chain of joints. kNone for links that cannot move.
 std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link);
 
-// Clamps joint values to their limits. Continuous joints that no other follows are moved by whole turns into -π…π.
+// Clamps joint values to their limits. Continuous joints keep their turns, as a path may be wound up; those that no
+// other follows lose them beyond kMostTurn, which leaves them within -π…π.
 // Values must be finite. O(joints).
 JointValues withinLimits(const RobotModel& robot, JointValues values);
+
+// The values reached from others by the shortest turn: of continuous joints that no other follows, whole turns are left
+// out of the way. O(joints).
+JointValues byShortestTurn(const RobotModel& robot, const JointValues& from, JointValues to);
 
 // The rest values of the joints: zero, or the limit nearest to it.
 JointValues restValues(const RobotModel& robot);

@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   judgePrograms(text, kFrame);
   if (const auto path = readPath(text, kRobot, restValues(kRobot))) {
     for (const PathPlace& place : path->places)
-      require(place.joints.allFinite() && checkLimits(kRobot, place.joints).hasValue(), "a place beyond the limits");
+      require(valuesWithinLimits(kRobot, place.joints).hasValue(), "a place beyond the limits");
   }
   if (const auto semantics = readSrdf(text, kRobot)) {
     for (const auto& [a, b] : semantics->allowed)

@@ -17,7 +17,7 @@ SOURCES = ("core/**/*", "widgets/**/*", "plugins/**/*", "app/devices/*", "app/fi
 # Which argument of a code is a phrase. Names of elements, properties and libraries stay as they are.
 PHRASE = {
     "ArchiveError::Malformed": 0, "DeviceError::NotResponding": 0, "DeviceError::PluginBroken": 0,
-    "DeviceError::Unreachable": 0, "DocumentError::CheckFailed": 0, "ErrorCode::CountMismatch": 0,
+    "DeviceError::Unreachable": 0, "CellError::PlansFull": 0, "DocumentError::CheckFailed": 0, "ErrorCode::CountMismatch": 0,
     "ErrorCode::DataTruncated": 0, "ErrorCode::ElementMalformed": 1, "ErrorCode::FileTooLarge": 0,
     "ErrorCode::FileUnreadable": 0, "ErrorCode::LibraryFailed": 1, "ErrorCode::ReferenceMissing": 0,
     "ErrorCode::Unsupported": 0, "ErrorCode::WriteFailed": 0, "MeshFileError::TokenUnexpected": 0,

@@ -295,7 +295,12 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "joint or linear was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "joint"),
     QT_TRANSLATE_NOOP("ErrorWord", "places"),
-    QT_TRANSLATE_NOOP("ErrorWord", "a circular motion"),
+    QT_TRANSLATE_NOOP("ErrorWord", "places of a path"),
+    QT_TRANSLATE_NOOP("ErrorWord", "paths"),
+    QT_TRANSLATE_NOOP("ErrorWord", "configurations"),
+    QT_TRANSLATE_NOOP("ErrorWord", "targets"),
+    QT_TRANSLATE_NOOP("ErrorWord", "allowed"),
+    QT_TRANSLATE_NOOP("ErrorWord", "allowed pairs"),
     QT_TRANSLATE_NOOP("ErrorWord", "a place in another frame than UF : 0"),
     QT_TRANSLATE_NOOP("ErrorWord", "kind"),
     QT_TRANSLATE_NOOP("ErrorWord", "speed"),
@@ -316,6 +321,13 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "P[number] was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "its place is not in /POS, or not all of it"),
     QT_TRANSLATE_NOOP("ErrorWord", "a number and a name were expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its data are not in the file, or the robot does not hold it"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its data are not in the file, or it moves"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its tool or base is on the controller, not in the file"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is of another tool than those before"),
+    QT_TRANSLATE_NOOP("ErrorWord", "CalcRobT has another tool or frame than the motion"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not told which routine is first"),
+    QT_TRANSLATE_NOOP("ErrorWord", "routines call each other endlessly"),
 };
 
 QString shortened(const QString& text) {

@@ -9,6 +9,7 @@
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
 #include "document/FileBytes.h"
+#include "document/cell/PlansEdit.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/ConfigurationPoses.h"
@@ -109,6 +110,7 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!plans) return fail(plans.error());
     changed->plans = std::move(plans).value();
   }
+  if (const Status fits = checkCounts(changed->plans); !fits) return fail(fits.error());
   RobotCellSnapshot cell = *file->cell;
   cell.plans = std::make_shared<const CellPlans>(std::move(changed->plans));
   cell.joints = changed->joints;

@@ -9,6 +9,7 @@
 #include "cli/cell/PathReport.h"
 #include "document/AtomicFile.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/PlansEdit.h"
 
 #include <algorithm>
 
@@ -27,6 +28,7 @@ int writePath(const PlannedAndChecked& planned, const CellScene& scene, const Ce
   CellPlans plans = *cell.plans;
   std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == planned.path.path.name; });
   plans.paths.push_back(planned.path.path);
+  if (const Status fits = checkCounts(plans); !fits) return fail(fits.error());
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));
   return saveCell(file, cell, output);
 }
@@ -62,7 +64,7 @@ int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const C
 
 int outputUnsolved(const Error& error, const Arguments& arguments) {
   const auto answers = {&CellError::RouteNotFound,   &CellError::PlaceCollides, &CellError::PlaceBeyondLimits,
-                        &CellError::LineUnreachable, &CellError::PathCollides,  &CellError::TrackOutOfReach,
+                        &CellError::LineUnreachable, &CellError::LineCollides,  &CellError::TrackOutOfReach,
                         &CellError::TrackBlocked,    &CellError::TrackBroken};
   if (std::none_of(answers.begin(), answers.end(), [&](const auto* answer) { return error.code == *answer; }))
     return fail(error);

@@ -144,9 +144,10 @@ ArmValues valuesOf(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-bool isCertified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check) {
+bool isCertified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
+                 const Progress& progress) {
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (MotionCheck(scene, path[i - 1], path[i], check).run() != MotionCheck::State::Free) return false;
+    if (MotionCheck(scene, path[i - 1], path[i], check).run(progress) != MotionCheck::State::Free) return false;
   }
   return path.size() > 1;
 }
@@ -170,7 +171,7 @@ PlannedProblem planned(const PlanningProblem& problem, const BenchmarkRobot& rob
   made.planning = since();
   made.path = shortened(scene, made.result.path, settings.check, kRounds, settings.seconds, settings.seed, progress);
   made.seconds = since();
-  made.isCertified = isCertified(scene, made.path, settings.check);
+  made.isCertified = isCertified(scene, made.path, settings.check, progress);
   made.length = lengthOf(scene, made.path);
   return made;
 }

@@ -63,6 +63,12 @@ const ErrorDescription CellError::PathCollides{
     .sentences = {translatable("ErrorText", "the path '%1' collides in %2 places, first %3 with %4")},
     .advice = {translatable("ErrorText", "Plan it again, or see all of them with 'verify'.")}};
 
+const ErrorDescription CellError::LineCollides{
+    .id = "LineCollides",
+    .sentences = {translatable("ErrorText", "on the straight line to %1 the robot collides: %2 with %3")},
+    .advice = {translatable("ErrorText",
+                            "Move to it by the joints, set it or the place before elsewhere, or allow this pair.")}};
+
 const ErrorDescription CellError::PartCarried{
     .id = "PartCarried",
     .sentences = {translatable("ErrorText", "the robot carries '%1', so its tool cannot work on it")},
@@ -101,6 +107,11 @@ const ErrorDescription CellError::PlaceNameTaken{
     .id = "PlaceNameTaken",
     .sentences = {translatable("ErrorText", "the cell already has a configuration or a target called '%1'")},
     .advice = {translatable("ErrorText", "Choose another name.")}};
+
+const ErrorDescription CellError::PlansFull{
+    .id = "PlansFull",
+    .sentences = {translatable("ErrorText", "the cell would have %2 %1, and it can hold %3")},
+    .advice = {translatable("ErrorText", "Remove what is not needed any more, or plan it in another cell.")}};
 
 const ErrorDescription CellError::TargetStray{
     .id = "TargetStray",

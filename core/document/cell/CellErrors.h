@@ -18,6 +18,7 @@ extern const ErrorDescription OthersMoved;        // {place} joints beside the a
 extern const ErrorDescription LineUnreachable;    // {place, percent} the arm cannot follow the straight line to it
 extern const ErrorDescription PoseUnreachable;    // {motion} of a program: no joint values reach it
 extern const ErrorDescription PathCollides;       // {path, count of collisions, link, link or body} first of them
+extern const ErrorDescription LineCollides;       // {place, link, link or body} the straight line to it
 extern const ErrorDescription PartCarried;        // {body} the robot itself carries it
 extern const ErrorDescription TrackMissing;       // {body} no curve is where it was asked for
 extern const ErrorDescription DrawnCurveBroken;   // {number of a place, the next} the surface does not lead there
@@ -25,6 +26,7 @@ extern const ErrorDescription TrackOutOfReach;    // {point, count, x, y, z; mm}
 extern const ErrorDescription TrackBlocked;       // {point, count, x, y, z; mm; link, link or body}
 extern const ErrorDescription TrackBroken;        // {point, count, x, y, z; mm} not without a leap of a joint
 extern const ErrorDescription PlaceNameTaken;     // {name} by a configuration or a target
+extern const ErrorDescription PlansFull;          // {what, count, most} more than a cell can hold
 extern const ErrorDescription TargetStray;        // {target} the body that it is on is missing
 extern const ErrorDescription ToolOutOfReach;     // {x, y, z; mm} whatever the limits
 extern const ErrorDescription ToolBeyondLimits;   // {x, y, z; mm; joint}

@@ -42,8 +42,14 @@ Property jointProperty(const Joint& joint, double value) {
   property.translated = false;
   property.value = value;
   property.quantity = turns(joint) ? Quantity::Angle : Quantity::Length;
-  property.least = joint.kind == JointKind::Continuous ? -std::numbers::pi : joint.limits.lower;
-  property.largest = joint.kind == JointKind::Continuous ? std::numbers::pi : joint.limits.upper;
+  if (joint.kind == JointKind::Continuous) {  // one turn, and those that the joint is wound up by
+    const double wound = 2.0 * std::numbers::pi * std::round(value / (2.0 * std::numbers::pi));
+    property.least = std::min(wound, 0.0) - std::numbers::pi;
+    property.largest = std::max(wound, 0.0) + std::numbers::pi;
+  } else {
+    property.least = joint.limits.lower;
+    property.largest = joint.limits.upper;
+  }
   property.continuous = property.largest - property.least < kFarthestTravel;
   return property;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace handwheel {
 
@@ -17,12 +18,6 @@ namespace {
 using nlohmann::json;
 
 const std::string kPlans = "cell/plans.json";
-
-json numbersOfPose(const Pose& pose) {
-  json numbers = json::array();
-  for (Eigen::Index i = 0; i < 12; ++i) numbers.push_back(pose.matrix()(i / 4, i % 4));
-  return numbers;
-}
 
 class PlansReading {
  public:
@@ -46,10 +41,14 @@ class PlansReading {
   }
 
  private:
-  static const json& listAt(const json& object, const char* key) {
-    static const json kNothing = json::array();
+  // No more than a cell can hold; that others are left out is noted.
+  std::span<const json> listAt(const json& object, const char* key) {
     const auto found = object.find(key);
-    return found != object.end() && found->is_array() && found->size() <= CellPlans::kMost ? *found : kNothing;
+    if (found == object.end() || !found->is_array()) return {};
+    const std::span<const json> all = found->get_ref<const json::array_t&>();
+    if (all.size() <= CellPlans::kMost) return all;
+    note({ErrorCode::FileTooLarge, {key, std::to_string(all.size()), std::to_string(CellPlans::kMost)}, {}, {}});
+    return all.first(CellPlans::kMost);
   }
 
   void note(Error error) {
@@ -57,7 +56,7 @@ class PlansReading {
     m_damage.push_back(std::move(error));
   }
 
-  void readConfigurations(const json& list) {
+  void readConfigurations(std::span<const json> list) {
     for (const json& entry : list) {
       const std::string name = stringAt(entry, "name", "configuration");
       const auto stored = entry.is_object() ? entry.find("joints") : entry.end();
@@ -70,14 +69,14 @@ class PlansReading {
         note(joints.error());
         continue;
       }
-      m_plans.configurations.push_back({m_plans.freePlaceName(name), std::move(joints).value()});
+      m_plans.configurations.push_back({m_placeNames.take(name), std::move(joints).value()});
     }
   }
 
   void readOnePath(const json& entry) {
     Result<RobotPath> path = pathFrom(entry, m_robot, m_others);
     if (!path) return note(path.error());
-    path->name = m_plans.freePathName(path->name.empty() ? "path" : path->name);
+    path->name = m_pathNames.take(path->name.empty() ? "path" : path->name);
     m_plans.paths.push_back(std::move(path).value());
   }
 
@@ -89,7 +88,7 @@ class PlansReading {
     const auto body = entry.find("body");
     const bool isOnBody = body != entry.end() && body->is_number_unsigned();
     m_plans.targets.push_back(
-        {m_plans.freePlaceName(stringAt(entry, "name", "target")), *pose, isOnBody ? body->get<std::uint32_t>() : 0});
+        {m_placeNames.take(stringAt(entry, "name", "target")), *pose, isOnBody ? body->get<std::uint32_t>() : 0});
   }
 
   // A pose that was written in few digits.
@@ -105,6 +104,7 @@ class PlansReading {
   const JointValues& m_others;
   std::vector<Error>& m_damage;
   CellPlans m_plans;
+  FreeNames m_placeNames, m_pathNames;
 };
 
 }  // namespace

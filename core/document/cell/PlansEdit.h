@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Result.h"
 #include "document/Edit.h"
 #include "robot/program/RobotPath.h"
 
@@ -18,5 +19,8 @@ class PlansEdit : public Edit {
  private:
   std::shared_ptr<const CellPlans> m_plans;
 };
+
+// Error where that is more than a cell can hold, and so than is read of its file: CellError::PlansFull.
+Status checkCounts(const CellPlans& plans);
 
 }  // namespace handwheel

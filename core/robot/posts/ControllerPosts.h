@@ -10,6 +10,8 @@ namespace handwheel {
 class ControllerPost : public Post {
  public:
   std::vector<Error> refusals(const RobotProgram& program) const override;
+  // mm/s: what is more in a program stops it with an error, or is another speed than was verified.
+  virtual double fastestLine() const = 0;
 };
 
 // ABB: a module with a procedure of the path's name, MoveAbsJ for joint motions and MoveL for lines. Quaternions, mm,
@@ -20,6 +22,7 @@ class RapidPost : public ControllerPost {
   const char* title() const override { return "ABB RAPID"; }
   const char* ending() const override { return ".mod"; }
   const char* maker() const override { return "ABB"; }
+  double fastestLine() const override { return 7'000.0; }  // v7000 is the fastest that is predefined
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
@@ -32,6 +35,7 @@ class KrlPost : public ControllerPost {
   const char* title() const override { return "KUKA KRL"; }
   const char* ending() const override { return ".src"; }
   const char* maker() const override { return "KUKA"; }
+  double fastestLine() const override { return 3'000.0; }  // $VEL_MA.CP as delivered
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
@@ -44,6 +48,7 @@ class FanucPost : public ControllerPost {
   const char* title() const override { return "Fanuc LS"; }
   const char* ending() const override { return ".ls"; }
   const char* maker() const override { return "Fanuc"; }
+  double fastestLine() const override { return 2'000.0; }  // of an instruction of lines
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
@@ -56,6 +61,7 @@ class UrScriptPost : public ControllerPost {
   const char* title() const override { return "URScript"; }
   const char* ending() const override { return ".script"; }
   const char* maker() const override { return "Universal Robots"; }
+  double fastestLine() const override { return 5'000.0; }  // of the safety settings
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };

@@ -3,6 +3,7 @@
 #include "robot/posts/ArmPosture.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/ProgramRoutines.h"
 
 #include <algorithm>
 #include <array>
@@ -138,6 +139,116 @@ bool isInWorld(const FanucPlace& place) {
   return frame != place.end() && frame->second == 0.0;
 }
 
+// Beginnings of what neither moves the robot nor changes where others lead. What is in no list is refused.
+constexpr std::array kFanucStill = {"UFRAME_NUM", "UTOOL_NUM", "WAIT",    "DO[",  "RO[",
+                                    "GO[",        "AO[",       "F[",      "R[",   "PAYLOAD",
+                                    "TIMER",      "OVERRIDE",  "MESSAGE", "COL ", "$WAITTMOUT"};
+
+class FanucReading {
+ public:
+  explicit FanucReading(const RobotProgram& program) : m_program(program) {}
+
+  Status read(const ProgramStatement& statement) {
+    LineReader line(statement.text, statement.line);
+    if (line.take("/")) {
+      m_isInLines = line.takeWord("MN");
+      m_isInPlaces = !m_isInLines && line.takeWord("POS");
+      return Done{};
+    }
+    if (m_isInPlaces) readPlace(line);
+    return m_isInLines ? readLine(statement) : Status(Done{});
+  }
+
+  // With the places that they lead to.
+  Result<std::vector<ReadMotion>> motions() {
+    std::vector<ReadMotion> all;
+    std::optional<double> tool;
+    for (auto& [number, motion] : m_motions) {
+      const FanucPlace& place = m_places[number];
+      if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"});
+          joints && m_program.arm.size() == 6) {
+        motion.joints = counted(radiansOf(*joints), -1.0);
+      } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
+        if (!isInWorld(place) || m_program.arm.size() != 6) {
+          return Error{
+              ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
+        }
+        // The data of tools are on the controller: 0 is the flange, the other one that of the cell.
+        const auto named = valuesOf(place, {"UT"});
+        const double used = named ? named->front() : 1.0;
+        if (used != 0.0 && used != tool.value_or(used))
+          return LineReader({}, motion.line).malformed("target", "it is of another tool than those before");
+        if (used != 0.0) tool = used;
+        Pose inWorld(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
+        inWorld.linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
+        motion.pose = placeIn(m_program, fanucWorld(m_program.arm), inWorld,
+                              used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
+      } else {
+        return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
+      }
+      all.push_back(std::move(motion));
+    }
+    return all;
+  }
+
+ private:
+  void readPlace(LineReader& line) {
+    if (const std::size_t number = placeNumber(line)) {
+      m_open = number;
+      m_isOwnGroup = true;
+    }
+    // Of several groups of motion the first is the robot.
+    for (std::size_t at = line.rest().find("GP"); at != std::string_view::npos; at = line.rest().find("GP")) {
+      if (m_open > 0 && m_isOwnGroup) readAssignments(line.rest().substr(0, at), m_places[m_open]);
+      line.skip(at + 2);
+      m_isOwnGroup = line.number().value_or(1.0) == 1.0 && line.take(":");
+    }
+    if (m_open > 0 && m_isOwnGroup) readAssignments(line.rest(), m_places[m_open]);
+  }
+
+  Status readLine(const ProgramStatement& statement) {
+    LineReader line(statement.text, statement.line);
+    line.number();  // of the line
+    line.take(":");
+    line.skipSpace();
+    if (line.rest().empty()) return Done{};
+    for (const char* const still : kFanucStill) {
+      if (LineReader(line).take(still)) return Done{};
+    }
+    const std::string_view whole = line.rest();
+    const bool isJoint = line.takeWord("J"), isLinear = !isJoint && line.takeWord("L");
+    if (!isJoint && !isLinear) return unread(whole, statement.line);
+    const std::size_t number = placeNumber(line);
+    if (number == 0) return line.malformed("target", "P[number] was expected");
+    if (m_motions.size() >= Post::kMostMotions) return line.malformed("J", "there are too many motions");
+    ReadMotion motion{isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
+    motion.speed = fanucSpeedFrom(line, isJoint);
+    if (const Status options = readOptions(line, statement.line); !options) return options.error();
+    m_motions.emplace_back(number, std::move(motion));
+    return Done{};
+  }
+
+  // After the speed: "FINE", "CNT50", "ACC80", "Wjnt", "PTH"; others, as Offset, Tool_Offset or INC, change the place.
+  static Status readOptions(LineReader line, std::size_t number) {
+    line.number();
+    line.skip(std::min(line.rest().find_first_of(" \t"), line.rest().size()));  // the unit of the speed
+    for (line.skipSpace(); !line.rest().empty(); line.skipSpace()) {
+      if (line.takeWord("FINE") || line.takeWord("Wjnt") || line.takeWord("PTH")) continue;
+      LineReader valued = line;
+      const bool isValued = valued.take("CNT") || valued.take("ACC");
+      if (!isValued || !valued.number()) return unread(line.rest(), number);
+      line = valued;
+    }
+    return Done{};
+  }
+
+  const RobotProgram& m_program;
+  std::map<std::size_t, FanucPlace> m_places;
+  std::vector<std::pair<std::size_t, ReadMotion>> m_motions;  // by the numbers of their places
+  std::size_t m_open = 0;
+  bool m_isInLines = true, m_isInPlaces = false, m_isOwnGroup = true;
+};
+
 }  // namespace
 
 std::string FanucPost::write(const RobotProgram& program) const {
@@ -165,53 +276,11 @@ std::string FanucPost::write(const RobotProgram& program) const {
 Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "!");
   if (!lines) return lines.error();
-  std::map<std::size_t, FanucPlace> places;
-  std::vector<std::pair<std::size_t, ReadMotion>> motions;  // by the numbers of their places
-  std::size_t open = 0;
-  bool isInPlaces = false;
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    LineReader line((*lines)[i], i + 1);
-    if (line.take("/")) {
-      isInPlaces = line.takeWord("POS");
-      continue;
-    }
-    if (isInPlaces) {
-      if (const std::size_t number = placeNumber(line)) open = number;
-      if (open > 0) readAssignments(line.rest(), places[open]);
-      continue;
-    }
-    line.number();  // of the line
-    if (!line.take(":")) continue;
-    const bool isJoint = line.takeWord("J"), isLinear = !isJoint && line.takeWord("L");
-    if (line.takeWord("C") || line.takeWord("A"))
-      return Error{ErrorCode::Unsupported, {"a circular motion"}, InputPosition::line(i + 1), {}};
-    if (!isJoint && !isLinear) continue;
-    const std::size_t number = placeNumber(line);
-    if (number == 0) return line.malformed("target", "P[number] was expected");
-    if (motions.size() >= kMostMotions) return line.malformed("J", "there are too many motions");
-    ReadMotion motion{isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1};
-    motion.speed = fanucSpeedFrom(line, isJoint);
-    motions.emplace_back(number, std::move(motion));
+  FanucReading reading(frame);
+  for (const ProgramStatement& each : statementsOf(*lines)) {
+    if (const Status read = reading.read(each); !read) return read.error();
   }
-  std::vector<ReadMotion> all;
-  for (auto& [number, motion] : motions) {
-    const FanucPlace& place = places[number];
-    if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"}); joints && frame.arm.size() == 6) {
-      motion.joints = counted(radiansOf(*joints), -1.0);
-    } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
-      if (!isInWorld(place) || frame.arm.size() != 6) {
-        return Error{
-            ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
-      }
-      Pose inWorld(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
-      inWorld.linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
-      motion.pose = frame.frame.inverse(Eigen::Isometry) * fanucWorld(frame.arm) * inWorld;
-    } else {
-      return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
-    }
-    all.push_back(std::move(motion));
-  }
-  return all;
+  return reading.motions();
 }
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "robot/posts/ArmPosture.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/ProgramRoutines.h"
 
 #include <algorithm>
 #include <array>
@@ -114,6 +115,124 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
   return found == 0x3f ? std::optional(values) : std::nullopt;
 }
 
+// Words of what neither moves the robot nor changes where others lead. What is in no list is refused.
+constexpr std::array kKrlStill = {"DEF",  "DECL",      "INT",     "REAL",   "BOOL",     "CHAR",    "EXT",
+                                  "INI",  "INTERRUPT", "GLOBAL",  "WAIT",   "CONTINUE", "HALT",    "PULSE",
+                                  "ELSE", "CASE",      "DEFAULT", "SIGNAL", "PDAT_ACT", "LDAT_ACT"};
+constexpr std::array kKrlBlocks = {"IF", "FOR", "WHILE", "LOOP", "REPEAT", "SWITCH"};
+constexpr std::array kKrlBlockEnds = {"ENDIF", "ENDFOR", "ENDWHILE", "ENDLOOP", "UNTIL", "ENDSWITCH"};
+
+bool takesOneOf(LineReader& line, std::span<const char* const> words) {
+  return std::any_of(words.begin(), words.end(), [&](const char* word) { return line.takeWord(word); });
+}
+
+class KrlReading {
+ public:
+  explicit KrlReading(const RobotProgram& program) : m_program(program), m_base(program.frame), m_tool(program.tool) {}
+
+  std::vector<ReadMotion> motions;
+  bool isOver() const { return m_isOver; }  // at the end of the first routine: calls of others are refused
+
+  Status readLine(std::string_view text, std::size_t number) {
+    LineReader line(text, number);
+    line.skipSpace();
+    if (line.rest().empty() || line.take("&")) return Done{};
+    if (takesOneOf(line, kKrlBlocks)) {
+      m_blocks.push_back({text, number});
+      return Done{};
+    }
+    if (takesOneOf(line, kKrlBlockEnds)) {
+      if (!m_blocks.empty()) m_blocks.pop_back();
+      return Done{};
+    }
+    if (line.takeWord("END")) {
+      m_isOver = true;
+      return Done{};
+    }
+    const bool isTool = line.takeWord("$TOOL"), isBase = !isTool && line.takeWord("$BASE");
+    if (isTool || isBase) return setFrame(line, isTool ? m_tool : m_base);
+    if (readsOver(line)) return Done{};
+    const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
+    if (!isPtp && !isLinear) return unread(text, number);
+    if (!m_blocks.empty()) return unread(m_blocks.back().text, m_blocks.back().line);
+    return readMotion(line, number, isPtp);
+  }
+
+ private:
+  // True for what leaves places as they are: speeds, outputs, declarations, waiting.
+  bool readsOver(LineReader line) {
+    const bool isBas = LineReader(line).takeWord("BAS");
+    for (const char* const frames : {"#TOOL", "#BASE", "#FRAMES"}) {
+      if (isBas && line.rest().find(frames) != std::string_view::npos) m_tool = std::nullopt;  // by a number
+    }
+    if (m_settings.take(line)) return true;
+    if (line.takeWord("FDAT_ACT")) {
+      m_tool = std::nullopt;
+      return true;
+    }
+    if (takesOneOf(line, kKrlStill)) return true;
+    if (line.take("$")) {
+      LineReader name(line.name(), 0);
+      if (name.takeWord("ORI_TYPE")) return line.rest().find("#CONSTANT") == std::string_view::npos;
+      if (name.takeWord("IPO_MODE")) return line.rest().find("#BASE") != std::string_view::npos;
+      return !name.takeWord("ROBROOT") && !name.takeWord("WORLD") && !name.takeWord("NULLFRAME");
+    }
+    const bool isNamed = !line.name().empty();
+    line.skipSpace();
+    const std::size_t sign = line.rest().find('=');
+    if (!isNamed || sign == std::string_view::npos) return false;
+    return sign == 0 || line.rest()[0] == '.' || line.rest()[0] == '[';  // "A=1", "P.X=1", "A[1]=1"
+  }
+
+  // "={X 1,…}" or "=$NULLFRAME"; what is on the controller is not known.
+  Status setFrame(LineReader& line, std::optional<Pose>& frame) {
+    if (!m_blocks.empty()) return unread(m_blocks.back().text, m_blocks.back().line);
+    frame = std::nullopt;
+    if (!line.take("=")) return Done{};
+    const bool isNull = line.takeWord("$NULLFRAME");
+    const auto values = isNull ? std::nullopt : aggregate(line, {"X", "Y", "Z", "A", "B", "C"});
+    line.skipSpace();
+    if (!line.rest().empty()) return Done{};  // the first of several, joined by ":"
+    if (isNull) frame = Pose::Identity();
+    if (values) frame = poseOf(*values);
+    return Done{};
+  }
+
+  Status readMotion(LineReader line, std::size_t number, bool isPtp) {
+    if (motions.size() >= Post::kMostMotions) return line.malformed("PTP", "there are too many motions");
+    ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
+    motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
+    LineReader other = line;
+    if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
+      motion.joints = radiansOf(*joints);
+    } else if (const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"})) {
+      if (!m_base || !m_tool) return line.malformed("target", "its tool or base is on the controller, not in the file");
+      motion.pose = placeIn(m_program, *m_base, poseOf(*frame), *m_tool);
+      line = other;
+      if (line.takeWord("C_DIS")) motion.blend = m_settings.blend;
+    } else {
+      return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
+    }
+    for (const char* const zone : {"C_DIS", "C_PTP", "C_DIS", "C_ORI", "C_VEL"}) line.takeWord(zone);
+    line.skipSpace();
+    if (!line.rest().empty()) return unread(line.rest(), number);
+    motions.push_back(std::move(motion));
+    return Done{};
+  }
+
+  static Pose poseOf(const std::array<double, 6>& frame) {
+    Pose pose(Eigen::Translation3d(frame[0], frame[1], frame[2]));
+    pose.linear() = fromZyx(Vec3(frame[3], frame[4], frame[5]) * kRadiansPerDegree);
+    return pose;
+  }
+
+  const RobotProgram& m_program;
+  KrlSettings m_settings;
+  std::optional<Pose> m_base, m_tool;      // in the base, in the flange; none: not known
+  std::vector<ProgramStatement> m_blocks;  // of control flow, that are open
+  bool m_isOver = false;
+};
+
 }  // namespace
 
 std::string KrlPost::write(const RobotProgram& program) const {
@@ -144,36 +263,14 @@ std::string KrlPost::write(const RobotProgram& program) const {
   return text + "END\n";
 }
 
-Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const RobotProgram&) const {
+Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, ";");
   if (!lines) return lines.error();
-  std::vector<ReadMotion> motions;
-  KrlSettings settings;
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    LineReader line((*lines)[i], i + 1);
-    if (settings.take(line)) continue;
-    const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
-    for (const char* const other : {"CIRC", "SPTP", "SLIN", "SCIRC", "PTP_REL", "LIN_REL", "SPLINE"}) {
-      if (line.takeWord(other)) return Error{ErrorCode::Unsupported, {other}, InputPosition::line(i + 1), {}};
-    }
-    if (!isPtp && !isLinear) continue;
-    if (motions.size() >= kMostMotions) return line.malformed("PTP", "there are too many motions");
-    ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, i + 1};
-    motion.speed = isPtp ? settings.share() : settings.lineSpeed;
-    LineReader other = line;
-    if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
-      motion.joints = radiansOf(*joints);
-    } else if (const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"})) {
-      Pose pose(Eigen::Translation3d((*frame)[0], (*frame)[1], (*frame)[2]));
-      pose.linear() = fromZyx(Vec3((*frame)[3], (*frame)[4], (*frame)[5]) * kRadiansPerDegree);
-      motion.pose = pose;
-      if (other.takeWord("C_DIS")) motion.blend = settings.blend;
-    } else {
-      return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
-    }
-    motions.push_back(std::move(motion));
+  KrlReading reading(frame);
+  for (std::size_t i = 0; i < lines->size() && !reading.isOver(); ++i) {
+    if (const Status read = reading.readLine((*lines)[i], i + 1); !read) return read.error();
   }
-  return motions;
+  return std::move(reading.motions);
 }
 
 }  // namespace handwheel

@@ -24,6 +24,17 @@ const ErrorDescription PostError::NotFinite{
     .sentences = {translatable("ErrorText", "motion %1 has a value that is not a number")},
     .advice = {translatable("ErrorText", "Plan the path again.")}};
 
+const ErrorDescription PostError::StatementUnread{
+    .id = "PostStatementUnread",
+    .sentences = {translatable("ErrorText", "'%1' is not read, and may change where or whether the robot moves")},
+    .advice = {translatable("ErrorText",
+                            "In a copy of the program, replace it by the motions that it leads to, or remove it.")}};
+
+const ErrorDescription PostError::TooFast{
+    .id = "PostTooFast",
+    .sentences = {translatable("ErrorText", "motion %1 is a line at %2 mm/s, and %3 controllers take %4 mm/s at most")},
+    .advice = {translatable("ErrorText", "Give the place that it leads to a lower speed.")}};
+
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",
     .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},

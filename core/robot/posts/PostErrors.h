@@ -9,8 +9,10 @@ namespace handwheel::PostError {
 
 extern const ErrorDescription WrongJoints;  // {language, wanted, count} the controller moves another number of joints
 extern const ErrorDescription NoSlides;     // {language, joint}
-extern const ErrorDescription TooManyMotions;  // {count, most}
-extern const ErrorDescription NotFinite;       // {motion}
-extern const ErrorDescription MotionDiffers;   // {motion, "kind", "speed" or "blend", wanted, read}
+extern const ErrorDescription TooManyMotions;   // {count, most}
+extern const ErrorDescription NotFinite;        // {motion}
+extern const ErrorDescription StatementUnread;  // {statement, line} it may change where the robot moves
+extern const ErrorDescription TooFast;          // {motion, mm/s, language, most mm/s}
+extern const ErrorDescription MotionDiffers;    // {motion, "kind", "speed" or "blend", wanted, read}
 
 }  // namespace handwheel::PostError

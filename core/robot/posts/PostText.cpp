@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/PostText.h"
 
+#include "robot/posts/PostErrors.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -100,6 +102,18 @@ ArmValues radiansOf(std::span<const double> degrees) {
   for (std::size_t i = 0; i < degrees.size(); ++i)
     values[static_cast<Eigen::Index>(i)] = degrees[i] * kRadiansPerDegree;
   return values;
+}
+
+Pose placeIn(const RobotProgram& program, const Pose& frame, const Pose& place, const Pose& tool) {
+  return program.frame.inverse(Eigen::Isometry) * frame * place * tool.inverse(Eigen::Isometry) * program.tool;
+}
+
+Error unread(std::string_view statement, std::size_t line) {
+  constexpr std::size_t kMostShown = 40;
+  const std::size_t begin = std::min(statement.find_first_not_of(" \t\r"), statement.size());
+  const std::size_t end = std::min(statement.find_first_of("\t\r(;", begin + 1), begin + kMostShown);
+  return {
+      PostError::StatementUnread, {std::string(statement.substr(begin, end - begin))}, InputPosition::line(line), {}};
 }
 
 void LineReader::skipSpace() {

@@ -38,6 +38,13 @@ bool needsControllersBase(const RobotProgram& program);
 std::vector<double> degreesOf(const ArmValues& values);
 ArmValues radiansOf(std::span<const double> degrees);
 
+// Where a pose of a program leads, in the frame of `program` and of its tool: the pose of the tool's centre point of
+// another tool (in the flange), in another frame (in the base).
+Pose placeIn(const RobotProgram& program, const Pose& frame, const Pose& place, const Pose& tool);
+
+// That a statement is not read, which may move the robot: StatementUnread {its beginning}.
+Error unread(std::string_view statement, std::size_t line);
+
 // Takes apart a line of a program. Words are compared without case.
 class LineReader {
  public:

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/NumberText.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
@@ -35,6 +36,14 @@ std::vector<Error> ControllerPost::refusals(const RobotProgram& program) const {
   for (std::size_t i = 0; i < program.arm.joints().size(); ++i) {
     if (program.arm.joints()[i].isPrismatic)
       all.push_back({PostError::NoSlides, {title(), std::to_string(i + 1)}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.motions.size(); ++i) {
+    const ProgramMotion& motion = program.motions[i];
+    if (motion.kind != ProgramMotion::Kind::Linear || !(motion.speed > fastestLine())) continue;
+    all.push_back({PostError::TooFast,
+                   {std::to_string(i + 1), shownText(motion.speed), title(), shownText(fastestLine())},
+                   {},
+                   {}});
   }
   return all;
 }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/RapidStatements.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace handwheel {
@@ -28,43 +30,23 @@ std::vector<std::string_view> argumentsOf(std::string_view text) {
   return parts;
 }
 
-std::string folded(std::string_view name) {
-  std::string lower(name);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
+// Instructions that neither move the robot nor change where others lead. Those that are in no list are refused.
+constexpr std::array kRapidStill = {"AccSet",  "ConfL",    "ConfJ",    "SingArea", "GripLoad",  "TPWrite",
+                                    "TPErase", "SetDO",    "SetGO",    "SetAO",    "PulseDO",   "Set",
+                                    "Reset",   "InvertDO", "WaitTime", "WaitDI",   "WaitUntil", "WaitRob",
+                                    "Stop",    "ClkReset", "ClkStart", "ClkStop",  "Incr",      "Decr"};
 
 class RapidReading {
  public:
-  explicit RapidReading(Eigen::Index joints) : m_joints(static_cast<std::size_t>(joints)) {}
-
-  Status readLine(std::string_view text, std::size_t number) {
-    LineReader line(text, number);
-    while (line.takeWord("LOCAL") || line.takeWord("TASK")) {
-    }
-    if (line.takeWord("CONST") || line.takeWord("PERS") || line.takeWord("VAR")) return readData(line);
-    if (line.takeWord("VelSet")) {
-      readOverride(line);
-      return Done{};
-    }
-    if (line.takeWord("MoveAbsJ")) return readMotion(line, number, ProgramMotion::Kind::Joint, true);
-    if (line.takeWord("MoveJ")) return readMotion(line, number, ProgramMotion::Kind::Joint, false);
-    if (line.takeWord("MoveL")) return readMotion(line, number, ProgramMotion::Kind::Linear, false);
-    line.skipSpace();
-    LineReader other = line;
-    const std::string_view word = other.name();
-    const bool isCall = other.take(";");  // of a procedure without arguments, whose name may begin so
-    if (!isCall && word.size() >= 4 && LineReader(word, number).take("Move"))
-      return Error{ErrorCode::Unsupported, {std::string(word)}, InputPosition::line(number), {}};
-    return Done{};
+  explicit RapidReading(const RobotProgram& program)
+      : m_program(program), m_joints(static_cast<std::size_t>(program.arm.size())) {
+    m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
   }
-  std::vector<ReadMotion> motions;
 
- private:
-  using Numbers = std::vector<double>;
-  using Table = std::map<std::string, Numbers>;  // by names in lower case
-
-  Status readData(LineReader& line) {
+  Status readData(const ProgramStatement& statement) {
+    LineReader line(statement.text, statement.line);
+    if (line.takeWord("tooldata")) return readTool(line);
+    if (line.takeWord("wobjdata")) return readFrame(line);
     Table* const table = line.takeWord("jointtarget") ? &m_jointTargets
                          : line.takeWord("robtarget") ? &m_robTargets
                          : line.takeWord("speeddata") ? &m_speeds
@@ -82,6 +64,65 @@ class RapidReading {
     return Done{};
   }
 
+  Status read(const ProgramStatement& statement) {
+    LineReader line(statement.text, statement.line);
+    if (line.takeWord("VelSet")) {
+      readOverride(line);
+      return Done{};
+    }
+    if (line.takeWord("MoveAbsJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
+    if (line.takeWord("MoveJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, false);
+    if (line.takeWord("MoveL")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
+    for (const char* const still : kRapidStill) {
+      if (line.takeWord(still)) return Done{};
+    }
+    const std::string_view word = line.name();
+    const std::string name = folded(word);
+    const bool isKnown = m_jointTargets.contains(name) || m_robTargets.contains(name) || m_speeds.contains(name) ||
+                         m_tools.contains(name) || m_frames.contains(name);
+    if (!word.empty() && !isKnown && isAssignment(line)) return Done{};
+    return unread(statement.text, statement.line);
+  }
+  std::vector<ReadMotion> motions;
+
+ private:
+  using Numbers = std::vector<double>;
+  using Table = std::map<std::string, Numbers>;  // by names in lower case
+
+  // "n:=1", "p.trans.x:=1", "a{2}:=1", after the name.
+  static bool isAssignment(LineReader line) {
+    const std::size_t sign = line.rest().find(":=");
+    return sign != std::string_view::npos &&
+           line.rest().substr(0, sign).find_first_of(",\\(") == std::string_view::npos;
+  }
+
+  // What a tool of [TRUE,[pose],[load]] is in the flange; none, where the robot does not hold it.
+  Status readTool(LineReader& line) {
+    const std::string name = folded(line.name());
+    if (!line.take(":=")) return Done{};
+    const bool isHeld = line.take("[") && line.takeWord("TRUE") && line.take(",");
+    const auto numbers = isHeld ? line.numbersWithin('[', ']', 7) : std::nullopt;
+    m_tools[name] = numbers && numbers->size() == 7 ? poseFrom(*numbers) : std::nullopt;
+    return Done{};
+  }
+
+  // What a frame of [FALSE,TRUE,"",[pose],[pose]] is in the base; none, where it moves.
+  Status readFrame(LineReader& line) {
+    const std::string name = folded(line.name());
+    if (!line.take(":=")) return Done{};
+    const bool stands = line.take("[") && line.takeWord("FALSE") && line.take(",") && line.takeWord("TRUE") &&
+                        line.take(",") && line.take("\"\"") && line.take(",");
+    const auto user = stands ? line.numbersWithin('[', ']', 7) : std::nullopt;
+    const auto object = user && line.take(",") ? line.numbersWithin('[', ']', 7) : std::nullopt;
+    std::optional<Pose> first, second;
+    if (object && user->size() == 7 && object->size() == 7) {
+      first = poseFrom(*user);
+      second = poseFrom(*object);
+    }
+    m_frames[name] = first && second ? std::optional<Pose>(*first * *second) : std::nullopt;
+    return Done{};
+  }
+
   // VelSet percent, largest speed of the tool's centre point. Where these are no numbers no speed is known.
   void readOverride(LineReader& line) {
     const auto percent = line.number();
@@ -95,10 +136,12 @@ class RapidReading {
     if (!isJoints && line.takeWord("CalcRobT")) {
       if (!line.take("(")) return line.malformed("target", "( was expected");
       auto within = target(line, true);
+      const std::string_view rest = line.rest();
       std::size_t end = 0;
       for (int depth = 1; depth > 0 && end < line.rest().size(); ++end)
         depth += line.rest()[end] == '(' ? 1 : line.rest()[end] == ')' ? -1 : 0;
       line.skip(end);
+      m_calculatedWith = toolText(argumentsOf(rest.substr(0, end > 0 ? end - 1 : 0)), 1);
       return within;
     }
     if (auto numbers = line.numbersWithin('[', ']', 20)) return std::pair(std::move(*numbers), isJoints);
@@ -115,6 +158,7 @@ class RapidReading {
       line.name();
       line.take(",");
     }
+    m_calculatedWith.reset();
     const auto read = target(line, wantsJoints);
     if (!read) return read.error();
     const auto& [numbers, isJoints] = *read;
@@ -129,8 +173,39 @@ class RapidReading {
     const std::vector<std::string_view> arguments = argumentsOf(line.rest());
     if (arguments.size() > 1) setSpeed(arguments[1], motion);
     if (arguments.size() > 2) motion.blend = blendFrom(arguments[2]);
+    if (m_calculatedWith && *m_calculatedWith != toolText(arguments, 3))
+      return line.malformed("target", "CalcRobT has another tool or frame than the motion");
+    if (motion.pose) {
+      const auto place = placed(*motion.pose, arguments.size() > 3 ? arguments[3] : "", number);
+      if (!place) return place.error();
+      motion.pose = *place;
+    }
     motions.push_back(std::move(motion));
     return Done{};
+  }
+
+  // The argument that names tool and frame, in one spelling.
+  static std::string toolText(const std::vector<std::string_view>& arguments, std::size_t at) {
+    std::string text = at < arguments.size() ? folded(arguments[at]) : std::string();
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+    constexpr std::string_view kStandard = "\\wobj:=wobj0";
+    if (text.ends_with(kStandard)) text.resize(text.size() - kStandard.size());
+    return text;
+  }
+
+  // "tool", "tool\WObj:=frame" of a motion to this pose.
+  Result<Pose> placed(const Pose& pose, std::string_view text, std::size_t number) const {
+    LineReader line(text, number);
+    const auto tool = m_tools.find(folded(line.name()));
+    auto frame = m_frames.find("wobj0");
+    if (line.take("\\WObj") && line.take(":=")) frame = m_frames.find(folded(line.name()));
+    line.skipSpace();
+    if (!line.rest().empty()) return unread(line.rest(), number);
+    if (tool == m_tools.end() || !tool->second)
+      return line.malformed("tool", "its data are not in the file, or the robot does not hold it");
+    if (frame == m_frames.end() || !frame->second)
+      return line.malformed("frame", "its data are not in the file, or it moves");
+    return placeIn(m_program, *frame->second, pose, *tool->second);
   }
 
   // "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the joints.
@@ -170,9 +245,12 @@ class RapidReading {
     return line.number().value_or(0.0);
   }
 
+  const RobotProgram& m_program;
   std::size_t m_joints;
-  double m_share = 1.0, m_most = 5'000.0;  // of VelSet; 0: not known
+  double m_share = 1.0, m_most = 5'000.0;       // of VelSet; 0: not known
+  std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
   Table m_jointTargets, m_robTargets, m_speeds;
+  std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: not to be used
 };
 
 }  // namespace
@@ -180,9 +258,20 @@ class RapidReading {
 Result<std::vector<ReadMotion>> RapidPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "!");
   if (!lines) return lines.error();
-  RapidReading reading(frame.arm.size());
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    if (const Status read = reading.readLine((*lines)[i], i + 1); !read) return read.error();
+  const RapidStatements statements(*lines);
+  RapidReading reading(frame);
+  for (const ProgramStatement& each : statements.data()) {
+    if (const Status read = reading.readData(each); !read) return read.error();
+  }
+  const auto unrolled = statements.routines().unrolled("main", [&](std::string_view statement) {
+    LineReader line(statement, 0);
+    const std::string name = folded(line.name());
+    line.skipSpace();
+    return line.rest().empty() ? name : std::string();
+  });
+  if (!unrolled) return unrolled.error();
+  for (const ProgramStatement& each : *unrolled) {
+    if (const Status read = reading.read(each); !read) return read.error();
   }
   return std::move(reading.motions);
 }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/ProgramRoutines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace handwheel {
@@ -51,6 +53,14 @@ std::optional<double> unnamedSpeed(LineReader rest) {
   return hasBoth ? rest.number() : std::nullopt;
 }
 
+// Six numbers: metres, and a turn as an axis of its angle's length.
+Pose urPoseOf(std::span<const double> n) {
+  const Vec3 turn(n[3], n[4], n[5]);
+  Pose pose(Eigen::Translation3d(Vec3(n[0], n[1], n[2]) / kMetresOfMillimetre));
+  if (turn.norm() > 0.0) pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  return pose;
+}
+
 Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind) {
   ReadMotion motion{kind, {}, {}, 0.0, number};
   if (!line.take("(")) return line.malformed("target", "numbers in brackets were expected");
@@ -59,10 +69,7 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
   if (!numbers || numbers->size() != 6) return line.malformed("target", "six numbers in brackets were expected");
   const auto& n = *numbers;
   if (isPose) {
-    const Vec3 turn(n[3], n[4], n[5]);
-    Pose pose(Eigen::Translation3d(Vec3(n[0], n[1], n[2]) / kMetresOfMillimetre));
-    if (turn.norm() > 0.0) pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-    motion.pose = pose;
+    motion.pose = urPoseOf(n);
   } else {
     motion.joints = Eigen::Map<const Eigen::VectorXd>(n.data(), 6);
   }
@@ -88,6 +95,92 @@ std::string urMotion(const RobotProgram& program, std::size_t i) {
   return text + ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
 }
 
+// Calls of the language that neither move the robot nor change where others lead. What is in no list is refused.
+constexpr std::array kUrStill = {"set_payload",
+                                 "set_target_payload",
+                                 "set_gravity",
+                                 "sleep",
+                                 "sync",
+                                 "textmsg",
+                                 "popup",
+                                 "stopj",
+                                 "stopl",
+                                 "set_digital_out",
+                                 "set_standard_digital_out",
+                                 "set_configurable_digital_out",
+                                 "set_tool_digital_out",
+                                 "set_analog_out",
+                                 "set_standard_analog_out",
+                                 "set_tool_voltage"};
+
+class UrScriptReading {
+ public:
+  explicit UrScriptReading(const RobotProgram& program) : m_program(program), m_tool(program.tool) {}
+
+  std::vector<ReadMotion> motions;
+
+  Status read(const ProgramStatement& statement) {
+    LineReader line(statement.text, statement.line);
+    const bool isJoint = line.takeWord("movej"),
+               isLinear = !isJoint && (line.takeWord("movel") || line.takeWord("movep"));
+    if (isJoint || isLinear)
+      return readMotion(line, statement.line, isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear);
+    if (line.takeWord("set_tcp")) return setTool(line);
+    for (const char* const still : kUrStill) {
+      if (line.takeWord(still)) return Done{};
+    }
+    line.takeWord("global");
+    line.takeWord("local");
+    const bool isAssignment = !line.name().empty() && line.take("=") && !line.take("=");
+    return isAssignment ? Status(Done{}) : unread(statement.text, statement.line);
+  }
+
+ private:
+  Status setTool(LineReader& line) {
+    const auto numbers = line.take("(") && line.take("p") ? line.numbersWithin('[', ']', 6) : std::nullopt;
+    if (!numbers || numbers->size() != 6) return line.malformed("tool", "six numbers in brackets were expected");
+    m_tool = urPoseOf(*numbers);
+    return Done{};
+  }
+
+  Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind) {
+    if (motions.size() >= Post::kMostMotions) return line.malformed("movej", "there are too many motions");
+    Result<ReadMotion> motion = urTarget(line, number, kind);
+    if (!motion) return motion.error();
+    if (motion->speed && kind == ProgramMotion::Kind::Joint)
+      motion->speed = std::min(1.0, *motion->speed / urFullSpeed(m_program));
+    else if (motion->speed)
+      *motion->speed /= kMetresOfMillimetre;
+    if (motion->pose) motion->pose = placeIn(m_program, Pose::Identity(), *motion->pose, m_tool);
+    motions.push_back(std::move(motion).value());
+    return Done{};
+  }
+
+  const RobotProgram& m_program;
+  Pose m_tool;  // in the flange: that of the cell until the program sets another
+};
+
+// Takes functions apart. Blocks within them end like these do.
+ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements) {
+  ProgramRoutines routines;
+  std::vector<bool> areBlocks;  // of what is open
+  for (const ProgramStatement& statement : statements) {
+    LineReader line(statement.text, statement.line);
+    if (line.takeWord("def")) {
+      areBlocks.push_back(false);
+      routines.begin(std::string(line.name()), statement.line);
+    } else if (line.takeWord("end")) {
+      if (!areBlocks.empty() && !areBlocks.back()) routines.end();
+      if (!areBlocks.empty()) areBlocks.pop_back();
+    } else {
+      routines.add(statement);
+      if (line.takeWord("if") || line.takeWord("while") || line.takeWord("for") || line.takeWord("thread"))
+        areBlocks.push_back(true);
+    }
+  }
+  return routines;
+}
+
 }  // namespace
 
 std::string UrScriptPost::write(const RobotProgram& program) const {
@@ -105,27 +198,19 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
 Result<std::vector<ReadMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "#");
   if (!lines) return lines.error();
-  std::vector<ReadMotion> motions;
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    LineReader line((*lines)[i], i + 1);
-    const bool isJoint = line.takeWord("movej"),
-               isLinear = !isJoint && (line.takeWord("movel") || line.takeWord("movep"));
-    for (const char* const other : {"movec", "servoj", "servoc", "speedj", "speedl"}) {
-      if (line.takeWord(other)) return Error{ErrorCode::Unsupported, {other}, InputPosition::line(i + 1), {}};
-    }
-    if (!isJoint && !isLinear) continue;
-    if (motions.size() >= kMostMotions) return line.malformed("movej", "there are too many motions");
-    Result<ReadMotion> motion =
-        urTarget(line, i + 1, isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear);
-    if (!motion) return motion.error();
-    if (motion->speed && isJoint)
-      motion->speed = std::min(1.0, *motion->speed / urFullSpeed(frame));
-    else if (motion->speed)
-      *motion->speed /= kMetresOfMillimetre;
-    if (motion->pose) motion->pose = frame.frame.inverse(Eigen::Isometry) * *motion->pose;
-    motions.push_back(std::move(motion).value());
+  const auto unrolled = urRoutines(statementsOf(*lines)).unrolled({}, [](std::string_view statement) {
+    LineReader line(statement, 0);
+    const std::string name(line.name());
+    const bool isCall = line.take("(") && line.take(")");
+    line.skipSpace();
+    return isCall && line.rest().empty() ? name : std::string();
+  });
+  if (!unrolled) return unrolled.error();
+  UrScriptReading reading(frame);
+  for (const ProgramStatement& each : *unrolled) {
+    if (const Status read = reading.read(each); !read) return read.error();
   }
-  return motions;
+  return std::move(reading.motions);
 }
 
 }  // namespace handwheel

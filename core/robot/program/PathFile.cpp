@@ -55,8 +55,7 @@ Result<JointValues> valuesFrom(const Json& row, const std::string& element, cons
     if (!row[i].is_number()) return malformedPath(element, "a number for each joint was expected");
     values[columns[i]] = row[i].get<double>();
   }
-  if (const Status within = checkLimits(robot, values); !within) return within.error();
-  return values;
+  return valuesWithinLimits(robot, std::move(values));
 }
 
 double numberAt(const Json& json, const char* key, double otherwise, double least, double largest) {
@@ -88,20 +87,59 @@ Result<PathPlace> placeFrom(const Json& json, const std::string& element, const 
   return place;
 }
 
+Json processJson(const PathProcess& process) {
+  Json values = Json::object();
+  for (const auto& [name, value] : process.values)
+    std::visit([&, &key = name](const auto& known) { values[key] = known; }, value);
+  return {{"values", values}, {"part", numbersOfPose(process.part)}};
+}
+
+// None where it cannot be used: the path is as good without it.
+std::optional<PathProcess> processFrom(const Json& json) {
+  constexpr std::size_t kMostValues = 100;
+  const auto values = json.is_object() ? json.find("values") : json.end();
+  const std::vector<double> part = numbersAt(json, "part", 12);
+  if (!json.is_object() || values == json.end() || !values->is_object() || values->size() > kMostValues ||
+      part.size() != 12)
+    return std::nullopt;
+  PathProcess process;
+  for (Eigen::Index i = 0; i < 12; ++i) process.part.matrix()(i / 4, i % 4) = part[static_cast<std::size_t>(i)];
+  const Eigen::Matrix3d turn = process.part.linear();
+  constexpr double kSkew = 1e-6;
+  const bool isTurn =
+      (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < kSkew && turn.determinant() > 0.0;
+  if (!isTurn) return std::nullopt;
+  for (const auto& [name, value] : values->items()) {
+    if (value.is_boolean()) process.values[name] = value.get<bool>();
+    if (value.is_number()) process.values[name] = value.get<double>();
+    if (value.is_string()) process.values[name] = value.get<std::string>();
+  }
+  return process;
+}
+
 }  // namespace
 
-Status checkLimits(const RobotModel& robot, const JointValues& joints) {
+Json numbersOfPose(const Pose& pose) {
+  Json numbers = Json::array();
+  for (Eigen::Index i = 0; i < 12; ++i) numbers.push_back(pose.matrix()(i / 4, i % 4));
+  return numbers;
+}
+
+Result<JointValues> valuesWithinLimits(const RobotModel& robot, JointValues joints) {
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
     const Joint& joint = robot.jointOfDof(dof);
-    const double value = joints[static_cast<Eigen::Index>(dof)];
+    double& value = joints[static_cast<Eigen::Index>(dof)];
+    const double most = joint.kind == JointKind::Prismatic ? kFarthestTravel : kMostTurn;
     const bool isFree = joint.kind == JointKind::Continuous;
-    const double least = isFree ? -kFarthestTravel : joint.limits.nearest(-HUGE_VAL),
-                 largest = isFree ? kFarthestTravel : joint.limits.nearest(HUGE_VAL);
-    if (value >= least - kSlack && value <= largest + kSlack) continue;
-    return Error{
-        ErrorCode::ValueOutOfRange, {joint.name, shownText(value), shownText(least), shownText(largest)}, {}, {}};
+    const double least = isFree ? -most : std::max(joint.limits.lower, -most),
+                 largest = isFree ? most : std::min(joint.limits.upper, most);
+    if (!(value >= least - kSlack && value <= largest + kSlack) || least > largest) {
+      return Error{
+          ErrorCode::ValueOutOfRange, {joint.name, shownText(value), shownText(least), shownText(largest)}, {}, {}};
+    }
+    value = std::clamp(value, least, largest);
   }
-  return Done{};
+  return joints;
 }
 
 Json toJson(const RobotModel& robot, const JointValues& joints) {
@@ -120,8 +158,7 @@ Result<JointValues> jointsFrom(const Json& json, const RobotModel& robot, const 
     if (!value.is_number()) return malformedPath("joints." + name, "a number was expected");
     values[dof] = value.get<double>();
   }
-  if (const Status within = checkLimits(robot, values); !within) return within.error();
-  return values;
+  return valuesWithinLimits(robot, std::move(values));
 }
 
 Json toJson(const RobotModel& robot, const RobotPath& path) {
@@ -134,13 +171,16 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
                       {"speed", place.speed},
                       {"blend_mm", place.blend}});
   }
-  return {{"name", path.name}, {"places", places}};
+  Json json = {{"name", path.name}, {"places", places}};
+  if (path.process) json["process"] = processJson(*path.process);
+  return json;
 }
 
 Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const JointValues& others) {
   if (!json.is_object()) return malformedPath("path", "an object was expected");
   RobotPath path;
   path.name = stringAt(json, "name", "path");
+  if (const auto process = json.find("process"); process != json.end()) path.process = processFrom(*process);
   const auto places = json.find("places"), waypoints = json.find("waypoints");
   const bool isDetailed = places != json.end();
   const auto& list = isDetailed ? places : waypoints;

@@ -21,12 +21,17 @@ Result<RobotPath> pathFrom(const nlohmann::json& json, const RobotModel& robot, 
 // The same from a file's text; errors of parseJson(), too.
 Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others);
 
+// A pose as twelve numbers, row by row: the turn and, last in each row, the place.
+nlohmann::json numbersOfPose(const Pose& pose);
+
 // Joint values under the names of the joints that move, and back; what is missing is that of `others`. Errors: as
 // pathFrom().
 nlohmann::json toJson(const RobotModel& robot, const JointValues& joints);
 Result<JointValues> jointsFrom(const nlohmann::json& json, const RobotModel& robot, const JointValues& others);
 
-// Error where a value is not within the limits of its joint: ValueOutOfRange {joint, value, least, largest; rad, mm}.
-Status checkLimits(const RobotModel& robot, const JointValues& joints);
+// The values as paths take them: what printed digits put beyond a limit is brought back onto it, so that planning and
+// verification, which allow less, agree with what was read. Error where a value is beyond the limits of its joint, or a
+// hinge beyond kMostTurn: ValueOutOfRange {joint, value, least, largest; rad, mm}.
+Result<JointValues> valuesWithinLimits(const RobotModel& robot, JointValues joints);
 
 }  // namespace handwheel

@@ -14,14 +14,21 @@ const Named* withName(const std::vector<Named>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-template <class Named>
-std::string freeName(const std::vector<Named>& all, const std::string& wish) {
-  std::string name = wish;
-  for (std::size_t number = 2; withName(all, name); ++number) name = wish + ' ' + std::to_string(number);
+}  // namespace
+
+std::string FreeNames::take(const std::string& wish) {
+  if (m_taken.insert(wish).second) return wish;
+  std::size_t& number = m_numbers.try_emplace(wish, 1).first->second;
+  std::string name;
+  do {
+    name = wish + ' ' + std::to_string(++number);
+  } while (!m_taken.insert(name).second);
   return name;
 }
 
-}  // namespace
+bool PathProcess::operator==(const PathProcess& other) const {
+  return values == other.values && part.matrix() == other.part.matrix();
+}
 
 bool NamedTarget::operator==(const NamedTarget& other) const {
   return name == other.name && pose.matrix() == other.pose.matrix() && body == other.body;
@@ -39,15 +46,17 @@ const RobotPath* CellPlans::path(std::string_view name) const {
   return withName(paths, name);
 }
 
-std::string CellPlans::freePathName(const std::string& wish) const {
-  return freeName(paths, wish);
+FreeNames CellPlans::pathNames() const {
+  FreeNames names;
+  for (const RobotPath& each : paths) names.add(each.name);
+  return names;
 }
 
-std::string CellPlans::freePlaceName(const std::string& wish) const {
-  std::string name = wish;
-  for (std::size_t number = 2; configuration(name) || target(name); ++number)
-    name = wish + ' ' + std::to_string(number);
-  return name;
+FreeNames CellPlans::placeNames() const {
+  FreeNames names;
+  for (const NamedConfiguration& each : configurations) names.add(each.name);
+  for (const NamedTarget& each : targets) names.add(each.name);
+  return names;
 }
 
 std::size_t CellPlans::bytes() const {
@@ -59,6 +68,13 @@ std::size_t CellPlans::bytes() const {
   for (const NamedTarget& each : targets) sum += sizeof each + each.name.size();
   for (const RobotPath& path : paths) {
     sum += sizeof path + path.name.size();
+    if (!path.process) continue;
+    for (const auto& [name, value] : path.process->values) {
+      const auto* const text = std::get_if<std::string>(&value);
+      sum += sizeof value + name.size() + (text ? text->size() : 0);
+    }
+  }
+  for (const RobotPath& path : paths) {
     for (const PathPlace& place : path.places) sum += sizeof place + place.name.size() + ofValues(place.joints);
   }
   return sum;

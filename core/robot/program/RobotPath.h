@@ -5,9 +5,14 @@
 #include "robot/RobotModel.h"
 #include "robot/program/RobotProgram.h"
 
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace handwheel {
@@ -24,12 +29,23 @@ struct PathPlace {
   bool operator==(const PathPlace&) const = default;
 };
 
+// How a path along a curve on a part was chosen, so that it can be planned again.
+struct PathProcess {
+  using Value = std::variant<double, bool, std::string>;
+
+  std::map<std::string, Value> values;  // of the operation "process", by its parameters; those that are not standard
+  Pose part = Pose::Identity();         // of the part, in the frame of the base, when they were chosen
+
+  bool operator==(const PathProcess& other) const;
+};
+
 // A path of a robot: its first place is where it starts.
 struct RobotPath {
   static constexpr std::size_t kMostPlaces = 100'000;
 
   std::string name;
   std::vector<PathPlace> places;
+  std::optional<PathProcess> process = {};  // none: it was planned between places, or by hand
 
   bool operator==(const RobotPath&) const = default;
 };
@@ -51,6 +67,18 @@ struct NamedTarget {
   bool operator==(const NamedTarget& other) const;
 };
 
+// Gives each thing a name that no other has: the one that is wished for, or that with the least number from 2 on that
+// makes it another one. Counts on from the last number, so that n names take O(n).
+class FreeNames {
+ public:
+  void add(const std::string& taken) { m_taken.insert(taken); }
+  std::string take(const std::string& wish);
+
+ private:
+  std::unordered_set<std::string> m_taken;
+  std::unordered_map<std::string, std::size_t> m_numbers;  // the last that was given
+};
+
 // What is planned in a robot cell. Names are unique among configurations and targets
 // together, and among paths, and not empty.
 struct CellPlans {
@@ -67,10 +95,12 @@ struct CellPlans {
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
   const NamedTarget* target(std::string_view name) const;                // null: there is none
   const RobotPath* path(std::string_view name) const;                    // null: there is none
-  // A name that none of the paths has: this one, or with a number.
-  std::string freePathName(const std::string& wish) const;
-  std::string freePlaceName(const std::string& wish) const;  // neither of a configuration nor of a target
-  std::size_t bytes() const;                                 // about
+  // Names that are free. O(names); who wants several keeps it.
+  FreeNames pathNames() const;
+  FreeNames placeNames() const;  // neither of a configuration nor of a target
+  std::string freePathName(const std::string& wish) const { return pathNames().take(wish); }
+  std::string freePlaceName(const std::string& wish) const { return placeNames().take(wish); }
+  std::size_t bytes() const;  // about
 
   bool operator==(const CellPlans& other) const;
 };

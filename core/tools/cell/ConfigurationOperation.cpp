@@ -44,8 +44,7 @@ Result<JointValues> jointsFromText(const std::string& text, const RobotModel& ro
       return Error{ErrorCode::NumberMalformed, {word}, {}, {}};
     joints[dof - robot.dofs.begin()] = value;
   }
-  if (const Status within = checkLimits(robot, joints); !within) return within.error();
-  return joints;
+  return valuesWithinLimits(robot, std::move(joints));
 }
 
 std::optional<Error> problemOfName(const std::string& name) {
@@ -176,11 +175,13 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
 Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics, const RobotCellSnapshot& cell) {
   const RobotModel& robot = cell.robot->model;
   for (const auto& [a, b] : semantics.allowed) plans.allowed.insert({robot.links[a].name, robot.links[b].name});
+  FreeNames names = plans.placeNames();
   for (const RobotSemantics::State& state : semantics.states) {
     JointValues joints = cell.joints;
     for (const auto& [dof, value] : state.values) joints[dof] = value;
-    if (const Status within = checkLimits(robot, joints); !within) return within.error();
-    plans.configurations.push_back({plans.freePlaceName(state.name), joints});
+    Result<JointValues> within = valuesWithinLimits(robot, std::move(joints));
+    if (!within) return within.error();
+    plans.configurations.push_back({names.take(state.name), std::move(within).value()});
   }
   return plans;
 }

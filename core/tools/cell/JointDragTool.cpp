@@ -139,9 +139,10 @@ ToolReply JointDragTool::release() {
   m_hovered.reset();
   const RobotModel& robot = m_document.robot().model;
   // Whoever comes back to where he began gets no step for what rounding left.
-  const JointValues way = withinLimits(robot, drag.values) - drag.start;
+  const JointValues end = byShortestTurn(robot, drag.start, drag.values);
+  const JointValues way = withinLimits(robot, end) - drag.start;
   if (way.cwiseAbs().maxCoeff() < tolerance::kStillJoint) return ToolReply::Used;
-  auto edit = m_document.jointEdit(drag.values);
+  auto edit = m_document.jointEdit(end);
   if (!edit) return ToolReply::Used;
   const Joint& joint = robot.jointOfDof(robot.joints[drag.hold.joint].dof);
   const QString text =

@@ -77,13 +77,13 @@ bool coversCorner(const CellScene& scene, const ArmValues& at, const ArmValues& 
 }  // namespace
 
 std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const ResolvedPath& way, double clearance) {
+                                    const ResolvedPath& way, double clearance, const Progress& progress) {
   std::vector<double> blends(path.places.size(), 0.0);
   if (way.stopsAt) return blends;
   // The first value in way.joints that is of each place.
   std::vector<std::size_t> valueOf(path.places.size(), 0);
   for (std::size_t i = 0; i < way.placeOf.size(); ++i) valueOf[way.placeOf[i]] = i + 1;
-  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
+  for (std::size_t i = 1; i + 1 < path.places.size() && !progress.cancelled(); ++i) {
     const PathPlace &place = path.places[i], &next = path.places[i + 1];
     if (place.blend <= 0.0) continue;
     const bool hasLine = place.motion == ProgramMotion::Kind::Linear || next.motion == ProgramMotion::Kind::Linear;

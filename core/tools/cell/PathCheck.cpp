@@ -35,10 +35,10 @@ ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const Robo
   return way;
 }
 
-std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path) {
+std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
   constexpr double kStep = 0.02;  // rad, mm: of the joint that moves most
   constexpr double kMostSteps = 4000.0;
-  const JointPath way = resolved(scene, plans, path).joints;
+  const JointPath way = resolved(scene, plans, path, progress).joints;
   const double step = std::max(kStep, lengthOf(scene.scene, way) / kMostSteps);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < way.size(); ++i) {
@@ -68,9 +68,9 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   checked.verification =
       verified(scene.scene, checked.way.joints, check, settings.step, progress.part(0.1, 0.6), checked.way.offs);
   checked.metrics = metricsOf(scene.scene, scene.arm, checked.way.joints, {}, progress.part(0.6, 0.95));
-  checked.blends = certifiedBlends(scene, plans, path, checked.way, settings.clearance);
-  checked.seconds = timed(scene, plans, path, checked.way, checked.blends).duration();
+  checked.blends = certifiedBlends(scene, plans, path, checked.way, settings.clearance, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  checked.seconds = timed(scene, plans, path, checked.way, checked.blends).duration();
   return checked;
 }
 

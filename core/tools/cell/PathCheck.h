@@ -20,8 +20,10 @@ struct ResolvedPath {
 };
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress = {});
 
-// The tool's centre point along a path, in the frame of the base; mm. Not finer than a few thousand points.
-std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path);
+// The tool's centre point along a path, in the frame of the base; mm. Not finer than a few
+// thousand points. Lines of the tool take inverse kinematics: long paths seconds.
+std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                            Progress progress = {});
 
 // What is known of a path in a cell.
 struct CheckedPath {

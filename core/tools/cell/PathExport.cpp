@@ -87,7 +87,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
 }
 
 Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
-                                  std::string_view text) {
+                                  std::string_view text, Progress progress) {
   RobotProgram frame;
   frame.arm = scene.arm;
   frame.tool = cell.plans->tool;
@@ -98,6 +98,8 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
   RobotPath path{"program", {}};
   ArmValues before = scene.planned(cell.joints);
   for (const ReadMotion& motion : *motions) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    progress.set(static_cast<double>(path.places.size()) / static_cast<double>(motions->size()));
     const ArmValues from = before;
     const auto located = [&](Error error) {
       error.position = InputPosition::line(motion.line);
@@ -116,8 +118,9 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
         return located({CellError::PoseUnreachable, {std::to_string(path.places.size() + 1)}, {}, {}});
       before = found.values;
     }
-    PathPlace place{.joints = scene.whole(before)};
-    if (const Status within = checkLimits(cell.robot->model, place.joints); !within) return located(within.error());
+    Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
+    if (!within) return located(within.error());
+    PathPlace place{.joints = std::move(within).value()};
     place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
     const bool hasShare = motion.toolSpeed && !path.places.empty();
     place.speed = speedOf(motion, place.motion,

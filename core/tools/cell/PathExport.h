@@ -25,8 +25,9 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
 
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
 // of the place before. Speeds are those of the program; where it gives a joint motion the speed of the tool, the share
-// is that with which the tool comes to it on average. Errors: those of Post::read(); PoseUnreachable {motion, line}.
+// is that with which the tool comes to it on average. Errors: those of Post::read(); PoseUnreachable {motion, line},
+// Cancelled.
 Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
-                                  std::string_view text);
+                                  std::string_view text, Progress progress = {});
 
 }  // namespace handwheel

@@ -231,8 +231,9 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
   if (!planned) return planned.error();
   result.planned = std::move(planned).value();
   result.planned.path.name = path.name;
-  const ResolvedPath way = resolved(scene, plans, result.planned.path);
-  const std::vector<double> blends = certifiedBlends(scene, plans, result.planned.path, way, check.clearance);
+  const ResolvedPath way = resolved(scene, plans, result.planned.path, progress.part(1.0, 1.0));
+  const std::vector<double> blends = certifiedBlends(scene, plans, result.planned.path, way, check.clearance, progress);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   result.after = timed(scene, plans, result.planned.path, way, blends).duration();
   constexpr double kQuicker = 1e-9;  // s
   result.isChanged = !present->isCertified() || result.after < result.before - kQuicker;

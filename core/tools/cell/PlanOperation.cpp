@@ -103,7 +103,7 @@ class LegPlanning {
       return Error{CellError::LineUnreachable, {name, roundedText(100.0 * line.reached, 3)}, {}, {}};
     if (!line.isFree()) {
       const auto [link, other] = m_scene.namesOf(line.blocked);
-      return Error{CellError::PathCollides, {name, "1", link, other}, {}, {}};
+      return Error{CellError::LineCollides, {name, link, other}, {}, {}};
     }
     path.places.push_back(to);
     return Done{};
@@ -224,12 +224,12 @@ Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& c
     if (!values) return values.error();
     return PathPlace{.joints = scene.whole(*values), .name = target->name};
   }
-  if (text == "here") return PathPlace{.joints = cell.joints};
-  const auto numbers = numbersOf(text, scene.scene.size());
-  if (!numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
-  PathPlace place{.joints = scene.whole(*numbers)};
-  if (const Status within = checkLimits(scene.robot->model, place.joints); !within) return within.error();
-  return place;
+  const bool isHere = text == "here";
+  const auto numbers = isHere ? std::nullopt : numbersOf(text, scene.scene.size());
+  if (!isHere && !numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
+  Result<JointValues> within = valuesWithinLimits(scene.robot->model, isHere ? cell.joints : scene.whole(*numbers));
+  if (!within) return within.error();
+  return PathPlace{.joints = std::move(within).value()};
 }
 
 Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,

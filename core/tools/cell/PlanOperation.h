@@ -40,8 +40,8 @@ struct PlannedPath {
 };
 
 // Plans through these places, at least two. Those that are not critical are left out; straight lines to a place stay
-// lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, PathCollides of a
-// straight line, PathTooShort, Cancelled.
+// lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides,
+// PathTooShort, Cancelled.
 Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
                                    const RouteSettings& settings, Progress progress = {});
 

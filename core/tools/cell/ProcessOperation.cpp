@@ -107,6 +107,23 @@ Result<SurfaceTrack> drawnTrack(std::shared_ptr<const PartSurface> surface, cons
   return curve.track();
 }
 
+void move(SurfaceTrack& track, const Pose& by) {
+  for (TrackPoint& point : track.points) {
+    point.place = by * point.place;
+    point.direction = by.linear() * point.direction;
+    point.normal = by.linear() * point.normal;
+  }
+}
+
+PathProcess processOf(const OperationValues& values, const Pose& part) {
+  PathProcess process{{}, part};
+  for (const Parameter& parameter : values.operation().parameters) {
+    const std::string& id = parameter.property.id;
+    if (values.isSet(id) && id != "name") process.values.emplace(id, *values.value(id));
+  }
+  return process;
+}
+
 // Plans from one place to another and adds what is between them, and the second.
 Status addLeg(const CellScene& scene, const CellPlans& plans, const PathPlace& from, const PathPlace& to,
               const RouteSettings& settings, PlannedPath& planned, Progress progress) {
@@ -238,20 +255,19 @@ SurfaceTrack finishedTrack(SurfaceTrack track, const Vec3& near, const Body& bod
     track = pieceFrom(track, near, length > 0.0 ? length : std::numeric_limits<double>::max());
   if (track.points.size() < 2) return {};
   track = simplified(track, values.number("tolerance"), kNormalAngle);
-  for (TrackPoint& point : track.points) {
-    point.place = body.pose * point.place;
-    point.direction = body.pose.linear() * point.direction;
-    point.normal = body.pose.linear() * point.normal;
-  }
+  move(track, body.pose);
   return track;
 }
 
 Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
-                                const std::shared_ptr<const PartSurface>& surface, const Body& body,
-                                Progress progress) {
+                                const std::shared_ptr<const PartSurface>& surface, const Body& body, Progress progress,
+                                const std::optional<Pose>& chosenAt) {
   const auto begin = std::chrono::steady_clock::now();
-  const Result<SurfaceTrack> track = trackOn(surface, body, values);
+  Body asChosen = body;
+  asChosen.pose = chosenAt.value_or(body.pose);
+  Result<SurfaceTrack> track = trackOn(surface, asChosen, values);
   if (!track) return track.error();
+  if (chosenAt) move(*track, body.pose * chosenAt->inverse(Eigen::Isometry));
   if (track->points.size() > RobotPath::kMostPlaces)
     return Error{ErrorCode::FileTooLarge,
                  {"points", std::to_string(track->points.size()), std::to_string(RobotPath::kMostPlaces)},
@@ -299,8 +315,17 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     const Status leg = addLeg(scene, *cell.plans, last, *to, route, planned, progress.part(0.9, 1.0));
     if (!leg) return leg.error();
   }
+  planned.path.process = processOf(values, asChosen.pose);
   planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return planned;
+}
+
+OperationValues valuesOf(const PathProcess& process) {
+  OperationValues values(processOperation());
+  for (const auto& [id, value] : process.values) {
+    if (values.operation().find(id)) static_cast<void>(values.set(id, value));
+  }
+  return values;
 }
 
 }  // namespace handwheel

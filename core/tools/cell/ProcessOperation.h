@@ -25,9 +25,13 @@ Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& s
 
 // Plans the tool's path along a curve on a part: to its first point from above, along it, away from its last; from and
 // to places, if these are given. All of it is proven free. Errors: those of trackOn() and plannedThrough(),
-// PoseOfTrackUnreachable, TrackBlocked, TrackBroken, PlaceMissing, Cancelled.
+// PoseOfTrackUnreachable, TrackBlocked, TrackBroken, PlaceMissing, Cancelled. chosenAt: where the part was when the
+// curve was chosen, which is at the same place of the part now; none: where it is. The path keeps what made it.
 Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
                                 const std::shared_ptr<const PartSurface>& surface, const Body& body,
-                                Progress progress = {});
+                                Progress progress = {}, const std::optional<Pose>& chosenAt = {});
+
+// The values that a path was planned with, without those that the operation does not take any more.
+OperationValues valuesOf(const PathProcess& process);
 
 }  // namespace handwheel

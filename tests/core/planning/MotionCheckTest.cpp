@@ -163,6 +163,30 @@ class MotionCheckTest : public QObject {
     QVERIFY(MotionCheck(scene, from, to, {}).run() == MotionCheck::State::Free);
   }
 
+  // So many turns that all of them could not be looked at in a lifetime.
+  void anEndlessMotionIsCancelled() {
+    const RobotModel robot = planarArm({300.0, 250.0}, 15.0);
+    RobotScene scene = sceneOf(robot);
+    addBall(scene, {700.0, 0.0, 0.0}, 100.0, 1);  // 35 mm beyond the reach
+    MotionCheck endless(scene, ArmValues::Zero(2), ArmValues::Constant(2, 1e9), {});
+    JobState state;
+    std::thread person([&] {
+      while (state.polls < 1000) std::this_thread::yield();
+      state.cancelled = true;
+    });
+    QVERIFY(endless.run(Progress(state)) == MotionCheck::State::Open);
+    person.join();
+    QVERIFY(endless.steps() >= 999);
+    // It goes on from where it was.
+    ArmValues half = ArmValues::Zero(2);
+    half[0] = 3.0;
+    MotionCheck motion(scene, ArmValues::Zero(2), half, {}), whole(scene, ArmValues::Zero(2), half, {});
+    QVERIFY(motion.run(Progress(state)) == MotionCheck::State::Open);
+    QCOMPARE(motion.steps(), std::uint64_t{0});
+    QVERIFY(motion.run() == MotionCheck::State::Free && whole.run() == MotionCheck::State::Free);
+    QCOMPARE(motion.steps(), whole.steps());
+  }
+
   void extremes() {
     const RobotModel robot = planarArm({300.0, 250.0}, 15.0);
     RobotScene scene = sceneOf(robot);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Cells.h"
 #include "TestClass.h"
+#include "document/cell/CellErrors.h"
+#include "document/cell/PlansEdit.h"
 #include "scene/RigidPose.h"
 
 #include <rapidcheck.h>
@@ -72,6 +74,38 @@ class CellPlansTest : public QObject {
     QVERIFY(*document.plans() == CellPlans());
     document.history()->redo();
     QVERIFY(*document.plans() == plans);
+  }
+
+  // What is more than a cell can hold is refused when it is added, and noted when a file has it.
+  void fullCells() {
+    using nlohmann::json;
+    const json entry = {{"name", "home"}, {"joints", {{"turn", 0.5}}}};
+    const json pose = {{"name", "spot"}, {"pose", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}};
+    const json path = {{"name", "way"}, {"places", json::array()}};
+    const auto many = [](const json& each, std::size_t count) { return json(json::array_t(count, each)); };
+    const std::size_t most = CellPlans::kMost;
+    Container container = saved(*importOrThrow(m_package.urdf()).content);
+    const json stored = {
+        {"configurations", many(entry, most)}, {"targets", many(pose, most + 1)}, {"paths", many(path, most + 7)}};
+    container.blobs["cell/plans.json"] = stored.dump();
+    std::vector<Error> damage;
+    const auto cell = loaded(container, damage);
+    QVERIFY(cell);
+    QCOMPARE(damage.size(), std::size_t{2});
+    QVERIFY(damage[0].code == ErrorCode::FileTooLarge &&
+            damage[0].arguments == (std::vector<std::string>{"targets", "10001", "10000"}));
+    QVERIFY(damage[1].code == ErrorCode::FileTooLarge &&
+            damage[1].arguments == (std::vector<std::string>{"paths", "10007", "10000"}));
+    CellPlans plans = *cell->plans;
+    QVERIFY(plans.configurations.size() == most && plans.targets.size() == most && plans.paths.size() == most);
+    QCOMPARE(plans.targets.back().name, std::string("spot 10000"));
+    QVERIFY(checkCounts(plans).hasValue());
+    plans.targets.push_back({.name = "one more"});
+    const Status full = checkCounts(plans);
+    QVERIFY(!full.hasValue() && full.error().code == CellError::PlansFull);
+    plans.targets.pop_back();
+    plans.paths.front().places.resize(RobotPath::kMostPlaces + 1);
+    QVERIFY(!checkCounts(plans).hasValue());
   }
 
   // Whatever stands there, the cell opens.

@@ -98,7 +98,9 @@ class PostsTest : public QObject {
     QCOMPARE(rapid->size(), std::size_t{2});
     QVERIFY(std::abs((*rapid)[0].joints->coeff(2) - 20.0 * kRadiansPerDegree) < 1e-12);
     QCOMPARE((*rapid)[1].blend, 10.0);
-    QVERIFY((*rapid)[1].pose->translation() == Vec3(300, 0, 500));
+    // tool0 is the flange, wobj0 the base.
+    const Pose flange = program.frame * *(*rapid)[1].pose * program.tool.inverse(Eigen::Isometry);
+    QVERIFY((flange.translation() - Vec3(300, 0, 500)).norm() < 1e-9);
     const auto script = postCalled("urscript")
                             ->read(
                                 "def p():\n  movej([0, -1.57, 1.57, 0, 0, 0], a=1.2, v=0.25)\n  movel(p[0.3, 0.1, 0.2, "
@@ -120,21 +122,21 @@ class PostsTest : public QObject {
     row("rapid", "MoveL Offs(p10,0,0,10),v100,fine,tool0;", "ElementMalformed");
     row("rapid", "MoveL [[1,2,3],[0,0,0,0],[0,0,0,0],[9E9]],v100,fine,tool0;", "ElementMalformed");
     row("rapid", "MoveL [[1,2,3],[1,0", "ElementMalformed");
-    row("rapid", "MoveC p1,p2,v100,fine,tool0;", "Unsupported");
+    row("rapid", "MoveC p1,p2,v100,fine,tool0;", "PostStatementUnread");
     row("rapid", "MoveAbsJ [[1e999,0,0,0,0,0],[9E9]],v1,fine,t;", "ElementMalformed");
     row("krl", "PTP {A1 0,A2 0}", "ElementMalformed");
     row("krl", "PTP HOME", "ElementMalformed");
-    row("krl", "CIRC {X 0},{X 1}", "Unsupported");
+    row("krl", "CIRC {X 0},{X 1}", "PostStatementUnread");
     row("krl", "LIN {X 1,Y 2,Z 3,A 0,B 0", "ElementMalformed");
     row("fanuc", "/MN\n 1:J P[1] 10% FINE ;\n/POS\n/END", "ElementMalformed");
     row("fanuc", "/MN\n 1:J P[99999999999] 10% FINE ;", "ElementMalformed");
-    row("fanuc", "/MN\n 1:C P[1] ;", "Unsupported");
+    row("fanuc", "/MN\n 1:C P[1] ;", "PostStatementUnread");
     row("fanuc", "/MN\n1:L P[1] 9mm/sec FINE;\n/POS\nP[1]{\nUF : 1,\nX = 1, Y = 1, Z = 1, W = 0, P = 0, R = 0\n};",
         "Unsupported");
     row("rapid", "MoveL CalcRobT(home,tool0),v100,fine,tool0;", "ElementMalformed");
     row("urscript", "movej([0,0,0])", "ElementMalformed");
     row("urscript", "movej(get_inverse_kin(p))", "ElementMalformed");
-    row("urscript", "movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])", "Unsupported");
+    row("urscript", "movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])", "PostStatementUnread");
     row("csv", "motion\n1,a,joint,1,0,1,2\n", "ElementMalformed");
     row("csv", "motion\nnot,a,number\n", "ElementMalformed");
     row("json", "{}", "ElementMalformed");
@@ -165,6 +167,25 @@ class PostsTest : public QObject {
       const auto check = checkWritten(*post, program, post->write(program));
       QVERIFY(check && check->distance < 1e-6);
     }
+  }
+
+  // A line that is faster than the controller takes; joint motions are shares, and always below.
+  void linesTooFast() {
+    RobotProgram program = programOf("irb120");
+    for (const auto& [id, most] : {std::pair("rapid", 7000.0), std::pair("krl", 3000.0), std::pair("fanuc", 2000.0),
+                                   std::pair("urscript", 5000.0)}) {
+      const Post& post = *postCalled(id);
+      program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Zero(6), 1.0, 0.0, {}},
+                         {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.1), most, 0.0, {}}};
+      QVERIFY(post.refusals(program).empty());
+      QVERIFY(checkWritten(post, program, post.write(program)).hasValue());
+      program.motions[1].speed = most + 1.0;
+      const std::vector<Error> refusals = post.refusals(program);
+      QCOMPARE(refusals.size(), std::size_t{1});
+      QVERIFY(refusals[0].code == PostError::TooFast);
+      QCOMPARE(refusals[0].arguments[0], std::string("2"));
+    }
+    QVERIFY(postCalled("csv")->refusals(program).empty());
   }
 
   // Facts of the drawings: with all joints at 0 an IRB 120 looks ahead; turned over at the shoulder it is behind.

@@ -45,6 +45,11 @@ class PathFileTest : public QObject {
         place.blend = anyNumber(0, 50);
         path.places.push_back(place);
       }
+      if (*rc::gen::arbitrary<bool>()) {
+        path.process = PathProcess{{{"along", anyNumber(0, 4)}, {"free", true}, {"part", "a \"block\""}}, {}};
+        path.process->part =
+            Pose(Eigen::Translation3d(1.5, -2.0, 1e3) * Eigen::AngleAxisd(anyNumber(-3, 3), Vec3(1, 2, 2) / 3.0));
+      }
       const auto again = readPath(toJson(arm(), path).dump(), arm(), pair(0, 0));
       RC_ASSERT(again.hasValue());
       RC_ASSERT(*again == path);
@@ -60,6 +65,23 @@ class PathFileTest : public QObject {
     const auto other = readPath(R"({"joints": ["j2"], "waypoints": [[0.5]]})", arm(), pair(0.25, 0));
     QVERIFY(other.hasValue());
     QVERIFY(other->places[0].joints == pair(0.25, 0.5));
+  }
+
+  // What made a path cannot be used: the path is as good without it.
+  void brokenProcess() {
+    for (const char* process :
+         {"7", "{}", R"({"values": {}})", R"({"values": {}, "part": [1, 2]})", R"({"values": 1, "part": [1]})",
+          R"({"values": {}, "part": [2,0,0,0, 0,1,0,0, 0,0,1,0]})",
+          R"({"values": {}, "part": [-1,0,0,0, 0,1,0,0, 0,0,1,0]})"}) {
+      const auto path =
+          readPath(R"({"waypoints": [[0, 1]], "process": )" + std::string(process) + "}", arm(), pair(0, 0));
+      QVERIFY2(path.hasValue() && !path->process && path->places.size() == 1, process);
+    }
+    const auto path =
+        readPath(R"({"waypoints": [], "process": {"values": {"a": [1], "b": 2}, "part": [1,0,0,0, 0,1,0,0, 0,0,1,7]}})",
+                 arm(), pair(0, 0));
+    QVERIFY(path.hasValue() && path->process && path->process->values.size() == 1);
+    QVERIFY(path->process->part.translation() == Vec3(0, 0, 7));
   }
 
   void refusals_data() {
@@ -92,6 +114,46 @@ class PathFileTest : public QObject {
     const auto path = readPath(text.toStdString(), arm(), pair(0, 0));
     QVERIFY(!path.hasValue());
     QCOMPARE(QString::fromLatin1(path.error().code->id), code);
+  }
+
+  // What a file has in few digits may be a little beyond a limit: the path is within, for planner and verifier alike.
+  void printedDigitsBeyondALimit() {
+    QVERIFY(rc::check("within, and no further away than the digits", [] {
+      const double over = anyNumber(-0.9e-6, 0.9e-6), under = anyNumber(-0.9e-6, 0.9e-6);
+      const auto within = valuesWithinLimits(arm(), pair(3.0 + over, -3.0 + under));
+      RC_ASSERT(within.hasValue());
+      RC_ASSERT((*within)[0] == std::min(3.0, 3.0 + over) && (*within)[1] == std::max(-3.0, -3.0 + under));
+    }));
+    QVERIFY(!valuesWithinLimits(arm(), pair(3.0 + 2e-6, 0)).hasValue());
+    const auto path = readPath(R"({"waypoints": [[3.0000005, -3.0000005]]})", arm(), pair(0, 0));
+    QVERIFY(path.hasValue() && path->places[0].joints == pair(3, -3));
+  }
+
+  // A motion of a million turns could be looked at for days.
+  void tooManyTurns() {
+    const RobotModel wide = readOrThrow(planarArm({0.5, 0.5}, limit(-1e6, 1e6))).robot;
+    QVERIFY(readPath(R"({"waypoints": [[1000, -1000]]})", wide, pair(0, 0)).hasValue());
+    for (const char* text : {R"({"waypoints": [[1001, 0]]})", R"({"places": [{"joints": {"j2": -1001}}]})"}) {
+      const auto path = readPath(text, wide, pair(0, 0));
+      QVERIFY(!path.hasValue() && path.error().code == ErrorCode::ValueOutOfRange);
+    }
+    // Slides of course go further than 1000 mm.
+    const RobotModel slide =
+        readOrThrow(robotOf(link("a") + link("b") + joint("j", "prismatic", "a", "b", limit(0, 9)))).robot;
+    QVERIFY(valuesWithinLimits(slide, JointValues::Constant(1, 8e3)).hasValue());
+  }
+
+  // As one by one, and of many names alike each once.
+  void manyNamesAlike() {
+    FreeNames names;
+    names.add("way 3");
+    std::vector<std::string> taken;
+    for (int i = 0; i < 20'000; ++i) taken.push_back(names.take("way"));
+    QCOMPARE(taken[0], std::string("way"));
+    QCOMPARE(taken[1], std::string("way 2"));
+    QCOMPARE(taken[2], std::string("way 4"));
+    QCOMPARE(taken.back(), std::string("way 20001"));
+    QCOMPARE(names.take("way 7"), std::string("way 7 2"));
   }
 
   void names() {

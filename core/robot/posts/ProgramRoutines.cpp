@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ProgramRoutines.h"
+
+#include "robot/posts/PostText.h"
+
+#include <set>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kMostStatements = 10 * Post::kMostMotions;
+constexpr std::size_t kDeepestCall = 64;
+
+using Called = std::function<std::string(std::string_view)>;
+
+}  // namespace
+
+std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& lines) {
+  std::vector<ProgramStatement> all;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = lines[i];
+    bool isQuoted = false;
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k <= line.size(); ++k) {
+      if (k < line.size() && line[k] == '"') isQuoted = !isQuoted;
+      if (k < line.size() && (line[k] != ';' || isQuoted)) continue;
+      const std::string_view text = line.substr(begin, k - begin);
+      if (text.find_first_not_of(" \t\r") != text.npos) all.push_back({text, i + 1});
+      begin = k + 1;
+    }
+  }
+  return all;
+}
+
+void ProgramRoutines::begin(std::string name, std::size_t line) {
+  m_open.push_back(&m_routines[std::move(name)]);
+  *m_open.back() = {line, {}};
+}
+
+void ProgramRoutines::end() {
+  if (!m_open.empty()) m_open.pop_back();
+}
+
+void ProgramRoutines::add(const ProgramStatement& statement) {
+  (m_open.empty() ? m_outside : m_open.back()->statements).push_back(statement);
+}
+
+Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::string& first, const Called& called) const {
+  std::vector<ProgramStatement> all;
+  struct Frame {
+    const std::vector<ProgramStatement>* statements;
+    std::size_t next = 0;
+  };
+  std::vector<Frame> open;
+  if (!m_outside.empty() || m_routines.empty()) {
+    open.push_back({&m_outside});
+  } else if (const auto main = m_routines.find(first); main != m_routines.end()) {
+    open.push_back({&main->second.statements});
+  } else {
+    std::set<std::string> free;
+    for (const auto& [name, routine] : m_routines) free.insert(name);
+    for (const auto& [name, routine] : m_routines) {
+      for (const ProgramStatement& each : routine.statements) free.erase(called(each.text));
+    }
+    if (free.size() != 1)
+      return LineReader({}, m_routines.begin()->second.line)
+          .malformed("program", "it is not told which routine is first");
+    open.push_back({&m_routines.at(*free.begin()).statements});
+  }
+  std::size_t steps = 0;  // also of calls that lead to nothing
+  while (!open.empty()) {
+    Frame& frame = open.back();
+    if (frame.next == frame.statements->size()) {
+      open.pop_back();
+      continue;
+    }
+    const ProgramStatement& statement = (*frame.statements)[frame.next++];
+    const std::string name = called(statement.text);
+    const auto routine = name.empty() ? m_routines.end() : m_routines.find(name);
+    if (routine == m_routines.end()) {
+      all.push_back(statement);
+    } else {
+      // Whatever calls itself gets there.
+      if (open.size() >= kDeepestCall)
+        return LineReader({}, statement.line).malformed("program", "routines call each other endlessly");
+      open.push_back({&routine->second.statements});
+    }
+    if (++steps > kMostStatements)
+      return LineReader({}, statement.line).malformed("program", "there are too many motions");
+  }
+  return all;
+}
+
+}  // namespace handwheel

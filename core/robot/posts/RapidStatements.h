@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/posts/ProgramRoutines.h"
+
+namespace handwheel {
+
+// A name in lower case: the language does not tell cases apart.
+std::string folded(std::string_view name);
+
+// A RAPID module taken apart: declarations of data, and the statements of its procedures. A statement may go over
+// several lines, and several may stand in one. Functions, traps and the handlers of errors are left out.
+class RapidStatements {
+ public:
+  explicit RapidStatements(const std::vector<std::string_view>& lines);  // without comments
+  RapidStatements(const RapidStatements&) = delete;
+  RapidStatements& operator=(const RapidStatements&) = delete;
+
+  const std::vector<ProgramStatement>& data() const { return m_data; }  // after CONST, PERS or VAR
+  const ProgramRoutines& routines() const { return m_routines; }        // by their names in lower case
+
+ private:
+  void readNext();
+  bool takeWord(std::string_view word);
+  void skipSpace();
+  void skipTo(std::string_view word);  // a whole one
+  void skipBrackets();                 // with what is in them, if they come next
+  std::string_view name();
+
+  std::string m_text;
+  std::size_t m_at = 0, m_line = 1;
+  std::vector<ProgramStatement> m_data;
+  ProgramRoutines m_routines;
+};
+
+}  // namespace handwheel

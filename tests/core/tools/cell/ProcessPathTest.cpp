@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ArmCell.h"
+#include "TestClass.h"
+#include "document/scene/BodyEdit.h"
+#include "tools/cell/ProcessOperation.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr double kSame = 1e-4;  // mm, of inverse kinematics
+
+// A block before the arm, with the tool above it.
+class BlockCell {
+ public:
+  BlockCell() {
+    m_cell.stand({0.0, 0.5, 0.3, 0.0, 0.77, 0.0});
+    m_block = m_cell.addBox({100, 100, 60}, {350, 0, 230});
+  }
+  RobotCellDocument& document() { return m_cell.document(); }
+  Body block() { return *document().bodies().withId(m_block); }
+  Result<PlannedPath> planned(const OperationValues& values, const std::optional<Pose>& chosenAt = {}) {
+    const Body body = block();
+    const auto surface = std::make_shared<const PartSurface>(*body.geometry->surface());
+    return processPath(*m_cell.scene(), m_cell.content(), values, surface, body, {}, chosenAt);
+  }
+  void moveBlock(const Pose& by) {
+    auto moved = std::make_shared<Body>(block());
+    moved->pose = by * moved->pose;
+    document().commit("Move", std::make_unique<BodyEdit>(std::vector<BodyEdit::Change>{{m_block, std::move(moved)}}));
+  }
+  // Where the tool's centre point is at the places of a path, in the base.
+  std::vector<Pose> tools(const PlannedPath& planned) {
+    std::vector<Pose> all;
+    const auto scene = m_cell.scene();
+    for (const PathPlace& place : planned.path.places) all.push_back(scene->arm.tipPose(scene->planned(place.joints)));
+    return all;
+  }
+
+ private:
+  ArmCell m_cell;
+  BodyId m_block;
+};
+
+OperationValues valuesAlong(std::size_t along) {
+  OperationValues values(processOperation());
+  values.setValid("part", std::string("box1"));
+  values.setValid("along", static_cast<double>(along));
+  values.setValid("near", std::vector<double>{350.0, along == kAlongEdge ? -50.0 : 0.0, 260.0});
+  values.setValid("length", 40.0);
+  values.setValid("standoff", 20.0);
+  values.setValid("tilt", 0.2);
+  if (along == kAlongDrawn) values.setValid("through", std::string("370,10,260;380,-5,260"));
+  return values;
+}
+
+}  // namespace
+
+// Paths along curves on parts keep what made them, and are made again where the part is.
+class ProcessPathTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The part is moved and turned about the vertical: the tool follows the same curve of it, so all its poses are moved
+  // and turned alike. The first and the last, approach and retract, too.
+  void thePartHasMoved_data() {
+    QTest::addColumn<int>("along");
+    for (const int along : {int(kAlongEdge), 1, 2, int(kAlongDrawn)}) QTest::addRow("%d", along) << along;
+  }
+  void thePartHasMoved() {
+    QFETCH(const int, along);
+    BlockCell cell;
+    const auto before = cell.planned(valuesAlong(static_cast<std::size_t>(along)));
+    QVERIFY2(before.hasValue(), before.hasValue() ? "" : before.error().code->id);
+    QVERIFY(before->path.process.has_value());
+    const Pose by(Eigen::Translation3d(15, -25, -10) * Eigen::AngleAxisd(0.15, Vec3::UnitZ()));
+    const std::vector<Pose> old = cell.tools(*before);
+    cell.moveBlock(by);
+    const PathProcess& process = *before->path.process;
+    const auto after = cell.planned(valuesOf(process), process.part);
+    QVERIFY2(after.hasValue(), after.hasValue() ? "" : after.error().code->id);
+    const std::vector<Pose> tools = cell.tools(*after);
+    QCOMPARE(tools.size(), old.size());
+    for (std::size_t i = 0; i < old.size(); ++i)
+      QVERIFY(((by * old[i]).matrix() - tools[i].matrix()).cwiseAbs().maxCoeff() < kSame);
+    // It keeps where it was chosen: again and again nothing creeps.
+    QVERIFY(*after->path.process == process);
+  }
+
+  void valuesComeBack() {
+    BlockCell cell;
+    const OperationValues values = valuesAlong(kAlongEdge);
+    const auto planned = cell.planned(values);
+    QVERIFY(planned.hasValue());
+    QVERIFY(valuesOf(*planned->path.process) == values);
+    // Of another version of the program: what is not known, or beyond its range, is left out.
+    PathProcess other = *planned->path.process;
+    other.values["colour"] = std::string("red");
+    other.values["tilt"] = 99.0;
+    OperationValues expected = values;
+    expected.reset("tilt");
+    QVERIFY(valuesOf(other) == expected);
+  }
+};
+
+HANDWHEEL_TEST(ProcessPathTest)
+#include "ProcessPathTest.moc"
