@@ -144,7 +144,7 @@ std::vector<StartAction> ExerciseUi::startActions() const {
        tr("Turn a shoulder step by step, without having turned before"), panelIcon(),
        QStringLiteral("first-lesson.exercise.json"),
        StartTile{QStringLiteral("lessonTile"), panelIcon(), tr("Turn your first shoulder"),
-                 tr("A lesson of three minutes: the program says what to do, and measures the part.")}}};
+                 tr("A lesson of about five minutes: the program says what to do, and measures the part.")}}};
   const std::pair<const char*, QString> shipped[] = {{"shaft", tr("Exercise: shaft with shoulders")},
                                                      {"bush", tr("Exercise: bored bush")},
                                                      {"thread-m20", tr("Exercise: thread M20")},
