@@ -15,6 +15,7 @@
 #include "window/documents/DocumentProperties.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/haptics/DeviceDock.h"
 #include "window/haptics/DeviceView.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolChoice.h"
@@ -171,6 +172,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_tools->setVisible(!document || document->visible);
   m_toolChoice->takeUp(document);
   m_viewSettings->setSectionAxis(document ? document->ui.sectionAxis() : std::nullopt);
+  m_deviceDock->findChild<DeviceDock*>()->setTurningAxis(document ? document->ui.sectionAxis() : std::nullopt);
   m_viewSettings->followModel();
   m_deviceView->followModel();
   if (!document) m_viewSettings->setSectionFigures({});

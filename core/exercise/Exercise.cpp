@@ -66,6 +66,11 @@ const MarkingCriterion* Exercise::find(std::string_view id) const {
   return found == criteria.end() ? nullptr : &*found;
 }
 
+std::string namedInErrors(const MarkingCriterion& criterion) {
+  if (criterion.name.empty()) return "criterion " + criterion.id;
+  return "criterion “" + criterion.name + "” (" + criterion.id + ")";
+}
+
 Status checkExercise(const Exercise& exercise) {
   if (isLong(exercise.title) || isLong(exercise.author) || isLong(exercise.text))
     return malformed("exercise", "a text is too long");
@@ -74,8 +79,8 @@ Status checkExercise(const Exercise& exercise) {
   if (exercise.steps.size() > Exercise::kMostSteps) return malformed("steps", "there are too many");
   std::set<std::string_view> ids;
   for (const MarkingCriterion& c : exercise.criteria) {
-    if (const char* problem = problemOf(c)) return malformed("criterion " + c.id, problem);
-    if (!ids.insert(c.id).second) return malformed("criterion " + c.id, "there are two with this id");
+    if (const char* problem = problemOf(c)) return malformed(namedInErrors(c), problem);
+    if (!ids.insert(c.id).second) return malformed(namedInErrors(c), "there are two with this id");
   }
   for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
     const std::string where = "step " + std::to_string(i + 1);

@@ -50,6 +50,9 @@ struct Exercise {
   const MarkingCriterion* find(std::string_view id) const;  // null when there is none
 };
 
+// How errors name a criterion: "criterion “⌀20 h10” (d1)".
+std::string namedInErrors(const MarkingCriterion& criterion);
+
 // The error ElementMalformed {where, what is wrong} for the first thing that an exercise must not have: an id twice, a
 // number that is not finite or out of bounds, too many rows, limits that no figure meets.
 Status checkExercise(const Exercise& exercise);

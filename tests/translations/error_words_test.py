@@ -20,7 +20,7 @@ PHRASE = {
     "DeviceError::Unreachable": 0, "CellError::PlansFull": 0, "DocumentError::CheckFailed": 0, "ErrorCode::CountMismatch": 0,
     "ErrorCode::DataTruncated": 0, "ErrorCode::ElementMalformed": 1, "ErrorCode::FileTooLarge": 0,
     "ErrorCode::FileUnreadable": 0, "ErrorCode::LibraryFailed": 1, "ErrorCode::ReferenceMissing": 0,
-    "ErrorCode::Unsupported": 0, "ErrorCode::WriteFailed": 0, "MeshFileError::TokenUnexpected": 0,
+    "ErrorCode::Unsupported": 0, "ExerciseError::FieldRefused": 1, "ErrorCode::WriteFailed": 0, "MeshFileError::TokenUnexpected": 0,
 }
 MADE = re.compile(r"\b((?:ErrorCode|\w+Error)::\w+),\s*\{")
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')

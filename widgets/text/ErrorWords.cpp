@@ -246,6 +246,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "a tool is impossible"),
     QT_TRANSLATE_NOOP("ErrorWord", "an object was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "criteria"),
+    QT_TRANSLATE_NOOP("ErrorWord", "criterion %1"),
+    QT_TRANSLATE_NOOP("ErrorWord", "step %1"),
     QT_TRANSLATE_NOOP("ErrorWord", "feed and spindle speed must be above 0"),
     QT_TRANSLATE_NOOP("ErrorWord", "it has too few points"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is impossible"),

@@ -32,11 +32,12 @@ void rememberFolder(const QString& path) {
 }
 
 // "part-2.handwheel", or what number is free.
-QString freeName(const QString& path) {
+QString freeName(const DocumentKind& kind, const QString& path) {
   const QFileInfo file(path);
+  const QString ending = endingOf(kind, path);
   for (int number = 2;; ++number) {
     const QString name =
-        QStringLiteral("%1-%2.%3").arg(file.completeBaseName(), QString::number(number), file.suffix());
+        QStringLiteral("%1-%2%3").arg(file.fileName().chopped(ending.size()), QString::number(number), ending);
     if (!file.dir().exists(name)) return file.dir().filePath(name);
   }
 }
@@ -205,12 +206,13 @@ void FileActions::askForName(DocumentTab* document, std::function<void(bool)> en
   const bool hasRecordings = !document->document.file().recordings.empty();  // which no foreign file holds
   QString suggestion = hasRecordings || asContainer ? document->ui.KindUi::suggestedName(*document)
                                                     : document->ui.suggestedName(*document);
-  if (needsNewName(*document) && suggestion == document->document.path()) suggestion = freeName(suggestion);
+  if (needsNewName(*document) && suggestion == document->document.path())
+    suggestion = freeName(document->document.kind(), suggestion);
   const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
   dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());
   dialog->selectFile(QFileInfo(suggestion).fileName());
-  dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
+  dialog->setDefaultSuffix(endingOf(document->document.kind(), suggestion));
   connect(dialog, &QFileDialog::fileSelected, this, [this, document, ended](const QString& path) {
     if (!m_tabs.contains(document)) return;
     rememberFolder(path);

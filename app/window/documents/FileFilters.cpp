@@ -35,12 +35,25 @@ QString containerEnding() {
   return QString::fromUtf8(kContainerEnding.data(), static_cast<qsizetype>(kContainerEnding.size()));
 }
 
+// An ending may have several dots: ".exercise.json".
 std::optional<FileFormat> formatOf(const DocumentKind& kind, const QString& path) {
-  const std::string ending = ('.' + QFileInfo(path).suffix().toLower()).toStdString();
+  const std::string name = QFileInfo(path).fileName().toLower().toStdString();
   for (const FileFormat& format : kind.formats()) {
-    if (std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end()) return format;
+    const auto isOfName = [&](const std::string& ending) { return name.ends_with(ending); };
+    if (std::any_of(format.endings.begin(), format.endings.end(), isOfName)) return format;
   }
   return {};
+}
+
+QString endingOf(const DocumentKind& kind, const QString& path) {
+  const QString name = QFileInfo(path).fileName();
+  const auto format = formatOf(kind, path);
+  for (const std::string& each : format ? format->endings : std::vector<std::string>()) {
+    const QString ending = QString::fromStdString(each);
+    if (name.endsWith(ending, Qt::CaseInsensitive)) return name.right(ending.size());
+  }
+  const QString suffix = QFileInfo(path).suffix();
+  return suffix.isEmpty() ? QString() : QLatin1Char('.') + suffix;
 }
 
 bool canWrite(const DocumentKind& kind, const QString& path) {

@@ -14,6 +14,8 @@ QString containerEnding();  // ".handwheel"
 
 // The foreign format of the kind by the path's extension; none for a container.
 std::optional<FileFormat> formatOf(const DocumentKind& kind, const QString& path);
+// The ending of a path with its dots, as the formats of the kind have it; of other paths what follows the last dot.
+QString endingOf(const DocumentKind& kind, const QString& path);
 // Whether documents of the kind can be written in the format of the path.
 bool canWrite(const DocumentKind& kind, const QString& path);
 

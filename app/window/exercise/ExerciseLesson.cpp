@@ -3,6 +3,7 @@
 #include "window/exercise/ExerciseLesson.h"
 
 #include "controls/ScrolledPanel.h"
+#include "document/exercise/ShippedExercises.h"
 #include "panels/LessonPanel.h"
 #include "window/exercise/ReasonText.h"
 
@@ -59,12 +60,12 @@ QString sizeText(const MarkingCriterion& c, const FigureType& type) {
 }
 
 // What is on the drawing: stock and machine, then each size with its limits.
-QString drawingText(const ExerciseSnapshot& shown) {
+QString drawingText(const ExerciseSnapshot& shown, const Exercise& exercise) {
   QStringList lines;
   for (const ExerciseText& line : shown.subject->conditions(*shown.task)) lines += exerciseText(line);
   lines += QString();
   const std::vector<FigureType> types = figureTypes(*shown.subject);
-  for (const MarkingCriterion& c : shown.exercise.criteria) {
+  for (const MarkingCriterion& c : exercise.criteria) {
     const FigureType* type = figureType(types, c.figure);
     if (type && !c.isHidden) lines += QStringLiteral("• ") + sizeText(c, *type);
   }
@@ -136,7 +137,7 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
 }
 
 void ExerciseLesson::setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning) {
-  const Exercise& exercise = shown.exercise;
+  const Exercise exercise = inLanguage(shown);
   m_isRunning = isRunning;
   m_text->setText(QString::fromStdString(exercise.text));
   std::vector<LessonStep> steps;
@@ -145,7 +146,7 @@ void ExerciseLesson::setExercise(const ExerciseSnapshot& shown, const Attempt& a
   m_begin->setVisible(!isRunning);
   m_steps->setEnabled(isRunning);
   for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) each->setVisible(isRunning);
-  m_sizes->setText(drawingText(shown));
+  m_sizes->setText(drawingText(shown, exercise));
   m_name->setText(QString::fromStdString(attempt.student));
   setSeconds(attempt.seconds, exercise.allowedSeconds);
   followName();
@@ -155,7 +156,8 @@ void ExerciseLesson::setSeconds(double seconds, double allowed) {
   m_steps->setTime(seconds, allowed);
 }
 
-void ExerciseLesson::setMeasured(const Exercise& exercise, const Marking& marking) {
+void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking& marking) {
+  const Exercise exercise = inLanguage(measured);
   m_sizes->setText(measuredText(exercise, marking));
   for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
     if (exercise.steps[i].criteria.empty()) continue;

@@ -26,7 +26,7 @@ class ExerciseLesson : public QWidget {
   void setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning);
   void setSeconds(double seconds, double allowed);
   // Shows each size of the drawing, and which steps that makes done or not.
-  void setMeasured(const Exercise& exercise, const Marking& marking);
+  void setMeasured(const ExerciseSnapshot& exercise, const Marking& marking);
 
  signals:
   void begun();

@@ -4,6 +4,7 @@
 // The pages and the exercise itself. Marking of a class: ExerciseUiMarking.cpp.
 #include "window/exercise/ExerciseUi.h"
 
+#include "document/exercise/ShippedExercises.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
@@ -144,7 +145,7 @@ std::vector<StartAction> ExerciseUi::startActions() const {
        tr("Turn a shoulder step by step, without having turned before"), panelIcon(),
        QStringLiteral("first-lesson.exercise.json"),
        StartTile{QStringLiteral("lessonTile"), panelIcon(), tr("Turn your first shoulder"),
-                 tr("A lesson of three minutes: the program says what to do, and measures the part.")}}};
+                 tr("A lesson of about five minutes: the program says what to do, and measures the part.")}}};
   const std::pair<const char*, QString> shipped[] = {{"shaft", tr("Exercise: shaft with shoulders")},
                                                      {"bush", tr("Exercise: bored bush")},
                                                      {"thread-m20", tr("Exercise: thread M20")},
@@ -165,7 +166,7 @@ NextStep ExerciseUi::nextStep() {
   if (!current()) return {};
   const ExerciseSnapshot& exercise = current()->exercise();
   const QColor accent = themeColours(currentTheme()).accent;
-  const QString title = QString::fromStdString(exercise.exercise.title);
+  const QString title = QString::fromStdString(inLanguage(exercise).title);
   if (exercise.attempt && exercise.attempt->isHandedIn())
     return {panelIcon(),
             accent,
@@ -187,7 +188,7 @@ NextStep ExerciseUi::nextStep() {
 
 QString ExerciseUi::openedText(const DocumentTab& opened) const {
   const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(opened.document).exercise();
-  return tr("Opened %1: exercise “%2”").arg(opened.document.name(), QString::fromStdString(exercise.exercise.title));
+  return tr("Opened %1: exercise “%2”").arg(opened.document.name(), QString::fromStdString(inLanguage(exercise).title));
 }
 
 void ExerciseUi::openContent(const ExerciseSnapshot& content) {

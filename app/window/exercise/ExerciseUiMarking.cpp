@@ -3,6 +3,7 @@
 
 // Marking what a class has handed in, and writing what came out.
 #include "document/AtomicFile.h"
+#include "document/exercise/ShippedExercises.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "report/exercise/MarkingWords.h"
@@ -46,7 +47,7 @@ void ExerciseUi::mark(const QStringList& paths) {
   job.name = tr("Marking");
   job.owner = document();
   job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
-    auto marked = std::make_shared<ClassReport>(ClassReport{scheme->exercise, figureTypes(*scheme->subject), {}});
+    auto marked = std::make_shared<ClassReport>(ClassReport{inLanguage(*scheme), figureTypes(*scheme->subject), {}});
     const double share = 1.0 / static_cast<double>(paths.size());
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
       marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
@@ -106,7 +107,7 @@ void ExerciseUi::startWriting(ClassFile what, const QString& path) {
 void ExerciseUi::writeClass(ClassFile what) {
   if (!current()) return;
   const auto write = [this, what](const QString& path) { startWriting(what, path); };
-  const QString title = QString::fromStdString(current()->exercise().exercise.title);
+  const QString title = QString::fromStdString(inLanguage(current()->exercise()).title);
   if (what == ClassFile::Table) {
     chooseFile(tr("Save the table"), tr("Table (%1)").arg(QStringLiteral("*.csv")), tr("%1, class").arg(title),
                QStringLiteral("csv"), write);

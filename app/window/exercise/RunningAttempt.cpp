@@ -3,6 +3,7 @@
 #include "window/exercise/RunningAttempt.h"
 
 #include "document/exercise/ExerciseDocument.h"
+#include "document/exercise/ShippedExercises.h"
 #include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
 #include "panels/DockTitle.h"
@@ -209,7 +210,7 @@ void RunningAttempt::measure() {
         if (!step.criteria.empty()) setDone(*now, i, isMet(step, *marking));
       }
       store(*now, true);
-      if (now == current()) m_lesson->setMeasured(exercise->exercise, *marking);
+      if (now == current()) m_lesson->setMeasured(*exercise, *marking);
     });
   };
   m_parts.jobs.start(std::move(job));
@@ -225,7 +226,7 @@ void RunningAttempt::handIn() {
   const Work* const work = current();
   if (work)
     dialog->selectFile(fileNameOf(
-        {QString::fromStdString(work->exercise->exercise.title), QString::fromStdString(work->attempt.student)},
+        {QString::fromStdString(inLanguage(*work->exercise).title), QString::fromStdString(work->attempt.student)},
         QStringLiteral("handwheel")));
   connect(dialog, &QFileDialog::fileSelected, this, &RunningAttempt::writeSubmission);
   dialog->open();

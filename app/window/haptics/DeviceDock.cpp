@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/DeviceDock.h"
 
+#include "window/haptics/DeviceMapping.h"
 #include "window/haptics/HapticSession.h"
 
 namespace handwheel {
@@ -36,6 +37,25 @@ DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(pa
 void DeviceDock::setSpaceMice(std::vector<std::string> names) {
   m_spaceMice = std::move(names);
   showChosen();
+}
+
+void DeviceDock::setTurningAxis(const std::optional<Ray>& axis) {
+  m_turningAxis = axis;
+  nameAxes();
+}
+
+void DeviceDock::nameAxes() {
+  QStringList words;
+  const ServoSample* const now = m_session.latest();
+  if (m_turningAxis && now) {
+    for (const AboutAxis about : axesAbout(*m_turningAxis, m_session.mappingInScene(), now->tip.position)) {
+      words << (about == AboutAxis::Along    ? tr("along (Z)")
+                : about == AboutAxis::Radius ? tr("radius (X)")
+                : about == AboutAxis::Across ? tr("across")
+                                             : QString());
+    }
+  }
+  setAxisWords(words);
 }
 
 void DeviceDock::showEvent(QShowEvent* event) {
@@ -91,6 +111,7 @@ void DeviceDock::leadHand() {
 }
 
 void DeviceDock::showRun() {
+  nameAxes();
   m_sinceRun.start();
   showLoop({m_session.rate(), m_session.missedTicks(), m_session.realTime()});
   if (const ServoStatistics* const measure = m_session.measure()) showTiming(*measure);

@@ -5,6 +5,7 @@
 #include "panels/device/DevicePanel.h"
 
 #include "haptics/device/PoseTrajectory.h"
+#include "mesh/search/PickRay.h"
 
 #include <QElapsedTimer>
 #include <optional>
@@ -23,6 +24,8 @@ class DeviceDock : public DevicePanel {
 
   // The names of the devices that move the view.
   void setSpaceMice(std::vector<std::string> names);
+  // The axis about which the work turns, as that of a lathe: the axes of the hand are named after it.
+  void setTurningAxis(const std::optional<Ray>& axis);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -33,9 +36,11 @@ class DeviceDock : public DevicePanel {
   void showTick();
   void leadHand();
   void showRun();
+  void nameAxes();
 
   HapticSession& m_session;
   std::vector<std::string> m_spaceMice;
+  std::optional<Ray> m_turningAxis;
   QElapsedTimer m_sinceRun;        // since timings were last shown
   std::optional<HandPose> m_goal;  // of the simulated hand, on its way there
 };

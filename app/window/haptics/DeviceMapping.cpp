@@ -107,6 +107,25 @@ WorkspaceMapping mappingInView(const WorkspaceMapping& user, const DeviceCapabil
   return mapping;
 }
 
+std::array<AboutAxis, 3> axesAbout(const Ray& axis, const WorkspaceMapping& inScene, const Vec3& tip) {
+  constexpr double kMostly = 0.75;  // the cosine of what is taken for a direction
+  const Vec3 along = axis.direction.normalized(), from = tip - axis.origin;
+  const Vec3 away = from - along * along.dot(from);
+  const Vec3 radius = away.norm() > 0.0 ? Vec3(away.normalized()) : Vec3::Zero();
+  const Eigen::Matrix3d directions = inScene.sceneFromView.linear() * inScene.viewFromDevice();
+  std::array<AboutAxis, 3> all{};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 way = directions.col(i).normalized();
+    if (std::abs(way.dot(along)) > kMostly)
+      all[static_cast<std::size_t>(i)] = AboutAxis::Along;
+    else if (std::abs(way.dot(radius)) > kMostly)
+      all[static_cast<std::size_t>(i)] = AboutAxis::Radius;
+    else if (std::abs(way.dot(along.cross(radius))) > kMostly)
+      all[static_cast<std::size_t>(i)] = AboutAxis::Across;
+  }
+  return all;
+}
+
 bool isInView(const CameraState& camera, const Vec3& place) {
   const Vec3 seen = camera.orientation.conjugate() * (place - camera.centre);
   return seen.cwiseAbs().maxCoeff() <= 0.5 * camera.height;

@@ -4,8 +4,10 @@
 
 #include "haptics/device/Device.h"
 #include "haptics/mapping/WorkspaceMapping.h"
+#include "mesh/search/PickRay.h"
 #include "viewport/camera/CameraState.h"
 
+#include <array>
 #include <optional>
 
 namespace handwheel {
@@ -24,6 +26,10 @@ void storeMapping(const std::string& driver, const WorkspaceMapping& mapping);
 // surface point in the middle of the view, where it is known; the centre lies a little in front of it.
 WorkspaceMapping mappingInView(const WorkspaceMapping& user, const DeviceCapabilities& device,
                                const CameraState& camera, const Box& model, const std::optional<Vec3>& seen = {});
+
+// What the axes of a device do about an axis in the scene, as that of a lathe, where the tip is now.
+enum class AboutAxis { Oblique, Along, Radius, Across };
+std::array<AboutAxis, 3> axesAbout(const Ray& axis, const WorkspaceMapping& inScene, const Vec3& tip);
 
 // Whether a point (mm) is roughly within the view. Decides whether the tip may stay where it is when the camera moves.
 bool isInView(const CameraState& camera, const Vec3& place);

@@ -59,7 +59,8 @@ QString KindUi::suggestedName(const DocumentTab& document) const {
   const QString ending = containerEnding();
   if (document.document.file().path.empty()) return document.document.name() + ending;
   const QFileInfo file(document.document.path());
-  return file.path() + QLatin1Char('/') + file.completeBaseName() + ending;
+  const QString name = file.fileName().chopped(endingOf(document.document.kind(), document.document.path()).size());
+  return file.path() + QLatin1Char('/') + name + ending;
 }
 
 }  // namespace handwheel

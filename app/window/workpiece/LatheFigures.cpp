@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/LatheFigures.h"
 
+#include "machining/force/WorkMaterials.h"
 #include "theme/Theme.h"
 
 #include <QCoreApplication>
@@ -102,7 +103,8 @@ void LatheFigures::show(const ManualLatheTool& tool) {
   m_roughness->setText(rough && std::isfinite(*rough) ? tr("%1 µm").arg(figure(*rough, 2)) : none);
   m_law->setText(nameOf(tool.material()->law));
   setWarning(*m_law, load.isOutsideModel);
-  const QString material = QString::fromStdString(tool.material()->id);
+  const WorkMaterial& known = WorkMaterials::standard().called(tool.material()->id);
+  const QString material = QCoreApplication::translate("Property", known.name.c_str());
   m_law->setToolTip(load.isOutsideModel
                         ? tr("The law of the cutting force was not made for such a cut of %1.").arg(material)
                         : tr("Law of the cutting force for %1. It is chosen among the settings of speed and "

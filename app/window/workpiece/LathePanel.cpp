@@ -15,6 +15,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -100,8 +101,12 @@ QWidget* LathePanel::makeReadout() {
   m_x->setObjectName(QStringLiteral("latheX"));
   m_z = new QLabel;
   m_z->setObjectName(QStringLiteral("latheZ"));
-  m_x->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("X ⌀ -888.888 mm")));
-  m_z->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Z -888.888 mm")));
+  const auto widest = [this](const QString& axis, const QString& read) {
+    return std::max(fontMetrics().horizontalAdvance(tr("%1 not touched off").arg(axis)),
+                    fontMetrics().horizontalAdvance(read));
+  };
+  m_x->setMinimumWidth(widest(QStringLiteral("X"), QStringLiteral("X ⌀ -888.888 mm")));
+  m_z->setMinimumWidth(widest(QStringLiteral("Z"), QStringLiteral("Z -888.888 mm")));
   connect(m_post, &ToolPostRow::sideChosen, this, [this](int side) {
     emit commanded({Do::Tool, LatheAxis::Carriage, static_cast<double>(side)});
   });
@@ -202,6 +207,15 @@ QWidget* LathePanel::makeThreadAndRapid() {
             1.0)});
 }
 
+// A read-out as that of a lathe whose axis has no reference shows no number that could be taken for a size.
+void LathePanel::showAxis(QLabel& label, const QString& axis, const QString& read, const QString& remedy) {
+  const QString text = read.isEmpty() ? tr("%1 not touched off").arg(axis) : read;
+  if (label.text() == text) return;
+  label.setText(text);
+  label.setToolTip(read.isEmpty() ? remedy : QString());
+  label.setEnabled(!read.isEmpty());  // greyed
+}
+
 void LathePanel::sendSpeed() {
   if (m_isConstant->isChecked())
     emit commanded({Do::SurfaceSpeed, LatheAxis::Carriage, m_surface->value(), m_clamp->value()});
@@ -219,8 +233,14 @@ void LathePanel::show(const ManualLatheTool& tool) {
   const auto now = tool.moment();
   const ProfilePoint read = tool.readout();
   const QString badge = tool.setup().showsDiameter ? QStringLiteral("⌀") : QStringLiteral("R");
-  m_x->setText(QStringLiteral("X %1 %2 mm").arg(badge, number(read.x(), 3)));
-  m_z->setText(QStringLiteral("Z %1 mm").arg(number(read.y(), 3)));
+  const auto [hasX, hasZ] = tool.isTouchedOff();
+  showAxis(
+      *m_x, QStringLiteral("X"), hasX ? QStringLiteral("X %1 %2 mm").arg(badge, number(read.x(), 3)) : QString(),
+      tr("Turn a little of the bar, measure its diameter, enter it below, and press “Touch off X” before the cross "
+         "slide moves."));
+  showAxis(*m_z, QStringLiteral("Z"), hasZ ? QStringLiteral("Z %1 mm").arg(number(read.y(), 3)) : QString(),
+           tr("Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the "
+              "carriage moves."));
   if (QAbstractButton* const shown = m_spindle->button(now->machine.direction + 1)) shown->setChecked(true);
   int way = 0;
   for (std::size_t i = 1; now->machine.feed != 0.0 && i < kFeedWays.size(); ++i) {

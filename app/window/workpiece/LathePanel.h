@@ -45,6 +45,7 @@ class LathePanel : public QWidget {
   QWidget* makeFeed();
   QWidget* makeThreadAndRapid();
   QPushButton* button(const QString& text, const char* name, const QString& tip);
+  void showAxis(QLabel& label, const QString& axis, const QString& read, const QString& remedy);
   void sendSpeed();
   void sendFeed(int way);
 

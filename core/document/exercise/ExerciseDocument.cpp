@@ -5,9 +5,32 @@
 #include "document/exercise/ExerciseErrors.h"
 #include "document/exercise/ExerciseProperties.h"
 
+#include <QCoreApplication>
+#include <algorithm>
 #include <utility>
 
 namespace handwheel {
+
+namespace {
+
+// "⌀30 h10, Nominal size (mm)": as the panel has it.
+std::string shownName(const Property& property) {
+  const auto words = [](const std::string& text, bool isEnglish) {
+    return isEnglish ? QCoreApplication::translate("Property", text.c_str()).toStdString() : text;
+  };
+  return words(property.group, property.groupTranslated) + ", " + words(property.label, property.translated);
+}
+
+// An error about a property, without ids that nobody sees in the window.
+Error inWords(Error error, const Property& property) {
+  if (error.arguments.empty()) return error;
+  if (error.code == ErrorCode::ElementMalformed) error.code = ExerciseError::FieldRefused;
+  if (error.code == ExerciseError::FieldRefused || error.code == ErrorCode::ValueOutOfRange)
+    error.arguments.front() = shownName(property);
+  return error;
+}
+
+}  // namespace
 
 ExerciseDocument::ExerciseDocument(OpenedFile opened, QObject* parent)
     : Document(*opened.kind, std::move(opened.file), parent),
@@ -26,7 +49,7 @@ Result<std::unique_ptr<Edit>> ExerciseDocument::propertyEdit(const std::string& 
   if (m_exercise->isForStudents) return Error{ExerciseError::Fixed, {}, {}, {}};
   if (found->value == value) return std::unique_ptr<Edit>();
   Result<ExerciseSnapshot> changed = withExerciseProperty(*m_exercise, id, value);
-  if (!changed) return changed.error();
+  if (!changed) return inWords(changed.error(), *found);
   return std::unique_ptr<Edit>(std::make_unique<ExerciseEdit>(std::move(changed.value()), id));
 }
 

@@ -35,6 +35,11 @@ const ErrorDescription ExerciseError::WithoutTarget{
     .sentences = {translatable("ErrorText", "the exercise has no target, so there is nothing to draw")},
     .advice = {translatable("ErrorText", "Turn a model solution and take it as the target.")}};
 
+const ErrorDescription ExerciseError::FieldRefused{
+    .id = "FieldRefused",
+    .sentences = {translatable("ErrorText", "%1: %2")},
+    .advice = {translatable("ErrorText", "Give this field of the exercise another value.")}};
+
 const ErrorDescription ExerciseError::Fixed{
     .id = "Fixed",
     .sentences = {translatable("ErrorText", "a student's copy of an exercise cannot be changed")},

@@ -119,12 +119,21 @@ Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::f
   const ExerciseSnapshot& exercise = exerciseOf(content);
   if (!path.string().ends_with(kDescriptionEnding))
     return exercise.subject->exportDrawing(exercise.exercise, *exercise.task, path, progress);
-  const std::string text = description(exercise).dump(1) + "\n";
+  WrittenFile file;
+  Json json = exercise.others ? *exercise.others : Json::object();
+  json.update(description(exercise));
+  if (exercise.solution) json[kSolution] = exercise.subject->describeWork(*exercise.task, *exercise.solution);
+  if (exercise.solution && json[kSolution].is_null())
+    file.notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                            "A description cannot hold a model solution that was made by hand. "
+                                            "It has none."),
+                          {},
+                          true});
+  if (exercise.work) file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The work is not in the description."), {}, true});
+  const std::string text = json.dump(1) + "\n";
   const Status written = writeFileAtomically(path, text, progress);
   if (!written) return written.error();
-  WrittenFile file{text.size(), {}};
-  if (exercise.solution || exercise.work)
-    file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The description has neither model solution nor work."), {}, true});
+  file.bytes = text.size();
   return file;
 }
 
@@ -219,9 +228,14 @@ Result<SnapshotPointer> ExerciseKind::fromDescription(const Json& given, Progres
   ExerciseSnapshot exercise = std::move(read.value());
   for (const MarkingCriterion& c : exercise.exercise.criteria) {
     if (c.points > 0.0 && !c.hasLimit())
-      return Error{ErrorCode::ElementMalformed, {"criterion " + c.id, "it gives points without a limit"}, {}, {}};
+      return Error{ErrorCode::ElementMalformed, {namedInErrors(c), "it gives points without a limit"}, {}, {}};
   }
   if (exercise.key.empty()) exercise.key = keyOf(exercise);
+  Json others = given;
+  const Json written = description(exercise);
+  for (const auto& known : written.items()) others.erase(known.key());
+  others.erase(kSolution);
+  if (!others.empty()) exercise.others = std::make_shared<const Json>(std::move(others));
   if (const auto solution = given.find(kSolution); solution != given.end() && !solution->is_null()) {
     Result<SnapshotPointer> made = exercise.subject->makeWork(*exercise.task, *solution, progress);
     if (!made) return made.error();

@@ -33,6 +33,7 @@ ExerciseSnapshot forStudents(ExerciseSnapshot exercise) {
   exercise.solution.reset();
   exercise.work.reset();
   exercise.attempt.reset();
+  exercise.others.reset();
   exercise.isForStudents = true;
   return exercise;
 }

@@ -6,6 +6,8 @@
 #include "document/exercise/ExerciseSubject.h"
 #include "exercise/Attempt.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace handwheel {
 
 // The value of an exercise document: of a teacher's, with its answers; of a student's, without them; or of one that was
@@ -19,6 +21,9 @@ struct ExerciseSnapshot : Snapshot {
   SnapshotPointer work;                      // of the student, as far as it is; null: nothing yet
   std::optional<Attempt> attempt;            // present since the student has begun
   bool isForStudents = false;                // it has no answers, and cannot be changed
+  // What the description that it was read from has beside what this program knows: it is written back into
+  // descriptions. Null: nothing.
+  std::shared_ptr<const nlohmann::json> others;
 };
 
 // The exercise for students: without marking scheme, model solution and work.

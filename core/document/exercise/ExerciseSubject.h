@@ -87,6 +87,8 @@ class ExerciseSubject {
   // Work as a description in JSON tells it, for model solutions. Errors: ElementMalformed, Cancelled.
   virtual Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                            Progress progress) const = 0;
+  // The description that makeWork() makes this work from; null: none can hold it, as work that was done by hand.
+  virtual nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const = 0;
   // A task whose target is what this work made, for teachers who turn the model solution first.
   virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
   // A task whose target is in round sizes, as a drawing has them. step: mm; hollow corners of up to largestFillet (mm)

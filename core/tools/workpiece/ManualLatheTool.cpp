@@ -77,11 +77,19 @@ std::vector<LatheWarning> ManualLatheTool::warnings() const {
   return all;
 }
 
-ProfilePoint ManualLatheTool::readout() const {
-  const auto now = moment();
+LatheSlot ManualLatheTool::slotInUse() const {
   const LatheSetup lathe = setup();
-  ProfilePoint shown = readoutAt(
-      lathe, lathe.stations[std::min<std::size_t>(now->machine.tool, lathe.stations.size() - 1)], now->machine.slides);
+  return lathe.stations[std::min<std::size_t>(moment()->machine.tool, lathe.stations.size() - 1)];
+}
+
+std::array<bool, 2> ManualLatheTool::isTouchedOff() const {
+  const LatheSlot slot = slotInUse();
+  return {slot.hasOffset[0], slot.hasOffset[1]};
+}
+
+ProfilePoint ManualLatheTool::readout() const {
+  const LatheSetup lathe = setup();
+  ProfilePoint shown = readoutAt(lathe, slotInUse(), moment()->machine.slides);
   if (lathe.showsDiameter) shown.x() *= 2.0;
   return shown;
 }
@@ -215,8 +223,11 @@ ToolPreview ManualLatheTool::preview() const {
       preview.lines.push_back(std::move(curl));
   }
   const ProfilePoint read = readout();
-  preview.label = ToolLabel{Vec3(now->tip.x(), 0.0, now->tip.y() + base()),
-                            {{setup().showsDiameter ? "⌀" : "R", read.x()}, {"Z", read.y()}}};
+  ToolLabel label{Vec3(now->tip.x(), 0.0, now->tip.y() + base()), {}};
+  const auto [hasX, hasZ] = isTouchedOff();
+  if (hasX) label.figures.push_back({setup().showsDiameter ? "⌀" : "R", read.x()});
+  if (hasZ) label.figures.push_back({"Z", read.y()});
+  if (!label.figures.empty()) preview.label = std::move(label);
   return preview;
 }
 

@@ -49,6 +49,8 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   std::vector<LatheWarning> warnings() const;
   // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
   ProfilePoint readout() const;
+  // Whether the tool in use was touched off, in X and in Z: before that the read-out means nothing.
+  std::array<bool, 2> isTouchedOff() const;
 
   // The roughness Ra of the part where the tip is, µm; none: it is not known, or there is no part. Of a file, paper or
   // disk: at the middle of its width.
@@ -88,6 +90,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
 
  private:
   std::unique_ptr<Simulation> simulation() const;
+  LatheSlot slotInUse() const;
   void renewMaterial();
   void turn(LatheAxis axis, double divisions);
   void stop();

@@ -273,6 +273,11 @@ void DevicePartsTest::bars() {
   QCOMPARE(bars.share(0), 0.25);
   QCOMPARE(bars.share(1), -1.0);
   QCOMPARE(bars.share(2), 0.0);
+  bars.setWords({QStringLiteral("along (Z)"), QString()});
+  QCOMPARE(bars.text(0), QString("X along (Z) 10.0 mm"));
+  QCOMPARE(bars.text(1), QString("Y -80.0 mm"));
+  bars.setWords({});
+  QCOMPARE(bars.text(0), QString("X 10.0 mm"));
   DeviceCapabilities gripping;
   gripping.inputs = 7;
   bars.setDevice(gripping);

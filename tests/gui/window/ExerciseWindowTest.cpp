@@ -4,6 +4,7 @@
 #include "document/exercise/ExerciseDocument.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "haptics/TurningWindow.h"
+#include "window/documents/Samples.h"
 
 #include <QDockWidget>
 #include <QFile>
@@ -11,6 +12,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTabWidget>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -133,6 +135,33 @@ class ExerciseWindowTest : public QObject {
     partOfLesson<QListWidget>(driver, "exerciseLesson", "lessonSteps")->setCurrentRow(1);
     QVERIFY(labelsOf(lesson).contains("Begin beyond its end"));
     QVERIFY(!labelsOf(lesson).contains("takes a pass back"));
+  }
+
+  // Save writes the description that was opened; no name is asked for.
+  void aDescriptionIsSavedInPlace() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("own.exercise.json");
+    QVERIFY(QFile::copy(samplePath("shaft.exercise.json"), path));
+    QFile(path).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    auto* tabs = driver.window().findChild<DocumentTabs*>();
+    Document& document = tabs->current()->document;
+    QVERIFY(document.setProperty("title", std::string("Axle")));
+    driver.choose("saveFile");
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.window().findChild<QFileDialog*>("saveDialog"));
+    QVERIFY(!document.isModified() && !document.file().isContainer);
+    QFile file(path);
+    QVERIFY(file.open(QFile::ReadOnly));
+    const auto json = nlohmann::json::parse(file.readAll().toStdString());
+    QVERIFY(json["title"] == "Axle" && json["solution"]["passes"].size() > 1 && json.contains("faults"));
+    QVERIFY(!driver.find<QWidget>("messageBar")->isVisible());
+    // Another name keeps the ending of descriptions apart from the name.
+    driver.choose("saveFileAs");
+    QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+    QCOMPARE(driver.find<QFileDialog>("saveDialog")->selectedFiles(), QStringList(folder.filePath("own.handwheel")));
+    driver.find<QFileDialog>("saveDialog")->reject();
   }
 
   void handedInAndMarked() {

@@ -81,6 +81,17 @@ void AxisBars::showState(const DeviceState& state) {
   update();
 }
 
+void AxisBars::setWords(const QStringList& words) {
+  if (std::exchange(m_words, words) == words) return;
+  if (QAccessible::isActive()) setAccessibleDescription(text());
+  update();
+}
+
+QString AxisBars::shownName(std::size_t axis) const {
+  const QString word = m_words.value(static_cast<qsizetype>(axis));
+  return word.isEmpty() ? m_axes[axis].name : QStringLiteral("%1 %2").arg(m_axes[axis].name, word);
+}
+
 void AxisBars::setLed(bool isLed) {
   if (isLed == m_isLed) return;
   m_isLed = isLed;
@@ -168,7 +179,7 @@ QString AxisBars::number(const Axis& axis) const {
 }
 
 QString AxisBars::text(std::size_t axis) const {
-  return QStringLiteral("%1 %2").arg(m_axes[axis].name, number(m_axes[axis]));
+  return QStringLiteral("%1 %2").arg(shownName(axis), number(m_axes[axis]));
 }
 
 QString AxisBars::text() const {
@@ -192,7 +203,8 @@ QSize AxisBars::sizeHint() const {
 
 QRectF AxisBars::barRect(std::size_t axis) const {
   int names = 0;
-  for (const Axis& each : m_axes) names = std::max(names, fontMetrics().horizontalAdvance(each.name));
+  for (std::size_t i = 0; i < m_axes.size(); ++i)
+    names = std::max(names, fontMetrics().horizontalAdvance(shownName(i)));
   const int numbers = fontMetrics().horizontalAdvance(QStringLiteral("−0000.0 mm"));
   const QRect row(0, static_cast<int>(axis) * rowHeight(), width(), rowHeight());
   const QRectF bar = QRectF(row).adjusted(names + kGap, 0, -numbers - kGap, 0);
@@ -207,7 +219,7 @@ void AxisBars::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < m_axes.size(); ++i, row.translate(0, rowHeight())) {
     const bool isChosen = m_isLed && hasFocus() && i == m_chosen;
     painter.setPen(isChosen ? colours.accent : colours.muted);
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, m_axes[i].name);
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, shownName(i));
     painter.setPen(colours.text);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, number(m_axes[i]));
     const QRectF bar = barRect(i);

@@ -5,7 +5,7 @@
 #include "haptics/device/Device.h"
 #include "haptics/device/PoseTrajectory.h"
 
-#include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -22,6 +22,9 @@ class AxisBars : public QWidget {
   // Sets the axes and their ranges.
   void setDevice(const DeviceCapabilities& device);
   void showState(const DeviceState& state);
+
+  // What the axes do in the work, X first; empty words and missing ones: nothing that is known.
+  void setWords(const QStringList& words);
 
   // Whether the user leads the hand here.
   void setLed(bool isLed);
@@ -59,10 +62,12 @@ class AxisBars : public QWidget {
   };
   int rowHeight() const;
   QString number(const Axis& axis) const;
+  QString shownName(std::size_t axis) const;  // "Z radius (X)"
   void lead(double x);
   void leadTo(double value);
 
   std::vector<Axis> m_axes;
+  QStringList m_words;
   HandPose m_hand;
   std::size_t m_chosen = 0;  // axis that mouse and keys lead
   bool m_isLed = false;

@@ -155,6 +155,10 @@ void DevicePanel::noteSoftening(const ServoSample& sample, double stiffnessAtDev
   }
 }
 
+void DevicePanel::setAxisWords(const QStringList& words) {
+  m_live->setAxisWords(words);
+}
+
 void DevicePanel::showLoop(const ServoLoopStatus& loop) {
   m_rate = loop.rate;
   m_card->showLoop(loop);

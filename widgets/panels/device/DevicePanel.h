@@ -39,8 +39,9 @@ class DevicePanel : public QWidget {
   void setMapping(const WorkspaceMapping& mapping);
   // At the rate of the display. stiffnessAtDevice: felt as 1 in the scene.
   void showSample(const ServoSample& sample, double stiffnessAtDevice = 1.0);
-  void showHand(const HandPose& hand);         // of a device that nobody holds: where its hand is led to
-  void showLoop(const ServoLoopStatus& loop);  // at a low rate, as the next
+  void showHand(const HandPose& hand);          // of a device that nobody holds: where its hand is led to
+  void setAxisWords(const QStringList& words);  // as AxisBars
+  void showLoop(const ServoLoopStatus& loop);   // at a low rate, as the next
   void showTiming(const ServoStatistics& measure);
 
  signals:

@@ -102,6 +102,10 @@ void LivePage::showHand(const HandPose& hand) {
   m_axes->showHand(hand);
 }
 
+void LivePage::setAxisWords(const QStringList& words) {
+  m_axes->setWords(words);
+}
+
 void LivePage::clear() {
   m_axes->showState({});
   m_buttons->showButtons(0);

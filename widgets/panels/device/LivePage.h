@@ -27,7 +27,8 @@ class LivePage : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void showSample(const ServoSample& sample, double forceGain);
-  void showHand(const HandPose& hand);  // where a hand that is led here is led to
+  void showHand(const HandPose& hand);          // where a hand that is led here is led to
+  void setAxisWords(const QStringList& words);  // as AxisBars
   void clear();
 
  signals:

@@ -7,11 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <locale>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 
 namespace handwheel {
 
 namespace {
+
+constexpr double kSecondsPerMinute = 60.0, kUsualFeed = 0.1;  // mm per revolution, where a pass names none
 
 Error malformedPass(const char* what) {
   return {ErrorCode::ElementMalformed, {"passes", what}, {}, {}};
@@ -44,7 +50,7 @@ Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
   if (!(pass.noseRadius >= TurningPass::kLeastNose && pass.noseRadius <= TurningPass::kLargestNose))
     return malformedPass("a nose radius is impossible");
   pass.side = stringAt(json, "side") == "bore" ? TurningSide::Bore : TurningSide::Outside;
-  const double feed = number("feed", 0.1), mmPerSecond = feed * spindleSpeed / 60.0;
+  const double feed = number("feed", kUsualFeed), mmPerSecond = feed * spindleSpeed / kSecondsPerMinute;
   if (!(feed > 0.0 && mmPerSecond > 0.0)) return malformedPass("feed and spindle speed must be above 0");
   const auto points = json.find("points");
   if (points == json.end() || !points->is_array() || points->empty() || points->size() > TurningPass::kMostPoints)
@@ -68,7 +74,63 @@ Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
   return pass;
 }
 
+// The one feed of a pass, mm per revolution; none: it changes on the way, or the spindle had another speed.
+std::optional<double> feedOf(const TurningPass& pass, double spindleSpeed) {
+  constexpr double kShare = 1e-9;  // of the feed: what its times lose by their rounding
+  const auto isOther = [&](double speed) { return speed != spindleSpeed; };
+  if (pass.speeds.size() != pass.path.size() || std::any_of(pass.speeds.begin(), pass.speeds.end(), isOther)) return {};
+  double length = 0.0;
+  for (std::size_t i = 1; i < pass.path.size(); ++i) length += (pass.path[i] - pass.path[i - 1]).norm();
+  if (pass.times.front() != 0.0) return {};
+  if (length == 0.0) return pass.times.back() == 0.0 ? std::optional(kUsualFeed) : std::nullopt;
+  const double seconds = pass.times.back(), feed = length / seconds * kSecondsPerMinute / spindleSpeed;
+  double way = 0.0;
+  for (std::size_t i = 1; i < pass.path.size(); ++i) {
+    way += (pass.path[i] - pass.path[i - 1]).norm();
+    if (!(std::abs(way / length * seconds - pass.times[i]) <= kShare * seconds)) return {};
+  }
+  if (!std::isfinite(feed)) return {};
+  // As it was written: 0.2, not 0.20000000000000001 more or less.
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(12) << feed;
+  return nlohmann::json::parse(text.str()).get<double>();
+}
+
+nlohmann::json threadJson(const ThreadCut& thread) {
+  nlohmann::json json = {{"pitch", thread.pitch}};
+  if (thread.starts != 1) json["starts"] = thread.starts;
+  if (thread.isLeft) json["hand"] = "left";
+  if (thread.flat != 0.0) json["flat"] = thread.flat;
+  return json;
+}
+
+// Null: a description cannot hold it.
+nlohmann::json passJson(const TurningPass& pass, double spindleSpeed) {
+  const bool isRound = pass.noseRadius >= TurningPass::kLeastNose && pass.noseRadius <= TurningPass::kLargestNose;
+  if (pass.tool || pass.method != TurningMethod::Trim || !isRound || pass.path.empty()) return {};
+  if (pass.thread && pass.thread->offset != pass.path.front().y()) return {};
+  const std::optional<double> feed = feedOf(pass, spindleSpeed);
+  if (!feed) return {};
+  nlohmann::json json = {{"nose_radius", pass.noseRadius}, {"feed", *feed}};
+  json["side"] = pass.side == TurningSide::Bore ? "bore" : "outside";
+  nlohmann::json& points = json["points"] = nlohmann::json::array();
+  for (const ProfilePoint& p : pass.path) points.push_back({p.x(), p.y()});
+  if (pass.thread) json["thread"] = threadJson(*pass.thread);
+  return json;
+}
+
 }  // namespace
+
+nlohmann::json passesDescription(const TurningPasses& passes, double spindleSpeed) {
+  nlohmann::json listed = nlohmann::json::array();
+  for (const TurningPasses::Pass& pass : passes) {
+    nlohmann::json json = passJson(*pass, spindleSpeed);
+    if (json.is_null()) return {};
+    listed.push_back(std::move(json));
+  }
+  return {{"passes", std::move(listed)}};
+}
 
 Result<std::vector<TurningPass>> describedPasses(const nlohmann::json& description, double spindleSpeed,
                                                  const TurnedProfile& bar) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
-#include "machining/TurningPass.h"
+#include "machining/TurningPasses.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
@@ -14,5 +14,9 @@ namespace handwheel {
 // Error: ElementMalformed, also where cutting them would visit more than kMostCutAgain samples.
 Result<std::vector<TurningPass>> describedPasses(const nlohmann::json& description, double spindleSpeed,
                                                  const TurnedProfile& bar);
+
+// The description that describedPasses() reads as these passes, but for the rounding of their times. Null: it cannot
+// hold one of them, which a tool of the lathe cut, or whose feed changed on the way.
+nlohmann::json passesDescription(const TurningPasses& passes, double spindleSpeed);
 
 }  // namespace handwheel

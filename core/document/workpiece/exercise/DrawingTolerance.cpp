@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 6> kSizes = {"diameter", "bore", "length"
 constexpr std::array<std::string_view, 2> kRoughness = {"roughness", "bore_roughness"};
 
 Error malformedTolerance(const MarkingCriterion& c, const char* what) {
-  return {ErrorCode::ElementMalformed, {"criterion " + c.id, what}, {}, {}};
+  return {ErrorCode::ElementMalformed, {namedInErrors(c), what}, {}, {}};
 }
 
 bool isOneOf(std::span<const std::string_view> figures, const MarkingCriterion& c) {

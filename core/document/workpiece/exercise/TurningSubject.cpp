@@ -163,6 +163,13 @@ Result<SnapshotPointer> TurningSubject::makeWork(const ExerciseTask& task, const
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(work)));
 }
 
+nlohmann::json TurningSubject::describeWork(const ExerciseTask& task, const Snapshot& work) const {
+  const TurningTask& turning = turningOf(task);
+  const WorkpieceSnapshot& workpiece = turnedOf(work);
+  if ((workpiece.crashes && !workpiece.crashes->empty()) || !checkWork(task, work)) return {};
+  return passesDescription(workpiece.part ? workpiece.part->passes : TurningPasses(), turning.lathe.spindleSpeed);
+}
+
 Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const Snapshot& work) const {
   constexpr double kTolerance = 2e-3;  // mm
   const WorkpieceSnapshot& workpiece = turnedOf(work);

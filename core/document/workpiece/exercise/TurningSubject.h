@@ -32,6 +32,7 @@ class TurningSubject : public ExerciseSubject {
   // points of the centre of the nose.
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;
+  nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 

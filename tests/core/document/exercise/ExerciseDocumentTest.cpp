@@ -97,6 +97,29 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(!document->history()->canUndo());
   }
 
+  // What is refused names the field as the panel does.
+  void refusalsNameTheField() {
+    const auto document = shoulderDocument();
+    const auto field = [&](const char* id, const PropertyValue& value) {
+      const Status set = document->setProperty(id, value);
+      return set ? std::string() : set.error().arguments.at(0);
+    };
+    QCOMPARE(field("criterion.d.nominal", std::string("x")), std::string("⌀30 h10, Nominal size (mm)"));
+    QCOMPARE(field("criterion.d.tolerance", std::string("K7")), std::string("⌀30 h10, Tolerance on the drawing"));
+    QCOMPARE(field("step.2.criteria", std::string("none")), std::string("2. Finish, Done when met"));
+    QCOMPARE(field("diameter", 0.0).find("diameter"), std::string::npos);
+    // Of a file: by the teacher's name, and by the id that the file has.
+    MarkingCriterion c;
+    c.id = "c2";
+    c.lower = 2.0;
+    c.upper = 1.0;
+    Exercise exercise;
+    exercise.criteria = {c};
+    QCOMPARE(checkExercise(exercise).error().arguments.at(0), std::string("criterion c2"));
+    exercise.criteria[0].name = "Length";
+    QCOMPARE(checkExercise(exercise).error().arguments.at(0), std::string("criterion “Length” (c2)"));
+  }
+
   // ISO 286-1: IT10 of 18 to 30 mm is 84 µm, IT7 21 µm, of 30 to 50 mm 25 µm.
   void aToleranceIsItsLimits() {
     const auto document = shoulderDocument();

@@ -12,6 +12,7 @@
 
 #include <rapidcheck.h>
 
+#include <QTemporaryDir>
 #include <QtTest>
 
 using namespace handwheel;
@@ -209,6 +210,46 @@ class ExerciseKindTest : public QObject {
     Json other = shoulderDescription();
     other["task"]["diameter"] = 41;
     QVERIFY(exerciseFrom(kindUnderTest(), other)->key != exercise->key);
+  }
+
+  // Who saves a description that was opened loses neither its model solution, nor what others wrote into it.
+  void aDescriptionIsSavedWhereItCameFrom() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("shoulder.exercise.json").toStdString();
+    Json description = shoulderDescription();
+    description["solution"] = shoulderWork();
+    description["solution"]["passes"].push_back({{"nose_radius", 0.4},
+                                                 {"feed", 0.07},
+                                                 {"points", {{16, 103}, {15, 90}}},
+                                                 {"thread", {{"pitch", 2.5}, {"starts", 2u}, {"hand", "left"}}}});
+    description["faults"] = {{"loses", "d"}};
+    const auto before = exerciseFrom(kindUnderTest(), description);
+    const auto written = kindUnderTest().exportTo(*before, path, {});
+    QVERIFY(written && written->notes.empty());
+    QFile file(QString::fromStdString(path.string()));
+    QVERIFY(file.open(QFile::ReadOnly));
+    const Json read = Json::parse(file.readAll().toStdString());
+    QVERIFY(read["faults"] == description["faults"]);
+    Json& given = description["solution"]["passes"];
+    for (Json& pass : given)
+      if (!pass.contains("side")) pass["side"] = "outside";
+    QVERIFY2(read["solution"]["passes"] == given, read["solution"].dump().c_str());
+    const auto opened = kindUnderTest().import(path, {}, {});
+    QVERIFY(opened);
+    const auto& after = static_cast<const ExerciseSnapshot&>(*opened->content);
+    QVERIFY(after.solution && after.key == before->key);
+    QVERIFY(!forStudents(after).others);
+    // Work by hand is no list of passes at one feed: the file does without, and says so.
+    ExerciseSnapshot byHand = *before;
+    WorkpieceSnapshot work = static_cast<const WorkpieceSnapshot&>(*before->solution);
+    TurnedPart part = *work.part;
+    TurningPass slower = *part.passes.front();
+    slower.times[1] *= 1.5;
+    part.passes.push_back(std::make_shared<const TurningPass>(slower));
+    work.part = std::make_shared<const TurnedPart>(part);
+    byHand.solution = std::make_shared<const WorkpieceSnapshot>(work);
+    const auto lossy = kindUnderTest().exportTo(byHand, path, {});
+    QVERIFY(lossy && lossy->notes.size() == 1 && lossy->notes.front().isLoss);
   }
 
   // A class that is not known must not become full marks for everybody.

@@ -5,12 +5,14 @@
 #include "base/JsonText.h"
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
+#include "document/exercise/ShippedExercises.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 
 #include <QDir>
 #include <QRegularExpression>
+#include <QTranslator>
 #include <QtTest>
 #include <set>
 
@@ -93,6 +95,55 @@ class ShippedExercisesTest : public QObject {
       const Names expected = fault["loses"].get<Names>();
       QVERIFY2(lostMarks(marked) == expected, (fault["name"].get<std::string>() + "\n" + reasons(marked)).c_str());
     }
+  }
+
+  // Each text of the files is one that is translated, and there is none beside them.
+  void theirTextsAreTranslated() {
+    std::set<std::string> inFiles;
+    const auto add = [&](const std::string& text) {
+      static const QRegularExpression kWord(QStringLiteral("[^\\W\\d_]{3,}"),
+                                            QRegularExpression::UseUnicodePropertiesOption);
+      if (kWord.match(QString::fromStdString(text)).hasMatch()) inFiles.insert(text);
+    };
+    const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
+    for (const QString& name : folder.entryList({"*.exercise.json"})) {
+      const Json json = descriptionIn(folder.filePath(name));
+      QVERIFY(json["key"].get<std::string>().starts_with("handwheel-"));
+      add(json["title"]);
+      add(json["text"]);
+      for (const Json& c : json["criteria"]) add(c["name"]);
+      for (const Json& step : json["steps"]) {
+        add(step["title"]);
+        add(step["text"]);
+        for (const Json& hint : step["hints"]) add(hint);
+      }
+    }
+    std::set<std::string> listed;
+    for (const char* text : shippedExerciseTexts()) listed.insert(text);
+    QVERIFY(inFiles == listed);
+  }
+
+  // In another language what ships is in it; an exercise of one's own stays as it was written.
+  void ownWordsStay() {
+    struct Shouting : QTranslator {
+      bool isEmpty() const override { return false; }
+      QString translate(const char* context, const char* text, const char*, int) const override {
+        return QLatin1String(context) == QLatin1String("Exercise") ? QString::fromUtf8(text).toUpper() : QString();
+      }
+    } translator;
+    QCoreApplication::installTranslator(&translator);
+    ExerciseSnapshot exercise;
+    exercise.key = "handwheel-shaft";
+    exercise.exercise.title = "Thread M20";
+    exercise.exercise.steps = {{"Measure", "In my words.", {"Two or three passes are enough."}, {}}};
+    Exercise shown = inLanguage(exercise);
+    QCOMPARE(shown.title, std::string("THREAD M20"));
+    QCOMPARE(shown.steps[0].title, std::string("MEASURE"));
+    QCOMPARE(shown.steps[0].text, std::string("In my words."));
+    QCOMPARE(shown.steps[0].hints[0], std::string("TWO OR THREE PASSES ARE ENOUGH."));
+    exercise.key = newExerciseKey();
+    QCOMPARE(inLanguage(exercise).title, std::string("Thread M20"));
+    QCoreApplication::removeTranslator(&translator);
   }
 
   // The drawing of each target: what is asked stands on it, and no text on another one.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "machining/force/MaterialNames.h"
 #include "machining/force/WorkMaterials.h"
 
 #include <rapidcheck.h>
@@ -50,6 +51,13 @@ class ForceLawsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // The names that are translated are those of the table, in its order.
+  void materialsHaveNamesForTranslators() {
+    const std::vector<WorkMaterial>& all = WorkMaterials::standard().all();
+    QCOMPARE(std::size(kMaterialNames), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) QCOMPARE(std::string(kMaterialNames[i]), all[i].name);
+  }
+
   // 10 · 300 · 2^1 · 0.2^0.75 · 150^-0.15 = 846 N, with all factors 1.
   void kosilovaGivesItsExample() {
     const KosilovaTables& tables = KosilovaTables::standard();

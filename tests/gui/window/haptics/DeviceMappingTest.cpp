@@ -98,6 +98,30 @@ class DeviceMappingTest : public QObject {
     QVERIFY(!isInView(camera, Vec3(NAN, 0.0, 0.0)));
   }
 
+  // Seen as one stands at a lathe: to the right is along, towards the eye is away from the axis that the tool is
+  // before.
+  void axesAtALathe() {
+    const Ray axis{Vec3::Zero(), Vec3::UnitZ()};
+    WorkspaceMapping mapping;
+    mapping.sceneFromView.linear() << 0, 0, 1,  // x of the scene is towards the eye,
+        0, -1, 0,                               // y down,
+        1, 0, 0;                                // z to the right
+    const Vec3 tip(30.0, 0.0, 50.0);
+    using All = std::array<AboutAxis, 3>;
+    QVERIFY((axesAbout(axis, mapping, tip) == All{AboutAxis::Along, AboutAxis::Across, AboutAxis::Radius}));
+    // Above the work, up is the radius.
+    QVERIFY(
+        (axesAbout(axis, mapping, {0.0, -30.0, 50.0}) == All{AboutAxis::Along, AboutAxis::Radius, AboutAxis::Across}));
+    // The user has exchanged x and y of the device.
+    mapping.axes = {DeviceAxis{1, false}, DeviceAxis{0, true}, DeviceAxis{2, false}};
+    QVERIFY((axesAbout(axis, mapping, tip) == All{AboutAxis::Across, AboutAxis::Along, AboutAxis::Radius}));
+    // On the axis there is no radius; between two directions none is said.
+    QVERIFY(axesAbout(axis, WorkspaceMapping(), Vec3::Zero())[0] == AboutAxis::Oblique);
+    WorkspaceMapping oblique;
+    oblique.sceneFromView.linear() = Eigen::AngleAxisd(0.25 * M_PI, Vec3::UnitY()).toRotationMatrix();
+    QVERIFY((axesAbout(axis, oblique, tip) == All{AboutAxis::Oblique, AboutAxis::Across, AboutAxis::Oblique}));
+  }
+
   void devicesWithAThirdButtonHaveAClutch() {
     QCOMPARE(standardMapping(falcon()).clutchButtons, 4u);
     DeviceCapabilities two;

@@ -134,6 +134,34 @@ class LatheWindowTest : public QObject {
     QVERIFY(std::abs(window.slide(LatheAxis::Cross) - r - 0.198) < 1e-9);
   }
 
+  // A number that is no size is not shown as one: neither in the panel nor at the tool. Each tool has its own.
+  void theReadOutIsUnknownUntilTouchedOff() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    auto *x = window.driver.find<QLabel>("latheX"), *z = window.driver.find<QLabel>("latheZ");
+    QTRY_COMPARE(x->text(), QStringLiteral("X not touched off"));
+    QCOMPARE(z->text(), QStringLiteral("Z not touched off"));
+    QVERIFY(!x->isEnabled() && x->toolTip().contains("Touch off X") && z->toolTip().contains("Touch off Z"));
+    QVERIFY(!window.lathe()->preview().label);
+    window.driver.find<NumberField>("latheTouchValue")->setValue(46.5);
+    window.driver.click("latheTouchX");
+    QTRY_COMPARE(x->text(), QStringLiteral("X ⌀ 46.500 mm"));
+    QVERIFY(x->isEnabled() && x->toolTip().isEmpty());
+    QCOMPARE(z->text(), QStringLiteral("Z not touched off"));
+    QTRY_VERIFY(window.lathe()->preview().label);
+    QCOMPARE(window.lathe()->preview().label->figures.size(), std::size_t(1));
+    QCOMPARE(window.lathe()->preview().label->figures[0].value, 46.5);
+    auto* post = window.driver.find<QComboBox>("latheTool");
+    post->setCurrentIndex(1);
+    emit post->activated(1);
+    QTRY_COMPARE(x->text(), QStringLiteral("X not touched off"));
+    window.document().history()->undo();
+    post->setCurrentIndex(0);
+    emit post->activated(0);
+    QTest::qWait(100);
+    QTRY_COMPARE(x->text(), QStringLiteral("X not touched off"));
+  }
+
   void rapidWhileHeld() {
     LatheWindow window;
     QVERIFY(window.beginLathe());
