@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+#include "TestClass.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// A block whose top is missing two of its triangles.
+QByteArray openBlock() {
+  return "OFF\n8 10 0\n0 0 0\n20 0 0\n0 20 0\n20 20 0\n0 0 20\n20 0 20\n0 20 20\n20 20 20\n"
+         "3 0 2 3\n3 0 3 1\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+}
+
+nlohmann::json volumeJson(const QByteArray& out) {
+  return nlohmann::json::parse(out.toStdString());
+}
+
+}  // namespace
+
+class VolumeTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // A mesh becomes a volume, which is inspected and becomes a mesh: a block without its top is the block.
+  void thereAndBack() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    const Ran made = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
+    QCOMPARE(made.err, QByteArray());
+    QCOMPARE(made.code, 0);
+    const auto figures = volumeJson(made.out);
+    QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
+    QCOMPARE(figures["closed_boundaries"].get<int>(), 1);
+    QVERIFY(std::abs(figures["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
+    QVERIFY(std::abs(figures["enclosed_mm3"].get<double>() / 8000.0 - 1.0) < 1e-6);
+    const auto inspected = volumeJson(bench.run({"inspect", "a.handwheel", "--json"}).out);
+    QCOMPARE(inspected["voxel"].get<double>(), 0.25);
+
+    QCOMPARE(bench.run({"remesh", "a.handwheel", "-o", "b.stl"}).code, 0);
+    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.01);
+    const Ran fewer = bench.run({"remesh", "a.handwheel", "-o", "c.stl", "--error", "0.2", "--json"});
+    QCOMPARE(fewer.code, 0);
+    const auto reduced = volumeJson(fewer.out);
+    QVERIFY(reduced["triangles"].get<int>() < reduced["triangles_before"].get<int>() / 10);
+    QVERIFY(reduced["distance_mm"].get<double>() <= 0.2);
+  }
+
+  void repairByVolume() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = volumeJson(ran.out);
+    QVERIFY(figures["sound"].get<bool>());
+    QVERIFY(figures["scan_distance_mm"].get<double>() < 0.5);
+    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+    QCOMPARE(mesh["self_intersections"].get<int>(), 0);
+  }
+
+  void refusals_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("no output") << QStringList{"voxelize", "a.off"} << QByteArray("The option -o OUT is missing.");
+    QTest::newRow("no document") << QStringList{"voxelize", "a.off", "-o", "b.stl"} << QByteArray(".handwheel");
+    QTest::newRow("too fine") << QStringList{"voxelize", "a.off", "-o", "b.handwheel", "--voxel", "1e-5"}
+                              << QByteArray("MB");
+    QTest::newRow("no volume") << QStringList{"remesh", "a.off", "-o", "b.stl"} << QByteArray("it is no volume");
+    QTest::newRow("no way") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "hand"} << QByteArray("--by");
+    QTest::newRow("voxel 0") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0"}
+                             << QByteArray("above 0");
+    QTest::newRow("both ways") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--rims", "fill"}
+                               << QByteArray("no meaning");
+    QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
+                          << QByteArray("encloses nothing");
+  }
+  void refusals() {
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, text);
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    bench.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const Ran ran = bench.run(words);
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains(text), ran.err.constData());
+    QVERIFY(!bench.names().contains("b.stl") && !bench.names().contains("b.handwheel"));
+  }
+};
+
+HANDWHEEL_TEST(VolumeTest)
+#include "VolumeTest.moc"
