@@ -24,15 +24,15 @@
 namespace handwheel {
 namespace {
 
-constexpr std::array<std::string_view, 5> kOptions{"by", "voxel", "output", "partial", "json"};
+constexpr std::array<std::string_view, 5> kVolumeRepairOptions{"by", "voxel", "output", "partial", "json"};
 
-struct Request {
+struct VolumeRepairRequest {
   std::filesystem::path input, output;
   ReadOptions read;
   std::optional<double> voxel;
 };
 
-struct Done {
+struct RepairedByVolume {
   DocumentFile file;
   std::string refusal;
   MeshReport after;
@@ -41,10 +41,11 @@ struct Done {
   double scanTo99 = 0.0, scanToMost = 0.0;  // mm from the scan to the repaired surface: of 99 % of its area, and most
 };
 
-Result<Done> repairFile(const Request& request, const DocumentKinds& kinds, Progress progress) {
+Result<RepairedByVolume> repairFileByVolume(const VolumeRepairRequest& request, const DocumentKinds& kinds,
+                                            Progress progress) {
   const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
   if (!input) return input.error();
-  Done done;
+  RepairedByVolume done;
   done.file = input->opened.file;
   done.refusal = refusalToReplace(request.output, input->opened.file);
   if (!done.refusal.empty()) return done;
@@ -68,14 +69,14 @@ Result<Done> repairFile(const Request& request, const DocumentKinds& kinds, Prog
   return done;
 }
 
-std::string textOf(const Done& done, const Request& request) {
+std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairRequest& request) {
   return request.output.string() + ": " + stateText(done.after).toStdString() + ". Voxels of " +
          roundedText(done.voxel) + " mm; " + std::to_string(done.after.triangles) +
          " triangles; 99 % of the scan's area is within " + roundedText(done.scanTo99, 3) +
          " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) + " mm.\n";
 }
 
-nlohmann::ordered_json jsonOf(const Done& done) {
+nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
   return {{"by", "volume"},
           {"voxel_mm", done.voxel},
           {"closed_boundaries", done.repair.closedBoundaries},
@@ -101,10 +102,10 @@ bool isByVolume(const Arguments& arguments) {
 int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "repair");
   for (const auto& [name, value] : arguments.options) {
-    if (std::find(kOptions.begin(), kOptions.end(), name) == kOptions.end())
+    if (std::find(kVolumeRepairOptions.begin(), kVolumeRepairOptions.end(), name) == kVolumeRepairOptions.end())
       return failUsage("--" + name + " has no meaning for a repair by volume.", "repair");
   }
-  Request request;
+  VolumeRepairRequest request;
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
@@ -117,13 +118,14 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
   }
-  std::optional<Result<Done>> result;
-  runInterruptible("Repairing", [&](CommandJob& job) { result = repairFile(request, kinds, job.progress()); });
+  std::optional<Result<RepairedByVolume>> result;
+  runInterruptible("Repairing", [&](CommandJob& job) { result = repairFileByVolume(request, kinds, job.progress()); });
   if (!*result) return fail((*result)->error());
-  const Done& done = (*result)->value();
+  const RepairedByVolume& done = (*result)->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  const int code = print(arguments.has("json") ? jsonOf(done).dump() + "\n" : textOf(done, request));
+  const int code =
+      print(arguments.has("json") ? volumeRepairJson(done).dump() + "\n" : volumeRepairText(done, request));
   if (code != kExitDone) return code;
   return done.after.isSound() ? kExitDone : kExitSomethingLeft;
 }

@@ -37,16 +37,16 @@ std::string readRequest(const Arguments& arguments, Request& request, OperationV
   return problem.empty() ? problem : sentenceOf(problem);
 }
 
-struct Done {
+struct Answer {
   DocumentFile file;  // what reading lost
   std::string refusal;
   std::string text;
   nlohmann::ordered_json report;
 };
 
-int deliver(const std::optional<Result<Done>>& result, const Arguments& arguments) {
+int deliver(const std::optional<Result<Answer>>& result, const Arguments& arguments) {
   if (!*result) return fail((*result)->error());
-  const Done& done = (*result)->value();
+  const Answer& done = (*result)->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   return print(arguments.has("json") ? done.report.dump() + "\n" : done.text);
@@ -65,12 +65,12 @@ TriangleSoup trianglesOf(const Input& input) {
   return document ? document->mesh.mesh.compact().soup : input.mesh->soup;
 }
 
-Result<Done> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
-                          Progress progress) {
+Result<Answer> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
+                            Progress progress) {
   if (!isContainerName(request.output)) return unknownEnding(request.output, {std::string(kContainerEnding)});
   const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
   if (!input) return input.error();
-  Done done{input->opened.file, refusalToReplace(request.output, input->opened.file), {}, {}};
+  Answer done{input->opened.file, refusalToReplace(request.output, input->opened.file), {}, {}};
   if (!done.refusal.empty()) return done;
   const Result<MadeVolume> made = makeVolume(trianglesOf(*input), values.given("voxel"),
                                              request.input.filename().string(), progress.part(0.1, 0.8));
@@ -100,12 +100,12 @@ Result<Done> voxelizeFile(const Request& request, const OperationValues& values,
   return done;
 }
 
-Result<Done> remeshFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
-                        Progress progress) {
+Result<Answer> remeshFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
+                          Progress progress) {
   if (const auto format = formatForOutput(request.output); !format) return format.error();
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
-  Done done{opened->file, {}, {}, {}};
+  Answer done{opened->file, {}, {}, {}};
   const auto volume = std::dynamic_pointer_cast<const VolumeSnapshot>(opened->content);
   if (!volume) {
     done.refusal = request.input.string() + ": it is no volume. 'handwheel voxelize' makes one of a mesh.";
@@ -155,7 +155,7 @@ int runVoxelize(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(voxelizeOperation());
   const std::string problem = readRequest(arguments, request, values);
   if (!problem.empty()) return failUsage(problem, "voxelize");
-  std::optional<Result<Done>> result;
+  std::optional<Result<Answer>> result;
   runInterruptible("Making the volume",
                    [&](CommandJob& job) { result = voxelizeFile(request, values, kinds, job.progress()); });
   return deliver(result, arguments);
@@ -166,7 +166,7 @@ int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(remeshOperation());
   const std::string problem = readRequest(arguments, request, values);
   if (!problem.empty()) return failUsage(problem, "remesh");
-  std::optional<Result<Done>> result;
+  std::optional<Result<Answer>> result;
   runInterruptible("Making the mesh",
                    [&](CommandJob& job) { result = remeshFile(request, values, kinds, job.progress()); });
   return deliver(result, arguments);
