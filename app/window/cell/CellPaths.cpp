@@ -109,6 +109,7 @@ void CellPaths::connectActions() {
     auto* dialog =
         new QFileDialog(m_parts.window, tr("Open a robot program"), QFileInfo(m_document->document.path()).path(),
                         tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
+    dialog->setObjectName(QStringLiteral("importProgramDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::importProgram);

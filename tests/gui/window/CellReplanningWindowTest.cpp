@@ -83,6 +83,24 @@ class CellReplanningWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(driver.remark(0).contains("free of collisions"), kPatienceMs);
   }
 
+  // By a worker: written as a program, opened again, and free of collisions like before.
+  void programsThereAndBack() {
+    TwoPlaces driver(true);
+    QTemporaryDir folder;
+    const QString file = folder.filePath("way.mod");
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    driver.choose("exportProgram");
+    QVERIFY(driver.enterFileName("exportProgramDialog", file));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.mod was written"), kPatienceMs);
+    driver.choose("importProgram");
+    QVERIFY(driver.enterFileName("importProgramDialog", file));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 2, kPatienceMs);
+    QCOMPARE(driver.paths()->child(1)->childCount(), driver.paths()->child(0)->childCount());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(1).contains("free of collisions"), kPatienceMs);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->childCount(), 1);
+  }
+
   // From the start page, where nothing is open.
   void aCellWithABuiltInRobot() {
     WindowDriver driver;
