@@ -17,7 +17,7 @@ class DrawnCurve {
 
   // Goes on to the place of the surface nearest to this one. False, and nothing changed: no section leads there; it is
   // on another piece of the part, or straight through it. A place where the curve is already changes nothing.
-  // O(triangles).
+  // As PartSurface::sectionNear().
   bool goOnTo(const Vec3& place);
   const SurfaceTrack& track() const { return m_track; }  // empty until it goes on
 

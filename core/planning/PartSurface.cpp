@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/PartSurface.h"
 
+#include "proximity/BoxQueries.h"
 #include "proximity/ClosestPoint.h"
 
 #include <algorithm>
@@ -71,6 +72,14 @@ PartSurface::PartSurface(const TriangleSoup& soup, const EdgeSettings& settings)
     m_sharpOfVertex[free[m_sharp[e].a]++] = e;
     m_sharpOfVertex[free[m_sharp[e].b]++] = e;
   }
+  buildTree();
+}
+
+void PartSurface::buildTree() {
+  m_frame = BoxFrame(m_points);
+  std::vector<BoxedItem> items = boxedTriangles(m_points, m_triangles, m_frame, FlatTriangles::Keep);
+  m_tree.build(items);
+  for (const BoxedItem& item : items) m_order.push_back(item.id());
 }
 
 // The edge that goes on straightest at a vertex.
@@ -148,22 +157,54 @@ SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
 
 TrackPoint PartSurface::placeNear(const Vec3& place) const {
   TrackPoint nearest{place, Vec3::Zero(), Vec3::Zero()};
+  if (m_order.empty() || !place.allFinite()) return nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < m_triangles.size(); ++t) {
-    const Triangle& corners = m_triangles[t];
-    const Vec3 at = closestOnTriangle(place, m_points[corners[0]], m_points[corners[1]], m_points[corners[2]]);
-    const double distance = (place - at).squaredNorm();
-    if (!(distance < least)) continue;
-    least = distance;
-    nearest = {at, Vec3::Zero(), m_normals[t]};
-  }
+  std::uint32_t number = kNone;
+  const PointToBox point(m_frame.toFrame(place));
+  visitBestFirst(
+      m_tree, [&](const FloatBox& box) { return point.squaredDistance(box); },
+      [&] { return least * m_frame.scale() * m_frame.scale(); },
+      [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const std::uint32_t t = m_order[i];
+          const Triangle& corners = m_triangles[t];
+          const Vec3 at = closestOnTriangle(place, m_points[corners[0]], m_points[corners[1]], m_points[corners[2]]);
+          const double distance = (place - at).squaredNorm();
+          if (!(distance < least || (distance == least && t < number))) continue;
+          least = distance;
+          number = t;
+          nearest = {at, Vec3::Zero(), m_normals[t]};
+        }
+      });
   return nearest;
+}
+
+// In their order; among them all that the plane cuts.
+std::vector<std::uint32_t> PartSurface::trianglesNear(const Vec3& onPlane, const Vec3& normal) const {
+  std::vector<std::uint32_t> near;
+  const Vec3 on = m_frame.toFrame(onPlane);
+  constexpr double kRounding = 1e-9;  // in the frame, where coordinates are about 1
+  const double slack = kRounding * (1.0 + on.cwiseAbs().maxCoeff());
+  for (std::uint32_t node = 0; node < m_tree.nodeCount();) {
+    const BoxNode& n = m_tree.node(node);
+    const Vec3 low = n.box.low.head<3>().cast<double>(), high = n.box.high.head<3>().cast<double>();
+    const double middle = (0.5 * (low + high) - on).dot(normal);
+    if (std::abs(middle) > 0.5 * (high - low).dot(normal.cwiseAbs()) + slack) {
+      node += n.size();
+      continue;
+    }
+    if (n.isLeaf()) {
+      for (std::uint32_t i = n.first(); i < m_tree.leafEnd(node); ++i) near.push_back(m_order[i]);
+    }
+    ++node;
+  }
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
   // Points in the plane count as above it, so that it never goes through a vertex.
-  std::vector<bool> isAbove(m_points.size());
-  for (std::size_t i = 0; i < m_points.size(); ++i) isAbove[i] = (m_points[i] - onPlane).dot(normal) >= 0.0;
+  const auto isAbove = [&](std::uint32_t i) { return (m_points[i] - onPlane).dot(normal) >= 0.0; };
   using EndEdge = std::pair<std::uint32_t, std::uint32_t>;
   struct Segment {
     std::array<EndEdge, 2> ends;
@@ -178,13 +219,13 @@ SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, c
   std::map<EndEdge, std::vector<std::uint32_t>> segmentsAt;
   double least = std::numeric_limits<double>::infinity();
   std::uint32_t nearest = 0;
-  for (std::uint32_t t = 0; t < m_triangles.size(); ++t) {
+  for (const std::uint32_t t : trianglesNear(onPlane, normal)) {
     const Triangle& corners = m_triangles[t];
     Segment segment{{}, t};
     std::size_t found = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
-      if (isAbove[a] != isAbove[b] && found < 2) segment.ends[found++] = std::minmax(a, b);
+      if (isAbove(a) != isAbove(b) && found < 2) segment.ends[found++] = std::minmax(a, b);
     }
     if (found < 2) continue;
     const auto number = static_cast<std::uint32_t>(segments.size());

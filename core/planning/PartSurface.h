@@ -4,6 +4,7 @@
 
 #include "mesh/structure/TriangleSoup.h"
 #include "planning/SurfaceTrack.h"
+#include "proximity/TriangleBoxes.h"
 
 #include <optional>
 #include <vector>
@@ -25,12 +26,12 @@ class PartSurface {
   bool hasEdges() const { return !m_sharp.empty(); }
 
   // The place on the surface nearest to this one, and the normal of the triangle it is in; a zero normal where there is
-  // no surface. O(triangles).
+  // no surface. O(log n) on ordinary surfaces.
   TrackPoint placeNear(const Vec3& place) const;
   // The curve of edges through the one nearest to a place. None where none is within `farthest` (mm). O(edges).
   SurfaceTrack edgeNear(const Vec3& place, double farthest) const;
   // The section with a plane: the curve that comes nearest to a place, which need not be in the plane. normal: of unit
-  // length. O(n).
+  // length. O(s log s) for s triangles that the plane cuts, and what is near them.
   SurfaceTrack sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const;
 
  private:
@@ -44,12 +45,17 @@ class PartSurface {
     bool isClosed = false;
   };
   Chain chainThrough(std::uint32_t edge) const;
+  void buildTree();
+  std::vector<std::uint32_t> trianglesNear(const Vec3& onPlane, const Vec3& normal) const;
   std::optional<std::uint32_t> next(std::uint32_t edge, std::uint32_t vertex) const;
 
   EdgeSettings m_settings;
   std::vector<Vec3> m_points;
   std::vector<Triangle> m_triangles;
   std::vector<Vec3> m_normals;  // of the triangles
+  BoxFrame m_frame;
+  BoxTree m_tree;                      // of the triangles
+  std::vector<std::uint32_t> m_order;  // triangles in the order of its leaves
   std::vector<Edge> m_sharp;
   std::vector<std::uint32_t> m_firstOfVertex;  // in m_sharpOfVertex; one more than points
   std::vector<std::uint32_t> m_sharpOfVertex;

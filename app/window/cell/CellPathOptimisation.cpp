@@ -28,7 +28,13 @@ void CellPaths::optimise() {
     auto optimised = optimisedPath(*scene, *all, before, settings, progress);
     return [this, scene, before, optimised = std::move(optimised)]() mutable {
       const RobotPath* const now = m_document ? plans().path(before.name) : nullptr;
-      if (!now || !(*now == before) || scene != m_collisions.scene()) return;
+      if (!now) return;
+      if (!(*now == before) || scene != m_collisions.scene()) {
+        return reportChanged(before.name, [this, name = before.name] {
+          m_tree->select({PlanTree::Entry::Kind::Path, name});
+          optimise();
+        });
+      }
       if (!optimised) return report(optimised.error());
       takeOptimised(*optimised);
     };

@@ -59,7 +59,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
           tr("Store where the tool is as a target; on the selected body, if one is: it moves with it"));
   prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration, place or target"));
   prepare(m_plan, "planPath", "program", tr("Plan a path between configurations that is proven free of collisions"));
-  prepare(m_again, "planPathAgain", nullptr, tr("Plan the path again through its critical places"));
+  prepare(m_again, "planPathAgain", nullptr,
+          tr("Plan the path again through its critical places; one along a curve follows it where the part is now"));
   prepare(m_insert, "insertPlace", nullptr,
           tr("Insert where the robot stands behind the selected place, as a critical configuration"));
   prepare(m_here, "setPlaceHere", nullptr, tr("Replace the selected place or target by where the robot stands"));
@@ -108,6 +109,7 @@ void CellPaths::connectActions() {
     auto* dialog =
         new QFileDialog(m_parts.window, tr("Open a robot program"), QFileInfo(m_document->document.path()).path(),
                         tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
+    dialog->setObjectName(QStringLiteral("importProgramDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::importProgram);
@@ -146,6 +148,7 @@ QList<QAction*> CellPaths::all() {
 void CellPaths::setDocument(DocumentTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_parts.jobs.cancelOf(this);
+  m_parts.jobs.cancelOf(&m_checks);
   m_document = document;
   m_checks.clear();
   if (document) connect(&document->document, &Document::changed, this, &CellPaths::followDocument);
@@ -196,7 +199,8 @@ void CellPaths::followDocument() {
   showPath();
 }
 
-// Looks at the present path, unless that was done.
+// Looks at the present path, unless that was done. Of several that are asked for one after the other only the last is
+// looked at: those that are left out are once they are the present path again.
 void CellPaths::verify() {
   const RobotPath* const present = path();
   const auto scene = m_collisions.scene();
@@ -207,15 +211,24 @@ void CellPaths::verify() {
       .clearance = plans().clearance,
       .resolution = std::min(PathCheckSettings().resolution, fidelity.of(planResolutionSetting())),
       .step = fidelity.of(verifyStepSetting())};
-  const Check check{*present, scene, plans().clearance, plans().tool, nullptr};
+  const Check check{*present, scene, plans().clearance, plans().tool, nullptr, {}, ++m_runs};
+  m_parts.jobs.cancelOf(&m_checks);
   m_checks[present->name] = check;
   Job job;
   job.name = tr("Verifying the path");
-  job.owner = this;
+  job.owner = &m_checks;
+  job.failed = [this, name = present->name, run = check.run](const Error&) {
+    const auto found = m_checks.find(name);
+    if (found == m_checks.end() || found->second.run != run) return;
+    m_checks.erase(found);
+    if (m_document) update();
+  };
   job.work = [this, check, settings, all = cell().plans()](Progress progress) -> Job::Finish {
     auto result = checkPath(*check.scene, *all, check.path, settings, progress);
     return [this, check, result = std::move(result)] {
-      if (!m_document || !isCurrent(check)) return;
+      const auto last = m_checks.find(check.path.name);
+      const bool isLast = last != m_checks.end() && last->second.run == check.run;
+      if (!m_document || !isLast || !isCurrent(check)) return;
       Check& done = m_checks[check.path.name] = check;
       if (result)
         done.result = std::make_shared<const CheckedPath>(*result);

@@ -19,6 +19,7 @@ struct OptimisedPath;
 class PathLayer;
 class Post;
 class RobotCellDocument;
+struct WrittenProgram;
 
 // The list of what is planned in a robot cell and its actions: stores configurations and targets, plans paths through
 // them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one.
@@ -35,7 +36,7 @@ class CellPaths : public QObject {
   QList<QAction*> all();
   QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
-  // Plans a path along a curve on a part (processOperation()).
+  // Plans a path along a curve on a part (processOperation()). surface: of the part; null: it is found.
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
   // Inserts the configuration of the document into the path of the selected row, or begins one with it.
   void addPlace();
@@ -63,6 +64,7 @@ class CellPaths : public QObject {
     Pose tool;
     std::shared_ptr<const CheckedPath> result;  // null: under way, or impossible
     QString problem = {};
+    std::uint64_t run = 0;  // of m_runs; by which it was begun
   };
 
   RobotCellDocument& cell() const;
@@ -78,10 +80,15 @@ class CellPaths : public QObject {
   void planAgain();
   void optimise();
   void takeOptimised(const OptimisedPath& optimised);
+  // again: what begins the same once more, for the cell as it is then.
   void startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
-                     const QString& text);
+                     const QString& text, std::function<void()> again);
   using Planning = std::function<Result<PlannedPath>(const CellScene& scene, const RobotCellSnapshot& cell, Progress)>;
-  void startPlanning(Planning planning, const std::string& name, const QString& text);
+  static Planning processPlanning(const OperationValues& values, std::shared_ptr<const PartSurface> surface,
+                                  const std::optional<Pose>& chosenAt);
+  void startPlanning(Planning planning, const std::string& name, const QString& text, std::function<void()> again);
+  void takePlanned(RobotPath planned, const std::optional<RobotPath>& before, const QString& text);
+  void reportChanged(const std::string& path, const std::function<void()>& again);
   void insertHere();
   void setPlaceHere();
   void movePlace(int by);
@@ -91,6 +98,7 @@ class CellPaths : public QObject {
   void readSemantics(const QString& file);
   void askForProgram();
   void exportProgram(const Post& post, const QString& file);
+  void reportWritten(const WrittenProgram& written, const Post& post, const QString& file);
   void importProgram(const QString& file);
   void verify();
   void report(const Error& error);
@@ -109,7 +117,8 @@ class CellPaths : public QObject {
   DocumentTab* m_document = nullptr;
   PlanTree* m_tree;
   std::shared_ptr<PathLayer> m_layer;
-  std::map<std::string, Check> m_checks;  // by the name of the path
+  std::map<std::string, Check> m_checks;  // by the name of the path; their jobs belong to it
+  std::uint64_t m_runs = 0;               // verifications that were begun
   QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export,
       m_import, m_semantics, m_remove, m_optimise;
   QMenu* m_menu;  // owned by the window

@@ -6,20 +6,15 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/PlaceProperties.h"
+#include "document/cell/PlansEdit.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
-#include "robot/program/PathFile.h"
 #include "text/ErrorText.h"
 #include "tools/cell/ConfigurationOperation.h"
-#include "tools/cell/PathExport.h"
-#include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
-#include "window/cell/PlanDialog.h"
 #include "window/documents/DocumentTab.h"
-#include "window/fidelity/FidelityChoice.h"
 
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -63,6 +58,7 @@ void CellPaths::reportUnprepared() {
 }
 
 void CellPaths::commit(const QString& text, CellPlans plans) {
+  if (const Status fits = checkCounts(plans); !fits) return report(fits.error());
   if (auto edit = cell().plansEdit(std::move(plans))) cell().commit(text, std::move(edit));
 }
 
@@ -128,79 +124,6 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
   const QString name = QString::fromStdString(entry.name);
   cell().commit(configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.place + 1).arg(name),
                 std::move(edit));
-}
-
-void CellPaths::askForPath() {
-  auto* dialog = new PlanDialog(plans(), m_parts.fidelity.values(), m_document->document.displayUnit(), m_parts.window);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &PlanDialog::chosen, this, [this, document = m_document](const OperationValues& values) {
-    if (document == m_document) plan(values);
-  });
-  dialog->open();
-}
-
-void CellPaths::plan(const OperationValues& values) {
-  const auto scene = m_collisions.scene();
-  if (!scene) return;
-  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<std::vector<PathPlace>> places = placesOf(values, *scene, *content);
-  if (!places) return report(places.error());
-  const std::string name = plans().freePathName(values.isSet("name") ? values.text("name") : tr("Path").toStdString());
-  startPlanning(*places, routeSettingsOf(values, plans()), name, tr("Plan %1"));
-}
-
-void CellPaths::planAgain() {
-  const RobotPath* const present = path();
-  if (!present) return;
-  OperationValues values(planOperation());
-  setFidelity(values, m_parts.fidelity.values());
-  startPlanning(present->places, routeSettingsOf(values, plans()), present->name, tr("Plan %1 again"));
-}
-
-void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
-                              const QString& text) {
-  startPlanning([places = std::move(places), settings](
-                    const CellScene& scene, const RobotCellSnapshot& content,
-                    Progress progress) { return plannedThrough(scene, *content.plans, places, settings, progress); },
-                name, text);
-}
-
-void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface) {
-  const std::string name = plans().freePathName(tr("Process").toStdString());
-  startPlanning(
-      [values, surface](const CellScene& scene, const RobotCellSnapshot& content,
-                        Progress progress) -> Result<PlannedPath> {
-        const Result<BodyPointer> part = partCalled(values, scene);
-        if (!part) return part.error();
-        return processPath(scene, content, values, surface, **part, progress);
-      },
-      name, tr("Plan %1"));
-}
-
-void CellPaths::startPlanning(Planning planning, const std::string& name, const QString& text) {
-  const auto scene = m_collisions.scene();
-  if (!scene) return reportUnprepared();
-  Job job;
-  job.name = tr("Planning %1").arg(QString::fromStdString(name));
-  job.owner = this;
-  job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
-              planning = std::move(planning), name, text](Progress progress) -> Job::Finish {
-    auto planned = planning(*scene, *content, progress);
-    return [this, scene, name, text, planned = std::move(planned)]() mutable {
-      if (!m_document || scene != m_collisions.scene()) return;
-      if (!planned) return report(planned.error());
-      planned->path.name = name;
-      CellPlans changed = plans();
-      if (RobotPath* const old = pathOf(changed, name))
-        *old = planned->path;
-      else
-        changed.paths.push_back(planned->path);
-      commit(text.arg(QString::fromStdString(name)), std::move(changed));
-      m_tree->select({Kind::Path, name});
-    };
-  };
-  m_parts.jobs.start(std::move(job));
 }
 
 void CellPaths::insertHere() {
@@ -321,81 +244,6 @@ void CellPaths::readSemantics(const QString& file) {
   }
   error.subject = QFile::encodeName(file).toStdString();
   report(error);
-}
-
-void CellPaths::askForProgram() {
-  if (!checked()) return;
-  QStringList filters;
-  for (const auto& post : posts())
-    filters += QStringLiteral("%1 (*%2)").arg(QLatin1String(post->title()), QLatin1String(post->ending()));
-  const QString folder = QFileInfo(m_document->document.path()).path();
-  auto* dialog = new QFileDialog(
-      m_parts.window, tr("Export a robot program"),
-      folder + QLatin1Char('/') + QString::fromStdString(path()->name).replace(QLatin1Char(' '), QLatin1Char('_')),
-      filters.join(QStringLiteral(";;")));
-  dialog->setObjectName(QStringLiteral("exportProgramDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, filters](const QString& file) {
-    const qsizetype chosen = std::max<qsizetype>(0, filters.indexOf(dialog->selectedNameFilter()));
-    const Post& post = *posts()[static_cast<std::size_t>(chosen)];
-    const QString ending = QLatin1String(post.ending());
-    exportProgram(post, file.endsWith(ending, Qt::CaseInsensitive) ? file : file + ending);
-  });
-  dialog->open();
-}
-
-void CellPaths::exportProgram(const Post& post, const QString& file) {
-  const auto scene = m_collisions.scene();
-  const auto known = checked();
-  if (!scene || !known || !path()) return;
-  const Result<WrittenProgram> written =
-      writeProgram(*scene, plans(), *path(), *known, post, QFile::encodeName(file).toStdString());
-  if (!written) return report(written.error());
-  const QLocale locale;
-  QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written->check.motions))
-                       .arg(locale.toString(written->check.distance, 'g', 2));
-  if (written->exactStops > 0) {
-    detail += QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as their zones are not free everywhere.", nullptr,
-                                    static_cast<int>(written->exactStops));
-  }
-  const bool isOther = !written->otherRobot.empty();
-  if (isOther) {
-    detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")
-                                     .arg(QLatin1String(post.title()), QString::fromStdString(written->otherRobot));
-  }
-  emit message({isOther ? Message::Weight::Warning : Message::Weight::Info,
-                tr("%1 was written").arg(QFileInfo(file).fileName()),
-                detail,
-                {},
-                {},
-                {},
-                {},
-                {},
-                &m_document->document});
-}
-
-void CellPaths::importProgram(const QString& file) {
-  const auto scene = m_collisions.scene();
-  if (!scene) return;
-  const std::string name = QFile::encodeName(file).toStdString();
-  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<std::string> bytes = readFileHead(name, Post::kLargestText);
-  const Post* const post = postForEnding(name);
-  Result<RobotPath> read = !bytes ? Result<RobotPath>(bytes.error())
-                           : post ? pathFromProgram(*scene, *content, *post, *bytes)
-                                  : readPath(*bytes, cell().robot().model, cell().joints());
-  if (!read) {
-    Error error = read.error();
-    error.subject = name;
-    return report(error);
-  }
-  CellPlans changed = plans();
-  read->name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
-  const PlanTree::Entry entry{Kind::Path, read->name};
-  changed.paths.push_back(std::move(read).value());
-  commit(tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
-  m_tree->select(entry);
 }
 
 }  // namespace handwheel

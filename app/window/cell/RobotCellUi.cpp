@@ -49,16 +49,13 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
           window, m_collisions, m_targets, [this] { return m_bodies.selected(); }, this),
       m_pathDock(window, m_paths, this),
       m_surfaces(window.jobs, this),
-      m_builtIn(tr("&New cell with a built-in robot…"), this),
+      m_guides(window.jobs, m_collisions, this),
       m_panel(makePanel()) {
   const auto follow = [&kind, &choice = window.fidelity] {
     kind.setShapeSides(static_cast<std::uint32_t>(choice.values().of(shapeSidesSetting())));
   };
   connect(&window.fidelity, &FidelityChoice::changed, this, follow);
   follow();
-  prepare(m_builtIn, "newBuiltInCell", "kind-cell",
-          tr("Begin a cell with a robot of the library, by its makers' tables"));
-  connect(&m_builtIn, &QAction::triggered, this, &RobotCellUi::askForRobot);
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
   connect(&m_paths, &CellPaths::message, this, &KindUi::message);
   connect(&m_pathDock, &PathDock::partsShown, this, [this](const std::shared_ptr<const DisplayModel>& model) {
@@ -152,12 +149,13 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   m_toolCamera.setDocument(nullptr);  // before the camera of the document is kept
   m_paths.setDocument(document);
   m_surfaces.clear();
+  m_guides.clear();
   RigidPartsUi::setDocument(document);
   m_toolCamera.setDocument(document);
   if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
 }
 
-void RobotCellUi::askForRobot() {
+void RobotCellUi::begin(const QString&) {
   QStringList titles;
   for (const LibraryRobot& robot : robotLibrary()) titles += QString::fromUtf8(robot.title);
   auto* dialog = new QInputDialog(parts().window);
@@ -177,8 +175,7 @@ void RobotCellUi::askForRobot() {
 }
 
 QList<QAction*> RobotCellUi::menu() {
-  return QList<QAction*>{&m_builtIn} + m_bodies.all() + m_paths.all() +
-         QList<QAction*>{m_pathDock.action(), m_reach.action(), m_toolCamera.action()};
+  return m_bodies.all() + m_paths.all() + QList<QAction*>{m_pathDock.action(), m_reach.action(), m_toolCamera.action()};
 }
 
 QList<QAction*> RobotCellUi::toolBar() {
@@ -314,7 +311,14 @@ std::vector<StartAction> RobotCellUi::startActions() const {
        StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
                  tr("Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.")}},
       {QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"), panelIcon(),
-       QStringLiteral("robot-arm.urdf")}};
+       QStringLiteral("robot-arm.urdf")},
+      {QStringLiteral("newBuiltInCell"),
+       tr("&New cell with a built-in robot…"),
+       tr("Begin a cell with a robot of the library, by its makers' tables"),
+       panelIcon(),
+       {},
+       {},
+       true}};
 }
 
 std::vector<ToolDescriptor> RobotCellUi::tools() {
@@ -398,6 +402,9 @@ std::unique_ptr<Tool> RobotCellUi::leadTool() {
   services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
   services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
   services.tries = &m_tries[document()];
+  services.guide = [this](const std::string& path) {
+    return m_guides.of(path, static_cast<const RobotCellDocument&>(document()->document).plans());
+  };
   return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 

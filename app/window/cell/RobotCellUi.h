@@ -11,6 +11,7 @@
 #include "window/cell/CellReachOutline.h"
 #include "window/cell/PartSurfaces.h"
 #include "window/cell/PathDock.h"
+#include "window/cell/PathGuides.h"
 #include "window/cell/ToolCamera.h"
 #include "window/kinds/RigidPartsUi.h"
 
@@ -41,6 +42,7 @@ class RobotCellUi : public RigidPartsUi {
   void showPreview(const ToolPreview& preview) override;
   std::vector<Property> listedProperties(const Document& document) const override;
   std::vector<StartAction> startActions() const override;
+  void begin(const QString& startAction) override;
   std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
   QString statistics() const override;
@@ -60,7 +62,6 @@ class RobotCellUi : public RigidPartsUi {
   BodyPointer placedBody(BodyId id) const;
   std::optional<Body> shownBody(const Document& document) const;
   QWidget* makePanel();
-  void askForRobot();
   void select(const Pick& pick);
   void markSelected(bool isCovered);
   void lookAgain();
@@ -74,7 +75,7 @@ class RobotCellUi : public RigidPartsUi {
   CellPaths m_paths;
   PathDock m_pathDock;
   PartSurfaces m_surfaces;
-  QAction m_builtIn;
+  PathGuides m_guides;
   QPointer<QWidget> m_panel;
   QElapsedTimer m_clock;
   std::map<const DocumentTab*, std::vector<LeadTry>> m_tries;

@@ -95,11 +95,13 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   followDocument();
 }
 
-void FileActions::add(const std::string& kind, const KindUi& ui) {
+void FileActions::add(const std::string& kind, KindUi& ui) {
   for (const StartAction& beginning : ui.startActions()) {
     auto* action = new QAction(beginning.text, this);
     prepare(*action, beginning.id.toLatin1().constData(), beginning.icon.toLatin1().constData(), beginning.tip);
-    if (beginning.sample.isEmpty()) {
+    if (beginning.asks) {
+      connect(action, &QAction::triggered, &ui, [&ui, id = beginning.id] { ui.begin(id); });
+    } else if (beginning.sample.isEmpty()) {
       connect(action, &QAction::triggered, this, [this, kind] { m_loader.create(kind); });
     } else {
       const QString path = samplePath(beginning.sample);

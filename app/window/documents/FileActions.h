@@ -36,7 +36,7 @@ class FileActions : public QObject {
   FileLoader& loader() { return m_loader; }
 
   // Adds the start actions of a kind of document, in the order of the calls.
-  void add(const std::string& kind, const KindUi& ui);
+  void add(const std::string& kind, KindUi& ui);
   std::vector<StartTile> tiles() const;
   // Runs the start action of a tile, by its name.
   void begin(const QString& tile);

@@ -87,6 +87,7 @@ struct StartAction {
   QString icon;
   QString sample = {};                 // file name of a shipped sample; empty: a new document
   std::optional<StartTile> tile = {};  // none: only in the menu
+  bool asks = false;                   // KindUi::begin() does it, after a question
 };
 
 // The user interface of one kind of document: scene, panel, menu, tools, hints. One per window and kind.
@@ -126,6 +127,8 @@ class KindUi : public QObject {
   }
 
   virtual std::vector<StartAction> startActions() const { return {}; }
+  // Carries out one of them that asks for something first; any document may be current, or none.
+  virtual void begin(const QString& startAction) { (void)startAction; }
 
   // The properties of the current document, of this kind, that are in the list of its properties now.
   virtual std::vector<Property> listedProperties(const Document& document) const;

@@ -89,7 +89,6 @@ void LeadTool::begin(const PointerEvent& event) {
   auto scene = m_services.scene();
   const auto tool = toolPose();
   if (!scene || !tool) return;
-  if (!m_guide && !m_path.empty()) chooseGuide(m_path);  // the cell may have been under way when it was chosen
   const Pose& centre = m_document.plans()->tool;
   TeleoperationSettings settings;
   settings.check.clearance = m_document.plans()->clearance;
@@ -103,8 +102,8 @@ void LeadTool::begin(const PointerEvent& event) {
                                        ApproachForce(scene->scene, scene->arm, centre, approach), start, *tool,
                                        event.device, event.ray, event.pixel, !event.device && event.modifiers.shift});
   m_lead->step.tool = *tool;
-  m_lead->guide = m_guide;
-  if (m_guide) m_lead->following.emplace(*m_guide);
+  m_lead->guide = guide();
+  if (m_lead->guide) m_lead->following.emplace(*m_lead->guide);
 }
 
 // Where the hand wants the tool: moved and turned as the hand is since the press.
@@ -209,7 +208,9 @@ ToolPreview LeadTool::preview() const {
   if (!tool) return preview;
   for (int axis = 0; axis < 3; ++axis)
     preview.lines.push_back({tool->translation(), *tool * Vec3(kShownAxis * Vec3::Unit(axis))});
-  if (m_guide && !m_guide->isEmpty()) preview.lines.emplace_back(m_guide->points().begin(), m_guide->points().end());
+  const auto followed = guide();
+  if (followed && !followed->isEmpty())
+    preview.lines.emplace_back(followed->points().begin(), followed->points().end());
   if (!m_lead || !m_lead->hasMoved) return preview;
   if (m_way == Way::Tool && m_lead->step.behind > 1.0) preview.lines.push_back({tool->translation(), m_lead->place});
   auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), joints(), m_document.bodies()));
@@ -229,7 +230,7 @@ std::vector<DeviceSpring> LeadTool::forces() const {
 
 void LeadTool::documentChanged() {
   m_lead.reset();
-  chooseGuide(m_document.plans()->path(m_path) ? m_path : std::string());
+  if (!m_document.plans()->path(m_path)) m_path.clear();
 }
 
 }  // namespace handwheel

@@ -31,6 +31,8 @@ struct LeadServices {
   std::function<void()> addPlace;
   // s, of a clock that does not go back.
   std::function<double()> time;
+  // The way of the tool's centre point along a path of the cell; null while that is being found, or there is none.
+  std::function<std::shared_ptr<const GuideCurve>(const std::string& path)> guide;
   double tolerance = DistanceForceSettings().tolerance;    // mm, of distances that are felt
   double ikTolerance = TeleoperationSettings().tolerance;  // m, rad
   std::vector<LeadTry>* tries = nullptr;                   // what was tried in this document; outlives the tool
@@ -73,15 +75,14 @@ class LeadTool : public Tool {
   void leadJoints(const Pose& hand);
   Pose wantedPose(const PointerEvent& event) const;
   ToolReply release();
-  void chooseGuide(const std::string& path);
+  std::shared_ptr<const GuideCurve> guide() const;  // null: none, or not yet
   std::vector<std::string> pathNames() const;
   void addFigures(std::vector<Property>& all) const;
 
   RobotCellDocument& m_document;
   LeadServices m_services;
-  std::shared_ptr<Lead> m_lead;               // null: nothing is led
-  std::shared_ptr<const GuideCurve> m_guide;  // null: none
-  std::string m_path;                         // that the guide is of
+  std::shared_ptr<Lead> m_lead;  // null: nothing is led
+  std::string m_path;            // that is to be followed; empty: none
   Way m_way = Way::Tool;
   double m_scale = 1.0;         // mm of the tool to a mm of the hand
   bool m_turns = true;          // the tool turns with the hand

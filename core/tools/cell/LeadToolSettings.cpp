@@ -36,12 +36,8 @@ std::vector<std::string> LeadTool::pathNames() const {
   return names;
 }
 
-void LeadTool::chooseGuide(const std::string& path) {
-  m_path = path;
-  const RobotPath* const found = m_document.plans()->path(path);
-  const auto scene = m_services.scene();
-  m_guide =
-      found && scene ? std::make_shared<const GuideCurve>(toolCurve(*scene, *m_document.plans(), *found)) : nullptr;
+std::shared_ptr<const GuideCurve> LeadTool::guide() const {
+  return m_path.empty() || !m_services.guide ? nullptr : m_services.guide(m_path);
 }
 
 std::vector<Property> LeadTool::settings() const {
@@ -117,7 +113,7 @@ void LeadTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id != "path") return;
   std::size_t index = 0;
   const std::vector<std::string> names = pathNames();
-  if (assignChoice(index, value, static_cast<int>(names.size()) + 1)) chooseGuide(index == 0 ? "" : names[index - 1]);
+  if (assignChoice(index, value, static_cast<int>(names.size()) + 1)) m_path = index == 0 ? "" : names[index - 1];
 }
 
 }  // namespace handwheel

@@ -2,19 +2,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/PartSurface.h"
 
+#include "../collision/TriangleOracle.h"
+#include "Scenes.h"
 #include "TestClass.h"
 #include "robot/ShapeSurfaces.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 using namespace handwheel;
+using namespace handwheel::test;
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+
+Vec3 anyPlace(double far) {
+  return {evenly(-far, far), evenly(-far, far), evenly(-far, far)};
+}
+
+// A convex body of triangles: points of an ellipsoid, at a place far from the origin, its triangles in disorder.
+TriangleSoup anyEllipsoid(int rows, int columns) {
+  TriangleSoup soup;
+  const Vec3 half(evenly(10, 90), evenly(10, 90), evenly(10, 90)), middle = anyPlace(1e4);
+  for (int i = 0; i <= rows; ++i) {
+    for (int k = 0; k < columns; ++k) {
+      const double polar = kPi * i / rows, azimuth = 2.0 * kPi * k / columns;
+      const Vec3 unit(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+      soup.points.push_back(
+          middle + (i == 0 || i == rows ? Vec3(0, 0, i == 0 ? half.z() : -half.z()) : Vec3(half.cwiseProduct(unit))));
+    }
+  }
+  const auto at = [&](int i, int k) { return static_cast<std::uint32_t>(i * columns + k % columns); };
+  for (int i = 0; i < rows; ++i) {
+    for (int k = 0; k < columns; ++k) {
+      if (i > 0) soup.triangles.push_back({at(i, k), at(i + 1, k), at(i, k + 1)});
+      if (i + 1 < rows) soup.triangles.push_back({at(i, k + 1), at(i + 1, k), at(i + 1, k + 1)});
+    }
+  }
+  for (std::size_t i = soup.triangles.size(); i > 1; --i)
+    std::swap(soup.triangles[i - 1], soup.triangles[*rc::gen::inRange<std::size_t>(0, i)]);
+  return soup;
+}
+
+// What a plane cuts out of a triangle; mm.
+double cutLength(const Corners& t, const Vec3& on, const Vec3& normal) {
+  std::vector<Vec3> ends;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &a = t[k], &b = t[(k + 1) % 3];
+    const double from = (a - on).dot(normal), to = (b - on).dot(normal);
+    if ((from < 0.0) != (to < 0.0)) ends.emplace_back(a + from / (from - to) * (b - a));
+  }
+  return ends.size() == 2 ? (ends[0] - ends[1]).norm() : 0.0;
+}
+
 constexpr double kAnywhere = 1e9;
 
 // A box with a corner of 100 × 60 × 40 mm around the origin.
@@ -168,8 +212,41 @@ class PartSurfaceTest : public QObject {
     QVERIFY(pieceFrom({}, begin, 10.0).points.empty() && pieceFrom(edge, begin, 0.0).points.empty());
   }
 
+  // A plane through a convex body cuts it along one curve, which is as long as what it cuts out of all triangles.
+  void sectionsMissNoTriangle() {
+    QVERIFY(rc::check("all of the curve", [] {
+      const TriangleSoup soup = anyEllipsoid(*rc::gen::inRange(3, 20), *rc::gen::inRange(4, 30));
+      const PartSurface surface(soup);
+      const Vec3 normal = (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized();
+      const Vec3 &a = soup.points.front(), &b = soup.points.back();
+      const Vec3 on = a + evenly(0.1, 0.9) * (b - a);
+      double length = 0.0;
+      for (std::size_t i = 0; i < soup.triangles.size(); ++i)
+        length += cutLength(cornersOf(soup, i, Pose::Identity()), on, normal);
+      const SurfaceTrack track = surface.sectionNear(on, normal, on);
+      RC_ASSERT(track.isClosed);
+      RC_ASSERT(std::abs(track.length() - length) < 1e-6 * length);
+    }));
+  }
+
+  // No triangle is nearer.
+  void nearestPlaces() {
+    QVERIFY(rc::check("as of all triangles", [] {
+      const TriangleSoup soup = anyEllipsoid(*rc::gen::inRange(3, 12), *rc::gen::inRange(4, 16));
+      const PartSurface surface(soup);
+      for (int i = 0; i < 10; ++i) {
+        const Vec3 place = soup.points[*rc::gen::inRange<std::size_t>(0, soup.points.size())] + anyPlace(50.0);
+        const double expected = distanceFromSurface(place, soup, Pose::Identity());
+        const TrackPoint found = surface.placeNear(place);
+        RC_ASSERT(std::abs((found.place - place).norm() - expected) < 1e-6);
+        RC_ASSERT(std::abs(found.normal.norm() - 1.0) < 1e-9);
+      }
+    }));
+  }
+
   void extremes() {
     QVERIFY(!PartSurface({}).hasEdges());
+    QVERIFY(PartSurface({}).placeNear(Vec3::Zero()).normal.isZero());
     QVERIFY(PartSurface({}).edgeNear(Vec3::Zero(), kAnywhere).points.empty());
     TriangleSoup broken = kBlock;
     broken.points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);

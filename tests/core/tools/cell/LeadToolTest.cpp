@@ -9,6 +9,7 @@
 #include "document/scene/BodyChanges.h"
 #include "robot/dh/DhTable.h"
 #include "scene/PrimitiveGeometry.h"
+#include "tools/cell/PathCheck.h"
 
 #include <QTest>
 #include <cmath>
@@ -49,6 +50,10 @@ class LeadBench {
     services.addPlace = [this] { ++places; };
     services.time = [this] { return time; };
     services.tries = &tries;
+    services.guide = [this](const std::string& name) {
+      const RobotPath* const path = isUnderWay ? nullptr : document().plans()->path(name);
+      return path ? std::make_shared<const GuideCurve>(toolCurve(*m_scene, *document().plans(), *path)) : nullptr;
+    };
     return {document(), std::move(services)};
   }
   Pose toolPose(const JointValues& joints) const { return m_scene->arm.tipPose(m_scene->planned(joints)); }

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/cell/PathGuides.h"
+
+#include "tools/cell/PathCheck.h"
+#include "window/JobRunner.h"
+
+namespace handwheel {
+
+// Bodies do not change where a path leads: the robot has no other one within a document.
+bool PathGuides::isKnown(const std::string& path, const std::shared_ptr<const CellPlans>& plans) const {
+  if (!m_plans || path != m_path) return false;
+  if (m_plans == plans) return true;
+  const RobotPath *const before = m_plans->path(path), *const now = plans->path(path);
+  return before && now && *before == *now && m_plans->tool.matrix() == plans->tool.matrix();
+}
+
+std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
+                                                 const std::shared_ptr<const CellPlans>& plans) {
+  if (isKnown(path, plans)) {
+    m_plans = plans;
+    return m_curve;
+  }
+  const auto scene = m_collisions.scene();
+  if (!scene || !plans->path(path)) return nullptr;
+  m_jobs.cancelOf(this);
+  m_plans = plans;
+  m_path = path;
+  m_curve.reset();
+  Job job;
+  job.name = tr("Finding the way along %1").arg(QString::fromStdString(path));
+  job.owner = this;
+  job.work = [this, scene, plans, path](Progress progress) -> Job::Finish {
+    auto curve = std::make_shared<const GuideCurve>(toolCurve(*scene, *plans, *plans->path(path), progress));
+    return [this, plans, path, curve] {
+      const RobotPath *const found = plans->path(path), *const wanted = m_plans ? m_plans->path(path) : nullptr;
+      if (path != m_path || !wanted || !(*found == *wanted)) return;
+      m_curve = curve;
+      emit prepared();
+    };
+  };
+  m_jobs.start(std::move(job));
+  return nullptr;
+}
+
+void PathGuides::clear() {
+  m_jobs.cancelOf(this);
+  m_plans.reset();
+  m_curve.reset();
+}
+
+}  // namespace handwheel

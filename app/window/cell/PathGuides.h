@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planning/GuideCurve.h"
+#include "window/cell/CellCollisions.h"
+
+namespace handwheel {
+
+// The way of the tool's centre point along the path that was last asked for, found by a worker. Window thread.
+class PathGuides : public QObject {
+  Q_OBJECT
+
+ public:
+  PathGuides(JobRunner& jobs, const CellCollisions& collisions, QObject* parent)
+      : QObject(parent), m_jobs(jobs), m_collisions(collisions) {}
+
+  // Null while it is being found, or the cell prepared; then prepared() follows. Cheap where nothing has changed.
+  std::shared_ptr<const GuideCurve> of(const std::string& path, const std::shared_ptr<const CellPlans>& plans);
+  void clear();
+
+ signals:
+  void prepared();
+
+ private:
+  bool isKnown(const std::string& path, const std::shared_ptr<const CellPlans>& plans) const;
+
+  JobRunner& m_jobs;
+  const CellCollisions& m_collisions;
+  std::shared_ptr<const CellPlans> m_plans;  // that the curve was found with; null: none was asked for
+  std::string m_path;
+  std::shared_ptr<const GuideCurve> m_curve;  // null: under way
+};
+
+}  // namespace handwheel

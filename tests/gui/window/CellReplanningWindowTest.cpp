@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PlanningWindow.h"
+#include "WindowTestMain.h"
+
+#include <QInputDialog>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// Two configurations, and between them a path if that is wanted.
+class TwoPlaces : public PlanningWindow {
+ public:
+  explicit TwoPlaces(bool hasPath) {
+    storeAt("joint.joint_1", "60");
+    storeAt("joint.joint_1", "-60");
+    if (!settle()) qFatal("the cell is not prepared");
+    if (!hasPath) return;
+    planPath();
+    if (!QTest::qWaitFor([this] { return remark(0).contains("free of collisions"); }, kPatienceMs))
+      qFatal("no path is planned");
+  }
+  QString remark(int path) { return paths()->childCount() > path ? paths()->child(path)->text(1) : QString(); }
+  int verifications() {
+    int count = 0;
+    for (auto* label : find<QWidget>("jobList")->findChildren<QLabel*>()) {
+      if (label->objectName().startsWith("jobName") && label->text().contains("Verifying")) ++count;
+    }
+    return count;
+  }
+};
+
+}  // namespace
+
+// What happens when a plan is late, is asked for often, or begins without a cell.
+class CellReplanningWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The cell changes while a path is planned: it is said, and the plan is made again when it is asked for.
+  void aPlanThatComesTooLate() {
+    TwoPlaces driver(false);
+    driver.hold();
+    driver.planPath();
+    driver.choose("add-box");
+    driver.release();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("changed while"), kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.paths()->childCount(), 0);
+    driver.click("messageAction");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+  }
+
+  // What was changed by hand while the path is planned again stays; the plan is another path.
+  void changesByHandStay() {
+    TwoPlaces driver(true);
+    const int places = driver.paths()->child(0)->childCount();
+    driver.hold();
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
+    driver.choose("planPathAgain");
+    driver.choose("insertPlace");
+    driver.release();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 2, kPatienceMs);
+    QCOMPARE(driver.paths()->child(0)->childCount(), places + 1);
+    QVERIFY(driver.text("messageText").contains("changed while"));
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->childCount(), 1);
+    QCOMPARE(driver.paths()->child(0)->childCount(), places + 1);
+  }
+
+  // Whoever presses again and again waits for one verification.
+  void verificationsDoNotPileUp() {
+    TwoPlaces driver(true);
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    driver.hold();
+    for (int i = 0; i < 5; ++i) driver.choose("verifyPath");
+    QTest::qWait(50);
+    QCOMPARE(driver.verifications(), 1);
+    QVERIFY(driver.remark(0).contains("verifying"));
+    driver.release();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(0).contains("free of collisions"), kPatienceMs);
+  }
+
+  // By a worker: written as a program, opened again, and free of collisions like before.
+  void programsThereAndBack() {
+    TwoPlaces driver(true);
+    QTemporaryDir folder;
+    const QString file = folder.filePath("way.mod");
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    driver.choose("exportProgram");
+    QVERIFY(driver.enterFileName("exportProgramDialog", file));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.mod was written"), kPatienceMs);
+    driver.choose("importProgram");
+    QVERIFY(driver.enterFileName("importProgramDialog", file));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 2, kPatienceMs);
+    QCOMPARE(driver.paths()->child(1)->childCount(), driver.paths()->child(0)->childCount());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(1).contains("free of collisions"), kPatienceMs);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->childCount(), 1);
+  }
+
+  // From the start page, where nothing is open.
+  void aCellWithABuiltInRobot() {
+    WindowDriver driver;
+    QCOMPARE(driver.tabs(), 0);
+    driver.choose("newBuiltInCell");
+    auto* dialog = driver.find<QInputDialog>("builtInRobotDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    const QString title = dialog->comboBoxItems().at(1);
+    dialog->setTextValue(title);
+    dialog->accept();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.find<QTreeWidget>("planTree")->isVisible());
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(CellReplanningWindowTest)
+#include "CellReplanningWindowTest.moc"

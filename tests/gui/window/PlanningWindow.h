@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "CellWindow.h"
+
+#include <QPushButton>
+#include <QTreeWidget>
+
+namespace handwheel::test {
+
+// A window in which a path is planned.
+class PlanningWindow : public CellWindow {
+ public:
+  QTreeWidget* tree() { return find<QTreeWidget>("planTree"); }
+  QTreeWidgetItem* configurations() { return tree()->topLevelItem(0); }
+  QTreeWidgetItem* paths() { return tree()->topLevelItem(1); }
+
+  void storeAt(const char* joint, const QString& value) {
+    edit(joint, value);
+    choose("storeConfiguration");
+  }
+  // Between the first configuration and the last.
+  void planPath() {
+    choose("planPath");
+    auto* dialog = find<QDialog>("planDialog");
+    QTest::qWait(50);
+    auto* now = dialog->findChild<QPushButton*>(QStringLiteral("planNow"));
+    QTest::mouseClick(now, Qt::LeftButton);
+  }
+};
+
+}  // namespace handwheel::test
