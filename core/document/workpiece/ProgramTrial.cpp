@@ -50,6 +50,7 @@ ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTool
   ProgramSetup setup = usualSetup(dialect, workpiece.stock, lathe.chuck.grip, nose);
   const bool drills = lathe.tailstock.fitting == LatheFitting::Drill;
   setup.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, drills ? toolNamed(tools, lathe.tailstock.drill) : nullptr};
+  if (workpiece.programTools) setup.tools = inDialect(*workpiece.programTools, ProgramDialect::LinuxCnc, dialect);
   return setup;
 }
 

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The machine for a workpiece, in its lathe as it was set up, with no tools but the standard one (usualSetup()). tools:
-// those of the lathe.
+// The machine for a workpiece, in its lathe as it was set up, with the tools of its table and the standard one
+// (usualSetup()). tools: those of the lathe.
 ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
                              double nose);
 

@@ -32,6 +32,7 @@ class WorkpieceDocument : public Document {
   friend class TargetEdit;
   friend class TurnedPartEdit;
   friend class LatheSetupEdit;
+  friend class ProgramToolsEdit;
   void set(WorkpieceSnapshot workpiece);
 
   std::shared_ptr<const WorkpieceSnapshot> m_workpiece;

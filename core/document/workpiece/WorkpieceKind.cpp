@@ -19,6 +19,7 @@
 #include "machining/drawing/DrawnThreads.h"
 #include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
+#include "machining/program/ProgramToolsJson.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
 #include "scene/RevolvedGeometry.h"
@@ -30,6 +31,8 @@
 namespace handwheel {
 
 namespace {
+
+constexpr const char* kProgramTools = "program_tools";
 
 const WorkpieceSnapshot& workpieceOf(const Snapshot& content) {
   return static_cast<const WorkpieceSnapshot&>(content);
@@ -126,6 +129,7 @@ void WorkpieceKind::save(const Snapshot& content, Container& container) const {
   writeTurnedPart(workpieceOf(content), container);
   writeTarget(workpieceOf(content), container);
   if (const auto& lathe = workpieceOf(content).lathe) document["lathe"] = toJson(*lathe);
+  if (const auto& tools = workpieceOf(content).programTools) document[kProgramTools] = toJson(*tools);
   if (const auto& crashes = workpieceOf(content).crashes) document["crashes"] = crashesToJson(*crashes);
 }
 
@@ -154,6 +158,9 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
     if (setup) workpiece.lathe = std::make_shared<const LatheSetup>(std::move(*setup));
     if (!setup) damage.push_back(setup.error());
   }
+  if (ProgramTools tools = programToolsFrom(found->value(kProgramTools, nlohmann::json()), shippedLatheTools(), damage);
+      !tools.empty())
+    workpiece.programTools = std::make_shared<const ProgramTools>(std::move(tools));
   auto part = readTurnedPart(*found, workpiece, container, damage, progress);
   if (!part) return part.error();
   workpiece.part = std::move(part.value());
@@ -182,6 +189,7 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
                               {"chord", workpiece.chord}};
   if (const Result<TargetProfile> section = sectionOf(workpiece))
     described["dimensions"] = dimensionsJson(*section, workpiece.chord);
+  if (workpiece.programTools) described[kProgramTools] = toJson(*workpiece.programTools);
   if (workpiece.target) {
     described["target"] = {{"source", workpiece.target->source},
                            {"volume", workpiece.target->profile.volume()},

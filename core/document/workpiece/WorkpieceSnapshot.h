@@ -9,6 +9,7 @@
 #include "machining/finish/SurfaceFinish.h"
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheSetup.h"
+#include "machining/program/ProgramSetup.h"
 #include "machining/target/TargetProfile.h"
 
 #include <span>
@@ -50,6 +51,8 @@ struct WorkpieceSnapshot : Snapshot {
   std::shared_ptr<const TurnedPart> part;         // null: nothing was cut yet
   std::shared_ptr<const LatheSetup> lathe;        // null: the usual one
   std::shared_ptr<const WorkpieceTarget> target;  // null: none is given
+  // What the tool numbers of programs are, in the numbers of LinuxCNC. Null: all have the nose that is given.
+  std::shared_ptr<const ProgramTools> programTools;
   // Of the manual lathe and of programs that cut the part, in order, at most LatheRun::kMostCollisions. What was struck
   // stays struck: undo takes back what was cut, and no crash. Null: none.
   std::shared_ptr<const std::vector<LatheCollision>> crashes;

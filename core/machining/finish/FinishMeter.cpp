@@ -24,6 +24,14 @@ bool goesOn(const TurningPass& pass, std::size_t i) {
   return i < 2 || (pass.path[i] - pass.path[i - 1]).dot(pass.path[i - 1] - pass.path[i - 2]) > 0.0;
 }
 
+// Whether the way to a point is that of a drill: along the axis, about which it leaves a hole.
+bool isDrilling(const TurningPass& pass, std::size_t i) {
+  constexpr double kOnAxis = 1e-9;  // mm
+  if (pass.tool && pass.tool->kind == LatheToolKind::Drill) return true;
+  return pass.side == TurningSide::Bore && std::abs(pass.path[i].x()) <= kOnAxis &&
+         std::abs(pass.path[i == 0 ? 0 : i - 1].x()) <= kOnAxis;
+}
+
 }  // namespace
 
 void FeedMeter::clear() {
@@ -83,7 +91,7 @@ void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t numb
       taken += removed;
       follow(side, k, radius);
       if (!isAbrasive && !(taken > TurningPass::kTouch)) continue;
-      FinishMark mark = markOf(pass, m_finish.at(side, k), removed);
+      FinishMark mark = markOf(pass, i, m_finish.at(side, k), removed);
       mark.pass = number;
       m_finish.set(side, k, mark);
     }
@@ -91,7 +99,7 @@ void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t numb
 }
 
 // Of an abrasive Ra falls; of an edge it is new. What was finer than the abrasive gets the marks of its grain.
-FinishMark FinishMeter::markOf(const TurningPass& pass, const FinishMark& before, double removed) const {
+FinishMark FinishMeter::markOf(const TurningPass& pass, std::size_t i, const FinishMark& before, double removed) const {
   FinishMark mark;
   const bool isSpeedKnown = !pass.speeds.empty() || m_usualSpeed > 0.0;
   if (isSpeedKnown) mark.feed = static_cast<float>(m_feed);
@@ -102,7 +110,8 @@ FinishMark FinishMeter::markOf(const TurningPass& pass, const FinishMark& before
     return mark;
   }
   const double nose = pass.tool ? pass.tool->noseRadius : pass.noseRadius;
-  mark.roughness = isSpeedKnown ? static_cast<float>(idealRoughness(m_feed, nose)) : FinishMark::kUnknown;
+  const double left = isDrilling(pass, i) ? drilledRoughness(m_feed) : idealRoughness(m_feed, nose);
+  mark.roughness = isSpeedKnown ? static_cast<float>(left) : FinishMark::kUnknown;
   return mark;
 }
 

@@ -27,12 +27,12 @@ class FeedMeter {
 };
 
 // Follows passes move by move and marks the finish that they leave. An edge leaves what its feed and nose leave:
-// f²/(32 R). What is abrasive takes the crests off: those of a nose are four times as high as their Ra, f²/(8 R) and
-// f²/(32 R), so that Ra falls by a quarter of what leaves; once as much has gone, the surface is that of the abrasive,
-// which no further passes make finer. Only samples whose radius changes are marked; of an edge those alone of which it
-// takes more than TurningPass::kTouch while it goes one way: work that has sprung back is touched by the tool on its
-// way home, and stays as it is. The finish is a function of bar and passes: whoever follows the same moves gets the
-// same. One thread.
+// f²/(32 R); a drill what drills leave (drilledRoughness()). What is abrasive takes the crests off: those of a nose are
+// four times as high as their Ra, f²/(8 R) and f²/(32 R), so that Ra falls by a quarter of what leaves; once as much
+// has gone, the surface is that of the abrasive, which no further passes make finer. Only samples whose radius changes
+// are marked; of an edge those alone of which it takes more than TurningPass::kTouch while it goes one way: work that
+// has sprung back is touched by the tool on its way home, and stays as it is. The finish is a function of bar and
+// passes: whoever follows the same moves gets the same. One thread.
 class FinishMeter {
  public:
   // profile: the part before the next move. finish: of it; of another size: nothing is known. usualSpeed: r/min of
@@ -49,7 +49,7 @@ class FinishMeter {
   double feed() const { return m_feed; }
 
  private:
-  FinishMark markOf(const TurningPass& pass, const FinishMark& before, double removed) const;
+  FinishMark markOf(const TurningPass& pass, std::size_t i, const FinishMark& before, double removed) const;
   void follow(TurningSide side, std::size_t i, double radius);
   void endContact();
 

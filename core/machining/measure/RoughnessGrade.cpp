@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/measure/RoughnessGrade.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace handwheel {
@@ -28,6 +30,15 @@ std::string roughnessGrade(double ra) {
     if (ra <= kGradeRoughness[i]) return "N" + std::to_string(i + 1);
   }
   return {};
+}
+
+double drilledRoughness(double feed) {
+  constexpr double kFinest = 1.6, kRoughest = 6.3;        // µm
+  constexpr double kLeastFeed = 0.05, kMostFeed = 0.381;  // mm
+  if (!(feed > 0.0)) return 0.0;
+  if (!std::isfinite(feed)) return feed;  // the spindle stands
+  const double share = std::log(feed / kLeastFeed) / std::log(kMostFeed / kLeastFeed);
+  return kFinest * std::pow(kRoughest / kFinest, std::clamp(share, 0.0, 1.0));
 }
 
 double idealRoughness(double feed, double noseRadius) {

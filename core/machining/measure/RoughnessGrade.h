@@ -19,4 +19,10 @@ std::string roughnessGrade(double ra);
 // 0 where there is no feed; infinite where the feed is wider than the nose.
 double idealRoughness(double feed, double noseRadius);
 
+// The roughness Ra (µm) of the wall that a twist drill leaves at a feed (mm per revolution). Its margins rub, so no
+// geometry tells it: this is the usual range of drilling, 1.6 to 6.3 µm (ASME B46.1, roughness by production method),
+// laid over the usual feeds of twist drills, 0.05 to 0.38 mm (Machinery's Handbook, 0.002 to 0.015 in), by a power of
+// the feed, and never beyond its ends. 0 where there is no feed.
+double drilledRoughness(double feed);
+
 }  // namespace handwheel

@@ -112,6 +112,16 @@ ProgramTool programToolOf(std::shared_ptr<const LatheTool> tool, ProgramDialect 
   return made;
 }
 
+ProgramTools inDialect(ProgramTools tools, ProgramDialect from, ProgramDialect to) {
+  if (from == to) return tools;
+  for (auto& [number, tool] : tools) {
+    const ProfilePoint way = tipDirection(from, tool.orientation);
+    for (int i = 1; i <= 9 && !way.isZero(); ++i)
+      if (tipDirection(to, i) == way) tool.orientation = i;
+  }
+  return tools;
+}
+
 ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose) {
   constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
   ProgramSetup setup;

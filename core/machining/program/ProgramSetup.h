@@ -47,6 +47,9 @@ ProgramTool programToolOf(std::shared_ptr<const LatheTool> tool, ProgramDialect 
 
 using ProgramTools = std::map<int, ProgramTool>;  // by number
 
+// The same tools: their tips point where they did, in the numbers of another dialect.
+ProgramTools inDialect(ProgramTools tools, ProgramDialect from, ProgramDialect to);
+
 // The machine on which a program runs.
 struct ProgramSetup {
   ProgramDialect dialect = ProgramDialect::LinuxCnc;

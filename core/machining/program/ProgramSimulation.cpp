@@ -44,6 +44,8 @@ TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
   shape.noseRadius = tool.noseRadius;
   const bool isBoring = tipDirection(m_setup.dialect, tool.orientation).x() > 0.0;
   if (m_state.isDrilling || isBoring) shape.side = TurningSide::Bore;
+  // A drill whose body is known has its point; any other is as round as its nose.
+  if (m_state.isDrilling && tool.body && tool.body->kind == LatheToolKind::Drill) shape.tool = tool.body;
   return shape;
 }
 
@@ -128,8 +130,8 @@ ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape,
 void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin,
                                double end, double speed) {
   const bool goesOn = !m_passes.empty() && !m_passes.back().thread && m_passes.back().noseRadius == shape.noseRadius &&
-                      m_passes.back().side == shape.side && m_passes.back().path.back() == a &&
-                      m_passes.back().path.size() < kPassPoints;
+                      m_passes.back().side == shape.side && m_passes.back().tool == shape.tool &&
+                      m_passes.back().path.back() == a && m_passes.back().path.size() < kPassPoints;
   if (!goesOn) {
     m_passes.push_back(shape);
     m_passes.back().path.push_back(a);
@@ -219,6 +221,8 @@ void ProgramSimulation::followBody(const ToolMove& move) {
 
 ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const TurningPass& shape) {
   const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, m_part.length());
+  // The path of a tool is that of its tip.
+  const ProfilePoint toTip(0.0, shape.tool ? -shape.noseRadius : 0.0);
   const double reach = m_largest + shape.noseRadius;
   const int pieces = piecesOf(move);
   const bool hasBody = m_setup.toolOf(move).body != nullptr;
@@ -231,10 +235,10 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
     Removal removal;
     taken.deepest = std::max(taken.deepest, deepestOf(a, b, shape));
     if (std::min(a.x(), b.x()) <= reach && !samplesBelow(a, b, shape.noseRadius).isEmpty())
-      removal = cutPiece(shape, a, b);
+      removal = cutPiece(shape, a + toTip, b + toTip);
     if (removal.area > 0.0) {
       const double end = m_time - move.time + seconds * (i + 1);
-      record(shape, a, b, end - seconds, end, move.spin == 0 ? 0.0 : spindleAt(move, removal.radius));
+      record(shape, a + toTip, b + toTip, end - seconds, end, move.spin == 0 ? 0.0 : spindleAt(move, removal.radius));
       if (!first) first = b;
     }
     if (m_model) meterOf(move).add(length, seconds, removal.area, removal.radius);

@@ -13,6 +13,20 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kLongestKrlName = 24;
+// Keywords and types of KRL, and the routines that programs of ours and of others call.
+constexpr const char* kKrlWords[] = {
+    "and",      "anin",     "anout",   "axis",      "b_and",    "b_exor",  "b_not",    "b_or",      "bas",
+    "bool",     "brake",    "case",    "cast_from", "cast_to",  "cclose",  "channel",  "char",      "cioctl",
+    "circ",     "circ_rel", "confirm", "const",     "continue", "copen",   "cread",    "cwrite",    "decl",
+    "def",      "defdat",   "default", "deffct",    "delay",    "digin",   "distance", "do",        "e6axis",
+    "e6pos",    "else",     "end",     "enddat",    "endfct",   "endfor",  "endif",    "endloop",   "endswitch",
+    "endwhile", "enum",     "exit",    "exor",      "ext",      "extfct",  "extp",     "false",     "for",
+    "frame",    "global",   "goto",    "halt",      "if",       "import",  "int",      "interrupt", "is",
+    "lin",      "lin_rel",  "loop",    "maximum",   "minimum",  "not",     "off",      "on",        "or",
+    "path",     "pos",      "prio",    "ptp",       "ptp_rel",  "public",  "pulse",    "real",      "repeat",
+    "resume",   "return",   "scirc",   "sec",       "signal",   "slin",    "spline",   "sptp",      "sread",
+    "struc",    "switch",   "swrite",  "then",      "to",       "trigger", "true",     "until",     "wait",
+    "when",     "while"};
 constexpr const char* kBaseRemark =
     "; Lines hold if the base of the robot's description is $ROBROOT: test this first.\n";
 
@@ -236,7 +250,7 @@ class KrlReading {
 }  // namespace
 
 std::string KrlPost::write(const RobotProgram& program) const {
-  std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierOf(program.name, kLongestKrlName) + "()\n";
+  std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierBeside(kKrlWords, program.name, kLongestKrlName) + "()\n";
   for (const std::string& remark : headRemarks(program)) text += "; " + remark + "\n";
   if (needsControllersBase(program)) text += kBaseRemark;
   text += "BAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) + "}\n$BASE={" + krlFrame(program.frame) + "}\n";

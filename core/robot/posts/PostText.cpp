@@ -65,6 +65,18 @@ std::string identifierOf(const std::string& name, std::size_t longest) {
   return head + "_" + number;
 }
 
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), lowered);
+  return text;
+}
+
+std::string identifierBeside(std::span<const char* const> words, const std::string& name, std::size_t longest) {
+  std::string made = identifierOf(name, longest);
+  const std::string lower = lowerCase(made);
+  if (std::none_of(words.begin(), words.end(), [&](const char* word) { return lower == word; })) return made;
+  return identifierOf(made + "_path", longest);
+}
+
 std::vector<std::string> headRemarks(const RobotProgram& program) {
   std::vector<std::string> remarks{identifierOf(program.robot, 60)};
   if (program.hasPlainShapes) remarks.emplace_back("Collisions were checked with simplified shapes of the robot.");

@@ -23,6 +23,10 @@ std::string fixedList(std::span<const double> values, int digits);
 // the number at its end stays, or one is added that other names hardly have ("Process 2" within 8: "Proces_2").
 std::string identifierOf(const std::string& name, std::size_t longest);
 
+// The same, beside words that the language has itself, in lower case: such a name gets "_path" behind it.
+std::string identifierBeside(std::span<const char* const> words, const std::string& name, std::size_t longest);
+std::string lowerCase(std::string text);  // of ASCII
+
 // Turns about z, y and x, in this order about axes that move along (KUKA's A, B, C; Fanuc's R, P, W); rad. Where two
 // axes are in line the last is 0.
 Vec3 zyxAngles(const Eigen::Matrix3d& turn);

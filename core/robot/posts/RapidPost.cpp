@@ -18,24 +18,16 @@ constexpr std::size_t kMotionsOfARoutine = 1'000;
 constexpr double kLargestRapidSpeed = 5'000.0;  // mm/s, of VelSet at the start of a task
 constexpr const char* kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 // Words of the language that a path may be called, and the procedure that a task begins with.
-constexpr const char* kRapidWords[] = {"alias", "and",    "case",  "connect", "default", "div",  "do",   "else",
-                                       "error", "exit",   "false", "for",     "from",    "func", "goto", "if",
-                                       "inout", "local",  "main",  "mod",     "module",  "not",  "or",   "proc",
-                                       "raise", "record", "retry", "return",  "step",    "test", "then", "to",
-                                       "trap",  "true",   "undo",  "while",   "with",    "xor"};
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
+constexpr const char* kRapidWords[] = {
+    "alias",  "and",    "backward", "case",    "connect",   "const",    "default",   "div",       "do",      "else",
+    "elseif", "endfor", "endfunc",  "endif",   "endmodule", "endproc",  "endrecord", "endtest",   "endtrap", "endwhile",
+    "error",  "exit",   "false",    "for",     "from",      "func",     "goto",      "if",        "inout",   "local",
+    "main",   "mod",    "module",   "movej",   "movel",     "nostepin", "not",       "noview",    "or",      "pers",
+    "proc",   "raise",  "readonly", "record",  "retry",     "return",   "step",      "sysmodule", "test",    "then",
+    "to",     "trap",   "true",     "trynext", "undo",      "var",      "viewonly",  "while",     "with",    "xor"};
 
 std::string rapidName(const std::string& name) {
-  const std::string made = identifierOf(name, kLongestRapidName - kLongestRapidSuffix);
-  const std::string lower = lowerCase(made);
-  const bool isWord =
-      std::any_of(std::begin(kRapidWords), std::end(kRapidWords), [&](const char* word) { return lower == word; });
-  return isWord ? made + "_path" : made;
+  return identifierBeside(kRapidWords, name, kLongestRapidName - kLongestRapidSuffix);
 }
 
 std::string rapidPose(const Pose& pose) {

@@ -14,6 +14,15 @@ namespace {
 
 constexpr double kMetresOfMillimetre = 1e-3;
 
+// Keywords of URScript, and the functions that programs call most.
+constexpr const char* kUrWords[] = {
+    "and",    "break", "continue", "def",    "elif",   "else",        "end",     "enter_critical", "exit_critical",
+    "false",  "for",   "global",   "halt",   "if",     "in",          "join",    "kill",           "local",
+    "mod",    "movec", "movej",    "movel",  "movep",  "not",         "or",      "pass",           "popup",
+    "return", "run",   "sec",      "servoc", "servoj", "set_payload", "set_tcp", "sleep",          "speedj",
+    "speedl", "stopj", "stopl",    "struct", "sync",   "textmsg",     "thread",  "true",           "wait",
+    "while",  "xor"};
+
 // X, Y, Z in metres and a turn as an axis of its angle's length.
 std::string urPose(const Pose& pose) {
   const Vec3 at = kMetresOfMillimetre * pose.translation();
@@ -184,7 +193,7 @@ ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements) {
 }  // namespace
 
 std::string UrScriptPost::write(const RobotProgram& program) const {
-  const std::string name = identifierOf(program.name, 60);
+  const std::string name = identifierBeside(kUrWords, program.name, 60);
   std::string text;
   for (const std::string& remark : headRemarks(program)) text += "# " + remark + "\n";
   text += "def " + name + "():\n  set_tcp(" + urPose(program.tool) + ")\n";

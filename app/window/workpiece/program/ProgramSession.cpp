@@ -6,6 +6,7 @@
 #include "window/workpiece/program/ProgramSession.h"
 
 #include "controls/program/ProgramEditor.h"
+#include "document/workpiece/ProgramToolsEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramCheck.h"
@@ -161,15 +162,33 @@ void ProgramSession::setTools(ProgramTools tools, bool isOwn) {
   m_panel->setToolCount(m_tools.size());
 }
 
-// The tools point where they did, in the numbers of the other dialect.
+// The table of the document is that of the text, whatever had its tools before.
+void ProgramSession::takeStoredTools() {
+  const auto stored = workpiece().workpiece().programTools;
+  if (std::exchange(m_storedTools, stored) == stored) return;
+  setTools(stored ? inDialect(*stored, ProgramDialect::LinuxCnc, m_panel->dialect()) : ProgramTools(), true);
+  textChanged();
+}
+
+void ProgramSession::storeTools(const ProgramTools& chosen) {
+  if (toolTableText(chosen) == toolTableText(m_tools) && m_hasOwnTools == !chosen.empty()) return;
+  auto stored =
+      chosen.empty()
+          ? nullptr
+          : std::make_shared<const ProgramTools>(inDialect(chosen, m_panel->dialect(), ProgramDialect::LinuxCnc));
+  // The tools of a text that was written for the target are not in the document, and go without an undo step.
+  if (!stored && !m_storedTools) {
+    setTools({}, false);
+    return textChanged();
+  }
+  m_document.document.commit(tr("Change the tools of the program"),
+                             std::make_unique<ProgramToolsEdit>(std::move(stored)));
+}
+
 void ProgramSession::dialectChanged() {
   const ProgramDialect now = m_panel->dialect();
   const ProgramDialect before = now == ProgramDialect::Fanuc ? ProgramDialect::LinuxCnc : ProgramDialect::Fanuc;
-  for (auto& [number, tool] : m_tools) {
-    const ProfilePoint way = tipDirection(before, tool.orientation);
-    for (int i = 1; i <= 9 && !way.isZero(); ++i)
-      if (tipDirection(now, i) == way) tool.orientation = i;
-  }
+  m_tools = inDialect(std::move(m_tools), before, now);
   textChanged();
 }
 

@@ -73,6 +73,8 @@ class ProgramSession : public QObject {
   void askForCycles();
   void askForTools();
   void setTools(ProgramTools tools, bool isOwn);
+  void takeStoredTools();
+  void storeTools(const ProgramTools& chosen);
   void dialectChanged();
   void writeCycles(const std::vector<double>& numbers);
   void offer(const std::string& text, ProgramTools tools);
@@ -91,9 +93,10 @@ class ProgramSession : public QObject {
   DocumentTab& m_document;
   QAction m_open, m_save, m_saveAs, m_fromPasses, m_cycles;
   QPointer<ProgramPanel> m_panel;
-  ProgramTools m_tools;        // the table; what is not in it has the nose of the panel
-  bool m_hasOwnTools = false;  // the user made it, so that it is that of the next text, too
-  QString m_path;              // of the file; empty: none yet
+  ProgramTools m_tools;                               // the table; what is not in it has the nose of the panel
+  std::shared_ptr<const ProgramTools> m_storedTools;  // of the document, as they were last
+  bool m_hasOwnTools = false;                         // the user made it, so that it is that of the next text, too
+  QString m_path;                                     // of the file; empty: none yet
   ProgramFile m_file;
   JobRunner m_checks, m_runs, m_views, m_files;
   QString m_text;  // as it was last

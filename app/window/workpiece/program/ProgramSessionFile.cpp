@@ -50,7 +50,10 @@ void ProgramSession::read(const QString& path) {
 
 void ProgramSession::taken(const QString& path, const ProgramFile& file) {
   QSettings().setValue(kProgramFolderKey, QFileInfo(path).absolutePath());
-  if (const auto dialect = recognisedDialect(file.text.toStdString())) m_panel->setDialect(*dialect);
+  if (const auto dialect = recognisedDialect(file.text.toStdString())) {
+    m_tools = inDialect(std::move(m_tools), m_panel->dialect(), *dialect);
+    m_panel->setDialect(*dialect);
+  }
   m_path = path;
   m_file = file;
   setText(file.text, {});

@@ -116,10 +116,7 @@ void ProgramSession::askForTools() {
   for (auto& [number, tool] : tools)
     if (tool.body) tool.body = toolNamed(bodies, tool.body->id);
   auto* dialog = new ToolTableDialog(tools, std::move(bodies), std::move(post), m_panel->dialect(), m_parts.window);
-  connect(dialog, &ToolTableDialog::chosen, this, [this](const ProgramTools& chosen) {
-    setTools(chosen, true);
-    textChanged();
-  });
+  connect(dialog, &ToolTableDialog::chosen, this, &ProgramSession::storeTools);
   dialog->open();
 }
 

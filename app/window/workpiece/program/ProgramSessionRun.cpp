@@ -105,6 +105,7 @@ void ProgramSession::documentChanged() {
   const WorkpieceSnapshot& now = workpiece().workpiece();
   m_fromPasses.setEnabled(now.part != nullptr);
   m_cycles.setEnabled(now.target != nullptr);
+  takeStoredTools();
   const StockCylinder &a = m_start.stock, &b = now.stock;
   const bool isSame = m_start.part == now.part && m_start.chord == now.chord && a.diameter == b.diameter &&
                       a.length == b.length && a.position == b.position &&

@@ -6,6 +6,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/measure/RoughnessGrade.h"
 #include "machining/measure/TaperMeasure.h"
 #include "machining/measure/ThreadMeasure.h"
 #include "machining/target/TargetDeviation.h"
@@ -133,6 +134,16 @@ Figure peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& lo
   return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {roundedText(largest->time, 4)}}};
 }
 
+// What a drill left is that of the passes: programs before it had a figure of its own kept the cusps of a round nose.
+SurfaceFinish withDrilledAsRepeated(SurfaceFinish kept, const SurfaceFinish& repeated) {
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const FinishMark again = repeated.at(TurningSide::Bore, i), mark = kept.at(TurningSide::Bore, i);
+    const bool isDrilled = again.isKnown() && again.roughness == static_cast<float>(drilledRoughness(again.feed));
+    if (isDrilled && mark.isKnown() && mark.pass == again.pass) kept.set(TurningSide::Bore, i, again);
+  }
+  return kept;
+}
+
 // Whether what is kept is what the passes leave when they are repeated. Another processor may round otherwise.
 bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
   constexpr float kSame = 1e-3f;  // share
@@ -224,6 +235,7 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
   const TurnedProfile bar = TurnedProfile::fromRadii(
       std::vector<double>(m_profile.size(), 0.5 * workpiece.stock.diameter), workpiece.stock.length);
   m_review = TurningReview::make(bar, m_passes, task.lathe, progress);
+  if (m_review && m_profile.isBored()) m_finish = withDrilledAsRepeated(std::move(m_finish), m_review->finish());
   m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
 }
 

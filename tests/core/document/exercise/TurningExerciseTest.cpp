@@ -10,6 +10,7 @@
 #include "machining/lathe/LatheJson.h"
 #include "machining/lathe/LatheMachine.h"
 #include "machining/lathe/LatheMounting.h"
+#include "machining/measure/RoughnessGrade.h"
 #include "machining/target/TargetDeviation.h"
 
 #include <QtTest>
@@ -195,6 +196,29 @@ class TurningExerciseTest : public QObject {
     QVERIFY(task.hasValue());
     const TurnedProfile& profile = static_cast<const WorkpieceSnapshot&>(*work).part->profile;
     QVERIFY(deviationFrom(*static_cast<const TurningTask&>(**task).target, profile, 0.0).largest() < 0.02);
+  }
+
+  // What was handed in before drills had a figure of their own is marked as what is handed in now.
+  void drilledByAnOlderProgram() {
+    Json drilled = shoulderWork();
+    drilled["passes"].push_back({{"nose_radius", 5}, {"side", "bore"}, {"feed", 0.1}, {"points", {{0, 110}, {0, 70}}}});
+    const auto work = workFrom(*shoulder(), drilled);
+    WorkpieceSnapshot old = static_cast<const WorkpieceSnapshot&>(*work);
+    TurnedPart part = *old.part;
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < part.finish.size(); ++i) {
+      FinishMark mark = part.finish.at(TurningSide::Bore, i);
+      if (!mark.isKnown()) continue;
+      mark.roughness = static_cast<float>(idealRoughness(mark.feed, 5.0));
+      part.finish.set(TurningSide::Bore, i, mark);
+      ++changed;
+    }
+    QVERIFY(changed > 100);
+    old.part = std::make_shared<const TurnedPart>(part);
+    const Attempt attempt{"Ada", {}, {}, 300.0, {}, {}};
+    const Marking now = markWork(*shoulder(), *work, attempt), before = markWork(*shoulder(), old, attempt);
+    QVERIFY(now.points > 10.0);
+    QCOMPARE(before.points, now.points);
   }
 
   // The student stands at the machine of the exercise.

@@ -5,8 +5,10 @@
 #include "document/container/Blobs.h"
 #include "document/container/Migrations.h"
 #include "document/formats/MeshFormat.h"
+#include "document/workpiece/TargetImport.h"
 #include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "machining/lathe/LatheJson.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/StepFile.h"
@@ -85,6 +87,37 @@ class BoredPartTest : public QObject {
     QCOMPARE(m_kind.bodyGeometry(workpiece, notes)->kind(), std::string_view("revolution"));
   }
 
+  // Drilled from the right with a point of 118°, and bored above its bottom: a solid whose volume is that of cylinders
+  // and a cone; its triangles close, and the finish is that of each tool.
+  void aBlindBore() {
+    WorkpieceSnapshot workpiece;
+    workpiece.stock = {40.0, 100.0, 0.0};
+    TurningPass drill, bar;
+    drill.side = bar.side = TurningSide::Bore;
+    drill.tool = toolNamed(shippedLatheTools(), "drill-12");
+    drill.path = {{0.0, 105.0}, {0.0, 50.0}};
+    drill.noseRadius = bar.noseRadius = 0.0;
+    bar.path = {{8.0, 105.0}, {8.0, 60.0}};
+    drill.times = bar.times = {0.0, 1.0};
+    for (const TurningPass& pass : {drill, bar}) workpiece.part = withPass(workpiece, pass, 0.05);
+    const double point = 6.0 / std::tan(59.0 * M_PI / 180.0);
+    const double hole = M_PI * (64.0 * 40.0 + 36.0 * (10.0 - point) + 36.0 * point / 3.0);
+    const double expected = M_PI * 400.0 * 100.0 - hole;
+    const double step = volumeOfStep(workpiece);
+    // At a shoulder the profile is told from sample to sample.
+    QVERIFY2(std::abs(step - expected) < 0.05 * M_PI * 64.0, qPrintable(QString::number(step - expected)));
+    QVERIFY(std::abs(workpiece.part->profile.volume() - expected) < 0.05 * M_PI * 64.0);
+    const QTemporaryDir folder;
+    const std::filesystem::path stl = folder.filePath("a.stl").toStdString();
+    QVERIFY(m_kind.exportTo(workpiece, stl, {}));
+    const auto read = readMeshFile(stl, {});
+    QVERIFY(read && findBoundaryLoops(buildMesh(read->soup).mesh).empty());
+    const Result<TargetProfile> section = sectionOf(workpiece);
+    QVERIFY(section && !section->isClosed());
+    QVERIFY(std::abs(section->extentAt(52.0)->inner - 2.0 * std::tan(59.0 * M_PI / 180.0)) < 0.03);
+    QCOMPARE(section->extentAt(45.0)->inner, 0.0);
+  }
+
   // A hollow without an opening is no solid of a STEP file, and the reason is said; triangles have it.
   void aClosedHollowIsNoStepFile() {
     const QTemporaryDir folder;
@@ -151,6 +184,17 @@ class BoredPartTest : public QObject {
   }
 
  private:
+  // mm³; 0 where it is no valid solid.
+  double volumeOfStep(const WorkpieceSnapshot& workpiece) const {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("a.step").toStdString();
+    if (!m_kind.exportTo(workpiece, path, {})) return 0.0;
+    QFile file(QString::fromStdString(path.string()));
+    if (!file.open(QIODevice::ReadOnly)) return 0.0;
+    const auto report = inspectStep(file.readAll().toStdString());
+    return report && report->solids == 1 && report->isValid ? report->volume : 0.0;
+  }
+
   WorkpieceKind m_kind;
 };
 

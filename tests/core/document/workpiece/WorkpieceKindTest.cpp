@@ -5,7 +5,10 @@
 #include "TestClass.h"
 #include "document/DocumentErrors.h"
 #include "document/formats/MeshFormat.h"
+#include "document/workpiece/ProgramToolsEdit.h"
+#include "document/workpiece/ProgramTrial.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "machining/lathe/LatheJson.h"
 #include "mesh/structure/Weld.h"
 #include "nurbs/StepFile.h"
 #include "scene/RevolvedGeometry.h"
@@ -29,6 +32,7 @@ class WorkpieceKindTest : public QObject {
   void savedIsLoaded();
   void containerOnDisk();
   void crashesAreKept();
+  void programToolsAreKept();
   void hostileManifest_data();
   void hostileManifest();
   void stepIsAValidSolid();
@@ -118,6 +122,47 @@ void WorkpieceKindTest::containerOnDisk() {
 }
 
 // Also of a bar that was not cut; and where an older program kept those of programs.
+// With their bodies, and undone as one step. Tools that cannot be are left out and said.
+void WorkpieceKindTest::programToolsAreKept() {
+  const LatheTools shipped = shippedLatheTools();
+  ProgramTools tools;
+  tools[1] = programToolOf(toolNamed(shipped, "right-roughing"), ProgramDialect::LinuxCnc);
+  tools[7] = {0.4, 3, {1.25, -20.5}};
+  WorkpieceDocument document({&m_kind, {}, std::make_shared<const WorkpieceSnapshot>(workpiece({40.0, 100.0, 0.0}))});
+  document.commit(QStringLiteral("Tools"),
+                  std::make_unique<ProgramToolsEdit>(std::make_shared<const ProgramTools>(tools)));
+  Container container;
+  m_kind.save(document.workpiece(), container);
+  *container.manifest = json::parse(container.manifest->dump());
+  std::vector<Error> damage;
+  const auto loaded = m_kind.load(container, damage, {});
+  QVERIFY(loaded && damage.empty() && valueOf(*loaded).programTools);
+  const ProgramTools& back = *valueOf(*loaded).programTools;
+  QCOMPARE(toolTableText(back), toolTableText(tools));
+  QVERIFY(back.at(1).body && back.at(1).body->id == "right-roughing" && !back.at(7).body);
+  // A program runs with them; a Fanuc has other numbers for the same side of the nose.
+  const ProgramSetup fanuc = programSetupFor(valueOf(*loaded), shipped, ProgramDialect::Fanuc, 0.8);
+  for (const auto& [number, tool] : tools)
+    QCOMPARE(tipDirection(ProgramDialect::Fanuc, fanuc.tools.at(number).orientation),
+             tipDirection(ProgramDialect::LinuxCnc, tool.orientation));
+  QCOMPARE(fanuc.tools.at(7).offset, ProfilePoint(1.25, -20.5));
+  document.history()->undo();
+  QVERIFY(!document.workpiece().programTools);
+  document.history()->redo();
+  QVERIFY(document.workpiece().programTools);
+
+  json& listed = (*container.manifest)["document"]["program_tools"];
+  listed.push_back({{"number", 2}, {"tool", "spoon"}, {"nose_radius", 0.4}, {"orientation", 2}, {"offset", {0, 0}}});
+  listed.push_back({{"number", 3}, {"nose_radius", -1}, {"orientation", 2}, {"offset", {0, 0}}});
+  listed.push_back({{"number", 4}, {"nose_radius", 1}, {"orientation", 12}, {"offset", {0, 0}}});
+  listed.push_back({{"number", -1}, {"nose_radius", 1}, {"orientation", 1}, {"offset", {0, 0}}});
+  listed.push_back({{"number", 5}, {"nose_radius", 1}, {"orientation", 1}, {"offset", {0, 1e9}}});
+  listed.push_back(3);
+  const auto partly = m_kind.load(container, damage, {});
+  QVERIFY(partly && valueOf(*partly).programTools->size() == 2);
+  QCOMPARE(damage.size(), std::size_t(6));
+}
+
 void WorkpieceKindTest::crashesAreKept() {
   WorkpieceSnapshot value = workpiece({40.0, 100.0, 0.0});
   LatheCollision crash;

@@ -3,6 +3,7 @@
 #include "machining/finish/FinishMeter.h"
 
 #include "TestClass.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/measure/RoughnessGrade.h"
 
 #include <QtTest>
@@ -145,6 +146,35 @@ class FinishMeterTest : public QObject {
     part.turn(bore);
     QVERIFY(isNear(part.at(90.0, TurningSide::Bore).roughness, raOfCusps(0.05, 0.4), 0.04));
     QVERIFY(!part.at(60.0, TurningSide::Bore).isKnown() && !part.at(90.0).isKnown());
+  }
+
+  // A drill leaves what drills leave, by either of the ways to record it; what is bored after it is bored. The ends of
+  // the range are those of ASME B46.1 at the feeds of Machinery's Handbook; between them it rises with the feed.
+  void drills() {
+    const auto range = [](double feed, double least, double largest) {
+      const double ra = drilledRoughness(feed);
+      return ra >= least && ra <= largest;
+    };
+    QVERIFY(range(0.05, 1.599, 1.601) && range(0.381, 6.299, 6.301));
+    QVERIFY(range(0.001, 1.599, 1.601) && range(5.0, 6.299, 6.301) && drilledRoughness(0.0) == 0.0);
+    for (double feed = 0.06; feed < 0.37; feed += 0.01) QVERIFY(drilledRoughness(feed) > drilledRoughness(feed - 0.01));
+
+    FollowedPart part;
+    TurningPass ball = passAt({0.0, 112.0}, {0.0, 70.0}, 0.1, 6.0, 200);
+    ball.side = TurningSide::Bore;
+    part.turn(ball);
+    QVERIFY(isNear(part.at(90.0, TurningSide::Bore).roughness, drilledRoughness(0.1), 0.01));
+    TurningPass bored = passAt({7.0 - 0.4, 103.0}, {7.0 - 0.4, 85.0}, 0.05, 0.4);
+    bored.side = TurningSide::Bore;
+    part.turn(bored);
+    QVERIFY(isNear(part.at(90.0, TurningSide::Bore).roughness, raOfCusps(0.05, 0.4), 0.04));
+
+    FollowedPart other;
+    TurningPass twist = passAt({0.0, 105.0}, {0.0, 70.0}, 0.2, 0.0, 200);
+    twist.side = TurningSide::Bore;
+    twist.tool = toolNamed(shippedLatheTools(), "drill-12");
+    other.turn(twist);
+    QVERIFY(isNear(other.at(90.0, TurningSide::Bore).roughness, drilledRoughness(0.2), 0.01));
   }
 
   // Cusps of f²/(8 R) have an Ra of a quarter of that: a quarter of what leaves is what Ra falls by. It ends at the

@@ -3,6 +3,7 @@
 #include "machining/program/ProgramSimulation.h"
 
 #include "TestClass.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramInterpreter.h"
 
 #include <QtTest>
@@ -184,6 +185,31 @@ class ProgramSimulationTest : public QObject {
     const double expected = M_PI * 25.0 * 15.0 + 2.0 / 3.0 * M_PI * 125.0;
     QVERIFY2(std::abs(removedBy(simulated) / expected - 1.0) < 2e-3, qPrintable(QString::number(removedBy(simulated))));
     QVERIFY(simulated.notes.empty());
+  }
+
+  // One whose body is known leaves its point of 118° at the bottom: a cone of half of that about the axis. What is
+  // bored above it leaves the rest of the cone. The passes repeat it, bit for bit.
+  void aDrillHasItsPoint() {
+    const LatheTools shipped = shippedLatheTools();
+    ProgramSetup setup;
+    setup.tools[1] = programToolOf(toolNamed(shipped, "drill-10"), setup.dialect);
+    setup.reference = {120.0, 100.0};
+    const TurnedProfile bar(kSimulatedBar, kFineSpacing);
+    const Simulated simulated =
+        simulate("G21 G18 G7\nT1 M6\nF100 S500 M3\nG0 X0 Z2\nG1 Z-20\nG0 Z2\nX50\n", setup, bar);
+    QVERIFY(simulated.isRun && simulated.collisions.empty());
+    const double point = 5.0 / std::tan(59.0 * M_PI / 180.0);  // mm, its height
+    const double expected = M_PI * 25.0 * (20.0 - point) + M_PI * 25.0 * point / 3.0;
+    QVERIFY2(std::abs(removedBy(simulated) / expected - 1.0) < 2e-3, qPrintable(QString::number(removedBy(simulated))));
+    const auto innerAt = [&](double z) {
+      return simulated.part.inner(static_cast<std::size_t>(std::lround((100.0 + z) / simulated.part.spacing())));
+    };
+    QVERIFY(std::abs(innerAt(-10.0) - 5.0) < 1e-9);
+    for (const double z : {-19.5, -18.5, -17.5})
+      QVERIFY(std::abs(innerAt(z) - (z + 20.0) * std::tan(59.0 * M_PI / 180.0)) < 0.03);
+    TurnedProfile again = bar;
+    for (const TurningPass& pass : simulated.passes) cut(again, pass);
+    QVERIFY(again == simulated.part);
   }
 
   void aPointDrillsNothingAndSaysSo() {

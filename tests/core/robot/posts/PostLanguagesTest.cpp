@@ -32,6 +32,24 @@ class PostLanguagesTest : public QObject {
     }));
   }
 
+  // A path may be called as people like: no program is called as a word of its language.
+  void wordsOfTheLanguageAreNoNames() {
+    RobotProgram program = programOf("ur5");
+    program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}});
+    const auto begins = [&](const char* post, const char* name, const char* expected) {
+      program.name = name;
+      const std::string text = postCalled(post)->write(program);
+      return text.find(expected) != text.npos;
+    };
+    QVERIFY(begins("krl", "Loop", "\nDEF Loop_path()\n"));
+    QVERIFY(begins("krl", "PTP", "\nDEF PTP_path()\n"));
+    QVERIFY(begins("krl", "looping", "\nDEF looping()\n"));
+    QVERIFY(begins("urscript", "end", "\ndef end_path():\n") && begins("urscript", "end", "\nend_path()\n"));
+    QVERIFY(begins("urscript", "movej", "def movej_path():\n"));
+    QVERIFY(begins("urscript", "ending", "def ending():\n"));
+    QVERIFY(begins("rapid", "EndProc", "PROC EndProc_path()\n"));
+  }
+
   // The rules of the languages, word by word.
   void rapidText() {
     RobotProgram program = programOf("irb120");

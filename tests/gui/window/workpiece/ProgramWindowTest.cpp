@@ -249,6 +249,39 @@ class ProgramWindowTest : public QObject {
     QVERIFY(document.workpiece().part && document.workpiece().crashes->size() == 1);
   }
 
+  // The table is part of the document: undone with it, saved and read again.
+  void theToolTableIsOfTheDocument() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("bar.handwheel");
+    QString shown;
+    {
+      ProgramWindow window;
+      QVERIFY(window.begin());
+      const QString without = window.driver.find<QPushButton>("programTools")->text();
+      window.driver.click("programTools");
+      window.driver.click("toolTablePost");
+      window.driver.click("toolTableAccept");
+      auto* tools = window.driver.find<QPushButton>("programTools");
+      QTRY_VERIFY(tools->text() != without);
+      shown = tools->text();
+      QVERIFY(window.document().workpiece().programTools);
+      window.document().history()->undo();
+      QVERIFY(window.driver.settle());
+      QVERIFY(tools->text() == without && !window.document().workpiece().programTools);
+      window.document().history()->redo();
+      QVERIFY(window.driver.settle());
+      QCOMPARE(tools->text(), shown);
+      window.driver.choose("saveFile");
+      QVERIFY(window.driver.enterFileName("saveDialog", path));
+      QVERIFY(window.driver.settle());
+    }
+    ProgramWindow window;
+    QVERIFY(window.driver.open(path));
+    window.driver.choose("programDockToggle");
+    QVERIFY(window.driver.settle());
+    QTRY_COMPARE(window.driver.find<QPushButton>("programTools")->text(), shown);
+  }
+
   // A program without end is let go of at once.
   void cancelledAtOnce() {
     ProgramWindow window;

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+namespace handwheel {
+
+// Exchanges what the tool numbers of programs are for a workpiece.
+class ProgramToolsEdit : public Edit {
+ public:
+  explicit ProgramToolsEdit(std::shared_ptr<const ProgramTools> tools) : m_tools(std::move(tools)) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override;
+
+ private:
+  std::shared_ptr<const ProgramTools> m_tools;
+};
+
+}  // namespace handwheel
