@@ -63,7 +63,7 @@ void CellReachOutline::look() {
   if (!scene) return;
   const auto& cell = static_cast<const RobotCellDocument&>(m_document->document);
   const Pose& tool = cell.plans()->tool;
-  Vec3 direction = toolPose(cell.robot().model, tool, cell.joints()).translation();
+  Vec3 direction = toolPose(cell.robot(), *cell.plans(), cell.joints()).translation();
   direction.z() = 0.0;
   direction = direction.norm() > 1e-6 ? Vec3(direction.normalized()) : Vec3::UnitX();
   const bool isSame = m_scene && m_scene->robot == scene->robot && m_tool.matrix() == tool.matrix() &&

@@ -134,13 +134,16 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
                       {"speed", place.speed},
                       {"blend_mm", place.blend}});
   }
-  return {{"name", path.name}, {"places", places}};
+  Json json = {{"name", path.name}, {"places", places}};
+  if (!path.arm.empty()) json["arm"] = path.arm;
+  return json;
 }
 
 Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const JointValues& others) {
   if (!json.is_object()) return malformedPath("path", "an object was expected");
   RobotPath path;
   path.name = stringAt(json, "name", "path");
+  path.arm = stringAt(json, "arm");
   const auto places = json.find("places"), waypoints = json.find("waypoints");
   const bool isDetailed = places != json.end();
   const auto& list = isDetailed ? places : waypoints;
