@@ -90,6 +90,9 @@ class SeveralRobotsTest : public QObject {
     QVERIFY(jsonOf(verified.out)["robots_moved"].empty());
     QVERIFY(cell.run(QStringList{"plan", "cell.handwheel"} + ends).err.contains("another robot"));
     QVERIFY(cell.run({"verify", "cell.handwheel", "swing", "--arm", "bar"}).err.contains("another robot"));
+    // A file of waypoints without the names of joints is of the joints of the robot that is planned for.
+    cell.put("way.json", R"({"waypoints": [[1], [-1]]})");
+    QCOMPARE(cell.run({"verify", "cell.handwheel", "way.json", "--arm", "right"}).code, 0);
     // The first one comes back: the path says so, and that they meet.
     cell.done({"set", "cell.handwheel", "joint.turn=0"});
     const Ran moved = cell.run({"verify", "cell.handwheel", "swing", "--json"});

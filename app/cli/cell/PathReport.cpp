@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Messages.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
 #include "robot/program/PathFile.h"
@@ -123,9 +124,10 @@ Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& ce
   constexpr std::size_t kLargestFile = std::size_t{64} << 20;
   const Result<std::string> bytes = readFileHead(name, kLargestFile);
   const Post* const post = postForEnding(name);
-  Result<RobotPath> path = !bytes ? Result<RobotPath>(bytes.error())
-                           : post ? pathFromProgram(scene, cell, *post, *bytes)
-                                  : readPath(*bytes, cell.robot->model, cell.joints);
+  Result<RobotPath> path =
+      !bytes ? Result<RobotPath>(bytes.error())
+      : post ? pathFromProgram(scene, cell, *post, *bytes)
+             : readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
   if (path) path->arm = cell.plans->arm;  // a file may have been made for a robot of another name
   if (path) return path;
   Error error = path.error();

@@ -10,6 +10,8 @@
 #include "cli/cell/CellFile.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
+#include "document/cell/CellErrors.h"
 #include "document/cell/CellScene.h"
 #include "planning/GuideCurve.h"
 #include "planning/Teleoperation.h"
@@ -205,6 +207,8 @@ int runTeleop(const Arguments& arguments, const DocumentKinds& kinds) {
   const RobotPath* const path = arguments.has("follow") ? cell.plans->path(arguments.valueOf("follow")) : nullptr;
   if (arguments.has("follow") && (!path || path->places.empty()))
     return refuse(arguments.operands[0] + ": there is no path \"" + arguments.valueOf("follow") + "\" in it.");
+  if (path && !isSameArm(*cell.robot, path->arm, cell.plans->arm))
+    return fail(Error{CellError::OfOtherArm, {path->name, path->arm}, {}, {}});
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   std::vector<TeleopRun> runs;

@@ -136,7 +136,10 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
 }
 
 void CellPaths::askForPath() {
-  auto* dialog = new PlanDialog(plans(), m_parts.fidelity.values(), m_document->document.displayUnit(), m_parts.window);
+  CellPlans offered = plans();  // configurations of another robot are no places of this one
+  std::erase_if(offered.configurations,
+                [&](const NamedConfiguration& each) { return !isSameArm(cell().robot(), each.arm, offered.arm); });
+  auto* dialog = new PlanDialog(offered, m_parts.fidelity.values(), m_document->document.displayUnit(), m_parts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PlanDialog::chosen, this, [this, document = m_document](const OperationValues& values) {
     if (document == m_document) plan(values);
@@ -388,15 +391,17 @@ void CellPaths::importProgram(const QString& file) {
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
   const Result<std::string> bytes = readFileHead(name, Post::kLargestText);
   const Post* const post = postForEnding(name);
-  Result<RobotPath> read = !bytes ? Result<RobotPath>(bytes.error())
-                           : post ? pathFromProgram(*scene, *content, *post, *bytes)
-                                  : readPath(*bytes, cell().robot().model, cell().joints());
+  Result<RobotPath> read =
+      !bytes ? Result<RobotPath>(bytes.error())
+      : post ? pathFromProgram(*scene, *content, *post, *bytes)
+             : readPath(*bytes, cell().robot().model, cell().joints(), dofsOfArm(cell().robot(), scene->armNumber));
   if (!read) {
     Error error = read.error();
     error.subject = name;
     return report(error);
   }
   CellPlans changed = plans();
+  read->arm = changed.arm;
   read->name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
   const PlanTree::Entry entry{Kind::Path, read->name};
   changed.paths.push_back(std::move(read).value());

@@ -35,12 +35,17 @@ Result<CellPlans> withArmChosen(const CellRobot& robot, CellPlans plans, std::st
   return plans;
 }
 
-JointValues withJointsOf(const CellRobot& robot, std::size_t arm, JointValues joints, const JointValues& from) {
+std::vector<std::uint32_t> dofsOfArm(const CellRobot& robot, std::size_t arm) {
   const std::vector<std::uint32_t> owners = armsOfDofs(robot.model, robot.arms);
-  for (std::size_t dof = 0; dof < owners.size(); ++dof) {
-    const auto index = static_cast<Eigen::Index>(dof);
-    if (owners[dof] == arm) joints[index] = from[index];
+  std::vector<std::uint32_t> dofs;
+  for (std::uint32_t dof = 0; dof < owners.size(); ++dof) {
+    if (owners[dof] == arm) dofs.push_back(dof);
   }
+  return dofs;
+}
+
+JointValues withJointsOf(const CellRobot& robot, std::size_t arm, JointValues joints, const JointValues& from) {
+  for (const std::uint32_t dof : dofsOfArm(robot, arm)) joints[dof] = from[dof];
   return joints;
 }
 

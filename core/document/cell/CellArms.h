@@ -22,6 +22,8 @@ bool isSameArm(const CellRobot& robot, std::string_view one, std::string_view ot
 // The plans with this robot as the one that is planned for. Error: ArmMissing {name}.
 Result<CellPlans> withArmChosen(const CellRobot& robot, CellPlans plans, std::string_view name);
 
+// The degrees of freedom of one robot, in order.
+std::vector<std::uint32_t> dofsOfArm(const CellRobot& robot, std::size_t arm);
 // Joint values with those of one robot from others.
 JointValues withJointsOf(const CellRobot& robot, std::size_t arm, JointValues joints, const JointValues& from);
 

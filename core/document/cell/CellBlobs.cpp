@@ -3,6 +3,7 @@
 #include "document/cell/CellBlobs.h"
 
 #include "base/JsonText.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/PlansBlobs.h"
 #include "document/cell/SurfaceBudget.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace handwheel {
 
@@ -60,6 +62,11 @@ class Loading {
     auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = readJoints(robot->model);
     cell->plans = readPlans(m_container, robot->model, cell->joints, m_damage);
+    if (!armNumber(*robot, cell->plans->arm)) {
+      auto plans = std::make_shared<CellPlans>(*cell->plans);
+      m_damage.push_back({ErrorCode::ReferenceMissing, {"the robot", std::exchange(plans->arm, {})}, {}, {}});
+      cell->plans = std::move(plans);
+    }
     cell->robot = std::move(robot);
     Result<BodySet> bodies = readBodies(m_container, kCellFolder, m_damage, progress.part(0.5, 1.0));
     if (!bodies) return bodies.error();

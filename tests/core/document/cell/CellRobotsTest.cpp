@@ -264,6 +264,17 @@ class CellRobotsTest : public QObject {
     QCOMPARE(cell->robot->arms.size(), std::size_t{1});
   }
 
+  // Plans for a robot that is not there are for the first one.
+  void plansOfNobody() {
+    Container container = saved(twoBars());
+    container.blobs["cell/plans.json"] = R"({"arm": "nobody", "tool": [1,0,0,5,0,1,0,0,0,0,1,0]})";
+    std::vector<Error> damage;
+    const auto cell = loaded(container, damage);
+    QVERIFY(cell && damage.size() == 1);
+    QCOMPARE(activeArm(*cell->robot, *cell->plans).name, std::string("bar"));
+    QVERIFY(isSameArm(*cell->robot, cell->plans->arm, "bar"));
+  }
+
   // The same robot again: its mesh goes with it, and each has joints of its own.
   void addedTwice() {
     const RobotCellSnapshot arm = cellIn(importOrThrow(m_package.urdf()));
