@@ -23,6 +23,18 @@ class TwoRobotsWindow : public CellWindow {
     dialog->setTextValue("Universal Robots UR5");
     dialog->accept();
   }
+  // Pixels in which red is far more than the other colours: of what collides, and of an axis.
+  int reds() {
+    const QImage image = view()->grabImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor pixel = image.pixelColor(x, y);
+        count += pixel.red() > 60 && pixel.red() > 3 * pixel.green() && pixel.red() > 3 * pixel.blue() ? 1 : 0;
+      }
+    }
+    return count;
+  }
   // The row of a robot in the list of what is planned.
   QTreeWidgetItem* robot(int number) { return tree()->topLevelItem(3)->child(number); }
 };
@@ -65,6 +77,27 @@ class CellRobotsWindowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(driver.box()->count(), 2);
     QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
+  }
+
+  // One robot within the other is red, whichever is planned for, and no longer when it stands beside it.
+  void whatMeetsIsRed() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.showAll();
+    QVERIFY(driver.settle());
+    const int apart = driver.reds();
+    driver.tree()->setCurrentItem(driver.robot(1));
+    driver.edit("robot.ur5.x", "0");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.reds() > apart + 500, kPatienceMs);
+    driver.choose("chooseRobot");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.reds() > apart + 500, kPatienceMs);
+    driver.tree()->setCurrentItem(driver.robot(1));
+    driver.edit("robot.ur5.x", "3000");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.reds() <= apart + 100, kPatienceMs);
   }
 };
 
