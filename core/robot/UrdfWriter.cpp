@@ -28,6 +28,11 @@ std::string escaped(std::string_view text) {
       case '"':
         made += "&quot;";
         break;
+      case '\n':
+      case '\r':
+      case '\t':  // as they are, readers of attributes take them for a space
+        made += "&#" + std::to_string(static_cast<int>(c)) + ';';
+        break;
       default:
         made += c;
     }
@@ -95,8 +100,13 @@ const char* typeOf(JointKind kind) {
   return "fixed";
 }
 
+// What a joint's position in the unit of the model is in metres or radians.
+double writtenUnit(const Joint& joint) {
+  return joint.kind == JointKind::Prismatic ? kMetresPerMillimetre : 1.0;
+}
+
 std::string limitText(const Joint& joint) {
-  const double unit = joint.kind == JointKind::Prismatic ? kMetresPerMillimetre : 1.0;
+  const double unit = writtenUnit(joint);
   std::string text = "<limit";
   if (joint.kind != JointKind::Continuous) {
     text += attribute("lower", shortestText(unit * joint.limits.lower)) +
@@ -106,17 +116,23 @@ std::string limitText(const Joint& joint) {
          attribute("effort", shortestText(joint.limits.effort.value_or(0.0))) + "/>";
 }
 
+// A joint that follows one that does not move stands; it is written as one that is fixed where it stands.
 std::string jointText(const RobotModel& robot, std::uint32_t number) {
   const Joint& joint = robot.joints[number];
-  std::string text = "  <joint" + attribute("name", joint.name) + attribute("type", typeOf(joint.kind)) + "><parent" +
+  const bool isFixed = joint.dof == kNone;
+  Pose origin = joint.origin;
+  if (isFixed && joint.kind == JointKind::Prismatic) origin.translate(joint.offset * joint.axis);
+  if (isFixed && joint.kind != JointKind::Prismatic) origin.rotate(Eigen::AngleAxisd(joint.offset, joint.axis));
+  std::string text = "  <joint" + attribute("name", joint.name) +
+                     attribute("type", typeOf(isFixed ? JointKind::Fixed : joint.kind)) + "><parent" +
                      attribute("link", robot.links[joint.parent].name) + "/><child" +
-                     attribute("link", robot.links[joint.child].name) + "/>" + originText(joint.origin);
-  if (joint.kind != JointKind::Fixed)
-    text += "<axis" + attribute("xyz", numbersText(joint.axis)) + "/>" + limitText(joint);
-  if (joint.dof != kNone && robot.dofs[joint.dof] != number) {
-    text += "<mimic" + attribute("joint", robot.jointOfDof(joint.dof).name) +
-            attribute("multiplier", shortestText(joint.factor)) + attribute("offset", shortestText(joint.offset)) +
-            "/>";
+                     attribute("link", robot.links[joint.child].name) + "/>" + originText(origin);
+  if (!isFixed) text += "<axis" + attribute("xyz", numbersText(joint.axis)) + "/>" + limitText(joint);
+  if (!isFixed && robot.dofs[joint.dof] != number) {
+    const Joint& leader = robot.jointOfDof(joint.dof);
+    text += "<mimic" + attribute("joint", leader.name) +
+            attribute("multiplier", shortestText(joint.factor * writtenUnit(joint) / writtenUnit(leader))) +
+            attribute("offset", shortestText(joint.offset * writtenUnit(joint))) + "/>";
   }
   return text + "</joint>\n";
 }

@@ -27,7 +27,8 @@ class CommandLineTest : public QObject {
                                 "target",   "train",   "force",
                                 "thread",   "ik",      "benchmark-planning",
                                 "plan",     "verify",  "configuration",
-                                "post",     "teleop",  "optimise-path"}) {
+                                "post",     "teleop",  "optimise-path",
+                                "robot"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -40,8 +41,8 @@ class CommandLineTest : public QObject {
     const QRegularExpression command("^  [a-z-]+ ", QRegularExpression::MultilineOption);
     const QRegularExpression entry("^  [a-z-]+ +[A-Z][A-Za-z ,;:().'\n-]*?\\.$(?!\\n   )",
                                    QRegularExpression::MultilineOption);
-    QCOMPARE(table.count(command), 34);
-    QCOMPARE(table.count(entry), 34);
+    QCOMPARE(table.count(command), 35);
+    QCOMPARE(table.count(entry), 35);
     for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
       QVERIFY2(line.startsWith(QString(22, ' ')) || command.match(line).hasMatch(), qPrintable(line));
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",

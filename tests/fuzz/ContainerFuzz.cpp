@@ -149,6 +149,7 @@ RobotCellSnapshot smallCell() {
   const auto read = readUrdf(robot.description);
   require(read.hasValue(), "no robot");
   robot.model = read->robot;
+  robot.arms = {wholeArm(robot.model)};
   robot.surfaces.push_back(std::make_shared<const TriangleSoup>(triangle));
   RobotCellSnapshot content;
   content.robot = std::make_shared<const CellRobot>(std::move(robot));

@@ -230,6 +230,9 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "mm or m was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a length was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "its name is not unique"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a robot is not in the description"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the robot"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a cell with several robots as one robot"),
     // of lathes, programs and exercises
     QT_TRANSLATE_NOOP("ErrorWord", "a list was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a nose radius is impossible"),

@@ -15,6 +15,7 @@
 #include "cli/cell/PlanningBenchmark.h"
 #include "cli/cell/PostCommand.h"
 #include "cli/cell/ProcessCommand.h"
+#include "cli/cell/RobotCommand.h"
 #include "cli/cell/TeleopCommand.h"
 #include "cli/cell/VerifyCommand.h"
 #include "document/Document.h"
@@ -97,7 +98,7 @@ std::vector<Command> cellCommands() {
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return {{std::move(spec), runBody}, configurationCommand(), ikCommand(),   planCommand(),
           processCommand(),           verifyCommand(),        postCommand(), teleopCommand(),
-          planningBenchmarkCommand(), optimiseCommand()};
+          planningBenchmarkCommand(), optimiseCommand(),      robotCommand()};
 }
 
 }  // namespace handwheel

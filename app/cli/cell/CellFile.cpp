@@ -5,10 +5,9 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellImport.h"
 #include "text/NoteText.h"
-
-#include <optional>
 
 namespace handwheel {
 
@@ -31,7 +30,31 @@ Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds) {
   return CellFile{std::move(opened->value()), std::move(cell)};
 }
 
-int saveCell(const CellFile& file, const RobotCellSnapshot& content, const std::filesystem::path& output) {
+OptionSpec armOption() {
+  return {"arm", 0, "NAME", "The robot, of a cell with several (default: the one that is planned for)"};
+}
+
+Result<CellFile> openCellForArm(const Arguments& arguments, const DocumentKinds& kinds, const std::string& path) {
+  Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  if (!file) return file;
+  const RobotPath* const known = file->cell->plans->path(path);
+  const std::string arm = arguments.has("arm") ? arguments.valueOf("arm") : known ? known->arm : file->cell->plans->arm;
+  Result<CellPlans> plans = withArmChosen(*file->cell->robot, *file->cell->plans, arm);
+  if (!plans) return plans.error();
+  if (*plans == *file->cell->plans) return file;
+  auto cell = std::make_shared<RobotCellSnapshot>(*file->cell);
+  file->ownArm = activeArm(*cell->robot, *cell->plans).name;
+  cell->plans = std::make_shared<const CellPlans>(std::move(plans).value());
+  file->cell = std::move(cell);
+  return file;
+}
+
+int saveCell(const CellFile& file, const RobotCellSnapshot& given, const std::filesystem::path& output) {
+  RobotCellSnapshot content = given;
+  if (file.ownArm) {
+    const Result<CellPlans> plans = withArmChosen(*content.robot, *content.plans, *file.ownArm);
+    if (plans) content.plans = std::make_shared<const CellPlans>(*plans);
+  }
   if (const std::string refusal = refusalToReplace(output, file.opened.file); !refusal.empty()) return refuse(refusal);
   std::optional<Result<WrittenFile>> written;
   runInterruptible("Writing", [&](CommandJob& job) {

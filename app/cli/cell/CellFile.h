@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/Command.h"
 #include "document/DocumentKind.h"
 #include "document/cell/RobotCellSnapshot.h"
+
+#include <optional>
 
 namespace handwheel {
 
@@ -11,11 +14,19 @@ namespace handwheel {
 struct CellFile {
   OpenedFile opened;
   std::shared_ptr<const RobotCellSnapshot> cell;  // its content
+  // The robot that its plans were for, if another was chosen for this command; it is written as it was.
+  std::optional<std::string> ownArm = {};
 };
 
 // Opens a cell: a document, a robot description, or a robot that comes with the program, by its name. Reports what is
 // lost. Errors: those of DocumentKinds::open(); Unsupported for other kinds of documents.
 Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds);
+
+// The option --arm of commands that work with one of the robots of a cell.
+OptionSpec armOption();
+// Opens the cell of the first operand with the robot of --arm as the one that is planned for; without the option that
+// of a path of the cell, if this is the name of one. Errors: those of openCell(); ArmMissing.
+Result<CellFile> openCellForArm(const Arguments& arguments, const DocumentKinds& kinds, const std::string& path = {});
 
 // Writes the cell with other content. Reports what is wrong, or notes. Returns the exit code.
 int saveCell(const CellFile& file, const RobotCellSnapshot& content, const std::filesystem::path& output);

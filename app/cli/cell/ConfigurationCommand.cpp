@@ -100,7 +100,7 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
     return failUsage(sentenceOf(problem), id);
   const bool isListing = values.flag("solutions");
   if (!isListing && !arguments.has("output")) return failUsage("The option -o OUT is missing.", id);
-  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return fail(file.error());
   if (isListing) return listWays(values, *file->cell, arguments.has("json"));
   Result<ChangedCell> changed = changedCell(values, *file->cell);
@@ -128,6 +128,7 @@ Command configurationCommand() {
       "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
       {}};
   spec.options = optionsOf(configurationOperation());
+  spec.options.push_back(armOption());
   spec.options.push_back({"srdf", 0, "FILE", "Adds the pairs that may touch and the states of a semantic description"});
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel; may be CELL"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});

@@ -9,6 +9,7 @@
 #include "cli/cell/CellFile.h"
 #include "document/Container.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "robot/UrdfReader.h"
 #include "robot/arm/ClosedFormIk.h"
@@ -37,6 +38,10 @@ const Operation& ikOperation() {
            .word = "X,Y,Z,QW,QX,QY,QZ",
            .parts = {{"x"}, {"y"}, {"z"}, {"qw"}, {"qx"}, {"qy"}, {"qz"}},
            .hasDefault = false},
+          {.property = {.id = "arm", .group = {}, .label = {}, .value = ""},
+           .meaning = "The robot, of a cell with several; the pose is in the frame of the cell",
+           .word = "NAME",
+           .hasDefault = false},
           {.property = {.id = "tip", .group = {}, .label = {}, .value = ""},
            .meaning = "The link whose pose it is, of a URDF or a cell; without it the last one",
            .word = "LINK",
@@ -58,24 +63,28 @@ Error withSubject(Error error, const std::string& subject) {
 }
 
 // From the root of a robot to a link, or to its last one.
-Result<SerialArm> armTo(const RobotModel& robot, const std::string& tip, const std::string& subject) {
-  const std::uint32_t link = tip.empty() ? toolLink(robot) : linkNamed(robot, tip);
+Result<SerialArm> armTo(const RobotModel& robot, const std::string& tip, std::uint32_t last,
+                        const std::string& subject) {
+  const std::uint32_t link = tip.empty() ? last : linkNamed(robot, tip);
   if (link == kNone) return Error{ErrorCode::ReferenceMissing, {"link", tip, {}}, {}, subject};
   const auto arm = SerialArm::of(robot, robot.root, link);
   return arm ? Result<SerialArm>(arm->arm) : withSubject(arm.error(), subject);
 }
 
 // That of a cell ends at its tool's centre point, unless another link is named.
-Result<SerialArm> armOfCell(const std::string& name, const std::string& tip, const DocumentKinds& kinds) {
-  const Result<CellFile> file = openCell(name, kinds);
+Result<SerialArm> armOfCell(const Arguments& arguments, const std::string& tip, const DocumentKinds& kinds) {
+  const std::string& name = arguments.operands[0];
+  const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return file.error();
-  const Result<SerialArm> arm = armTo(file->cell->robot->model, tip, name);
+  const CellRobot& robot = *file->cell->robot;
+  const Result<SerialArm> arm = armTo(robot.model, tip, activeArm(robot, *file->cell->plans).flange, name);
   if (!arm || !tip.empty()) return arm;
   return SerialArm({arm->joints().begin(), arm->joints().end()}, arm->tip() * file->cell->plans->tool);
 }
 
 // A robot by its built-in name, a table in JSON, a URDF or a cell.
-Result<SerialArm> armCalled(const std::string& name, const std::string& tip, const DocumentKinds& kinds) {
+Result<SerialArm> armCalled(const Arguments& arguments, const std::string& tip, const DocumentKinds& kinds) {
+  const std::string& name = arguments.operands[0];
   const auto ofTable = [](const DhTable& table) {
     return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
   };
@@ -84,10 +93,10 @@ Result<SerialArm> armCalled(const std::string& name, const std::string& tip, con
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::RobotUnknown, {name}, {}, {}};
   const Result<std::string> bytes = readFileBytes(name);
   if (!bytes) return withSubject(bytes.error(), name);
-  if (looksLikeContainer(*bytes)) return armOfCell(name, tip, kinds);
+  if (looksLikeContainer(*bytes)) return armOfCell(arguments, tip, kinds);
   if (looksLikeUrdf(*bytes)) {
     const Result<ReadRobot> read = readUrdf(*bytes);
-    return read ? armTo(read->robot, tip, name) : withSubject(read.error(), name);
+    return read ? armTo(read->robot, tip, toolLink(read->robot), name) : withSubject(read.error(), name);
   }
   const std::size_t begin = bytes->find_first_not_of(" \t\r\n");
   const bool isJson = begin != bytes->npos && (*bytes)[begin] == '{';
@@ -166,7 +175,7 @@ int runIk(const Arguments& arguments, const DocumentKinds& kinds) {
   Pose pose(turn.normalized());
   pose.translation() = Vec3(numbers[0], numbers[1], numbers[2]);
   const std::string tip = values.isSet("tip") ? values.text("tip") : std::string();
-  const Result<SerialArm> arm = armCalled(arguments.operands[0], tip, kinds);
+  const Result<SerialArm> arm = armCalled(arguments, tip, kinds);
   if (!arm) return fail(arm.error());
   const std::vector<FoundValues> found = solutionsFor(*arm, pose, values);
   const int printed = print(ikReport(found, arguments.has("json")));

@@ -39,7 +39,7 @@ int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(optimisationOperation());
   const std::string& id = optimisationOperation().id;
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
-  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};

@@ -5,9 +5,9 @@
 #include "base/NumberText.h"
 #include "cli/Messages.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
-#include "robot/dh/DhTable.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/PathExport.h"
 
@@ -42,15 +42,12 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   const PathMetrics& metrics = checked.metrics;
   nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
   for (const PathCollision& each : checked.verification.collisions) collisions.push_back(toJson(scene, checked, each));
-  nlohmann::ordered_json json = {{"certified", checked.isCertified()},
-                                 {"length_rad", metrics.length},
-                                 {"waypoints", path.places.size()},
-                                 {"min_clearance_mm", metrics.leastClearance},
-                                 {"manipulability", metrics.manipulability},
-                                 {"security_mm", metrics.security},
-                                 {"limit_margin", metrics.leastMargin},
-                                 {"cycle_s", checked.seconds},
-                                 {"collisions", collisions}};
+  nlohmann::ordered_json json = {
+      {"certified", checked.isCertified()},       {"length_rad", metrics.length},
+      {"waypoints", path.places.size()},          {"min_clearance_mm", metrics.leastClearance},
+      {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
+      {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
+      {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
   return json;
 }
@@ -68,6 +65,8 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
     text += "the arm cannot follow the line to place " + std::to_string(*checked.way.stopsAt + 1) +
             ": it stops after " + share(checked.way.reached) + "\n";
   }
+  for (const std::string& robot : checked.robotsMoved)
+    text += "the robot " + robot + " has moved since the path was made; all this is about where it stands now\n";
   for (const PathCollision& each : checked.verification.collisions) {
     const auto [link, other] = scene.namesOf(each.deepest);
     text += "motion to place " + std::to_string(checked.placeOf(each.motion) + 1) + ", " + share(each.from) + " to " +
@@ -79,7 +78,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
 void warnOfShapes(const CellScene& scene) {
   for (const std::uint32_t link : scene.shapeless)
     complain("The mesh of the link " + scene.robot->model.links[link].name + " is missing: it collides with nothing.");
-  if (hasPlainShapes(scene.robot->model)) {
+  if (hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber)) {
     complain(
         "The robot has simplified shapes, smaller than its own in places: keep a clearance, or use its meshes by a "
         "URDF.");
@@ -125,9 +124,11 @@ Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& ce
   constexpr std::size_t kLargestFile = std::size_t{64} << 20;
   const Result<std::string> bytes = readFileHead(name, kLargestFile);
   const Post* const post = postForEnding(name);
-  Result<RobotPath> path = !bytes ? Result<RobotPath>(bytes.error())
-                           : post ? pathFromProgram(scene, cell, *post, *bytes)
-                                  : readPath(*bytes, cell.robot->model, cell.joints);
+  Result<RobotPath> path =
+      !bytes ? Result<RobotPath>(bytes.error())
+      : post ? pathFromProgram(scene, cell, *post, *bytes)
+             : readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
+  if (path) path->arm = cell.plans->arm;  // a file may have been made for a robot of another name
   if (path) return path;
   Error error = path.error();
   error.subject = name;

@@ -56,7 +56,7 @@ int runPlan(const Arguments& arguments, const DocumentKinds& kinds) {
   for (const char* const end : {"from", "to"}) {
     if (!values.isSet(end)) return failUsage(std::string("The option --") + end + " PLACE is missing.", id);
   }
-  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return fail(file.error());
   if (arguments.has("compare")) {
     if (arguments.has("output")) return failUsage("--compare cannot be combined with -o: it plans several paths.", id);

@@ -78,6 +78,7 @@ int outputUnsolved(const Error& error, const Arguments& arguments) {
 
 std::vector<OptionSpec> pathOptions(const Operation& operation) {
   std::vector<OptionSpec> options = optionsOf(operation);
+  options.push_back(armOption());
   options.push_back({"output", 'o', "OUT", "The path as JSON, or the cell with the path as .handwheel"});
   options.push_back({"json", 0, "", "Report as JSON"});
   options.push_back({"help", 'h', "", "Show this help"});

@@ -24,7 +24,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "post");
   const Post* const post = postCalled(arguments.valueOf("controller"));
   if (!post) return failUsage("The option --controller takes one of " + controllers() + ".", "post");
-  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
   PathCheckSettings check{.clearance = file->cell->plans->clearance};
   if (const std::string problem = readProof(arguments, check); !problem.empty()) return failUsage(problem, "post");
@@ -77,6 +77,7 @@ Command postCommand() {
       "The program is read back and compared with the path before it is written. docs/robots.md has more.",
       {}};
   spec.options.push_back({"controller", 0, "NAME", "The language: " + controllers()});
+  spec.options.push_back(armOption());
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"output", 'o', "OUT", "The file to write"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});

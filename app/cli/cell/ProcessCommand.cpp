@@ -28,7 +28,7 @@ int runProcess(const Arguments& arguments, const DocumentKinds& kinds) {
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
   if (!values.isSet("part")) return failUsage("The option --part BODY is missing.", id);
   if (!values.isSet("near")) return failUsage("The option --near X,Y,Z is missing.", id);
-  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return fail(file.error());
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};

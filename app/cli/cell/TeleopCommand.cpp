@@ -10,6 +10,8 @@
 #include "cli/cell/CellFile.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
+#include "document/cell/CellErrors.h"
 #include "document/cell/CellScene.h"
 #include "planning/GuideCurve.h"
 #include "planning/Teleoperation.h"
@@ -198,12 +200,15 @@ int runTeleop(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!read) return fail(read.error());
     if (!problem.empty()) return refuse(problem);
   }
-  const Result<CellFile> opened = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> opened =
+      openCellForArm(arguments, kinds, arguments.has("follow") ? arguments.valueOf("follow") : std::string());
   if (!opened) return fail(opened.error());
   const RobotCellSnapshot& cell = *opened->cell;
   const RobotPath* const path = arguments.has("follow") ? cell.plans->path(arguments.valueOf("follow")) : nullptr;
   if (arguments.has("follow") && (!path || path->places.empty()))
     return refuse(arguments.operands[0] + ": there is no path \"" + arguments.valueOf("follow") + "\" in it.");
+  if (path && !isSameArm(*cell.robot, path->arm, cell.plans->arm))
+    return fail(Error{CellError::OfOtherArm, {path->name, path->arm}, {}, {}});
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   std::vector<TeleopRun> runs;
@@ -241,6 +246,7 @@ Command teleopCommand() {
       "With --follow it says how well the hand led the tool along a path of the cell, from whose begin\n"
       "it starts; --eyes, --force and --fixture compare three hands in one table.",
       {}};
+  spec.options.push_back(armOption());
   spec.options.push_back({"path", 0, "HAND.csv", "The path of the hand"});
   spec.options.push_back({"scale", 0, "FACTOR", "mm of the tool to a mm of the hand (default 1)"});
   spec.options.push_back({"follow", 0, "PATH", "Path of the cell that the hand was to lead the tool along"});

@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
-  const Result<CellFile> file = openCell(arguments.operands[0], kinds);
+  const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
   PathCheckSettings check{.clearance = file->cell->plans->clearance};
   double& clearance = check.clearance;
@@ -46,6 +46,7 @@ Command verifyCommand() {
                       "Verifies a path of a robot: proves each motion free of collisions, or lists all that collides.\n"
                       "PATH is the name of a path in the cell, or a file. The program ends with 2 unless all is free.",
                       {}};
+  spec.options.push_back(armOption());
   spec.options.push_back({"clearance", 0, "MM", "That is to be kept from everything; without it that of the cell"});
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"step", 0, "RAD", "Between the places at which what is not proven free is looked at; 0.01"});

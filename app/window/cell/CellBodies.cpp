@@ -2,27 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/CellBodies.h"
 
-#include "controls/CommandModel.h"
 #include "document/cell/RobotCellDocument.h"
 #include "panels/bodies/BodyList.h"
 #include "scene/PrimitiveGeometry.h"
 #include "window/ActionToolTip.h"
+#include "window/cell/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 
 namespace handwheel {
-
-namespace {
-
-// reason: why it is disabled, when it is.
-void enable(QAction& action, bool isEnabled, const QString& reason) {
-  action.setEnabled(isEnabled);
-  action.setProperty(kDisabledReason, isEnabled ? QString() : reason);
-}
-
-}  // namespace
 
 CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
     : QObject(parent),
@@ -147,21 +137,21 @@ void CellBodies::update() {
   m_list->setBodies(bodies);
   m_list->setSelected(m_selection.bodies());
   const QString noCell = tr("Open a robot cell first.");
-  for (QAction* action : adding() + m_shapes->actions()) enable(*action, m_document != nullptr, noCell);
+  for (QAction* action : adding() + m_shapes->actions()) offer(*action, m_document != nullptr, noCell);
   const auto isVisible = [&](BodyId id) { return bodies.withId(id)->visible; };
   const bool isAnyVisible = std::any_of(m_selection.bodies().begin(), m_selection.bodies().end(), isVisible);
   const auto isHidden = [](const BodyPointer& body) { return !body->visible; };
   const QString noBody = tr("Select a body first, in the view or in the list.");
-  enable(m_remove, !m_selection.empty(), noBody);
-  enable(m_hide, isAnyVisible, m_selection.empty() ? noBody : tr("It is hidden."));
-  enable(m_showAll, std::any_of(bodies.begin(), bodies.end(), isHidden), tr("No body is hidden."));
+  offer(m_remove, !m_selection.empty(), noBody);
+  offer(m_hide, isAnyVisible, m_selection.empty() ? noBody : tr("It is hidden."));
+  offer(m_showAll, std::any_of(bodies.begin(), bodies.end(), isHidden), tr("No body is hidden."));
   const BodyPointer body = selected();
   const QString noSingleBody = m_selection.empty() ? noBody : tr("Select one body only.");
-  enable(m_mount, body != nullptr, noSingleBody);
-  enable(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);
-  enable(m_relink, body != nullptr, noSingleBody);
+  offer(m_mount, body != nullptr, noSingleBody);
+  offer(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);
+  offer(m_relink, body != nullptr, noSingleBody);
   const QString noLink = body ? tr("The body is not linked to a file.") : m_relink.property(kDisabledReason).toString();
-  for (QAction* action : {&m_update, &m_unlink}) enable(*action, body && body->link, noLink);
+  for (QAction* action : {&m_update, &m_unlink}) offer(*action, body && body->link, noLink);
 }
 
 }  // namespace handwheel

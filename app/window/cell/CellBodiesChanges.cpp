@@ -4,6 +4,7 @@
 // How the actions for bodies change the document.
 #include "document/OperationText.h"
 #include "document/cell/BodyCarriers.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
@@ -120,7 +121,7 @@ void CellBodies::removeSelected() {
 
 void CellBodies::mountSelected() {
   const RobotModel& robot = cell().robot().model;
-  const std::uint32_t flange = toolLink(robot);
+  const std::uint32_t flange = activeArm(cell().robot(), *cell().plans()).flange;
   auto edit = mountEdit(cell().bodies(), selected()->id, flange, robot);
   if (!edit) return report(cell(), edit.error());
   if (!*edit) return m_parts.log.add(tr("Nothing has changed"));

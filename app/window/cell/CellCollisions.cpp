@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/CellCollisions.h"
 
+#include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "window/JobRunner.h"
 #include "window/cell/CollisionColour.h"
 #include "window/documents/DocumentTab.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace handwheel {
@@ -23,6 +25,7 @@ void CellCollisions::setDocument(DocumentTab* document) {
   m_parts.jobs.cancelOf(this);
   m_document = document;
   m_scene.reset();
+  m_others.clear();
   if (!document) return;
   connect(&document->document, &Document::changed, this, &CellCollisions::prepare);
   prepare();
@@ -30,39 +33,81 @@ void CellCollisions::setDocument(DocumentTab* document) {
 
 bool CellCollisions::isPrepared() const {
   if (!m_scene || m_scene->robot.get() != &cell().robot() || !(m_scene->bodies == cell().bodies())) return false;
-  return m_allowed == cell().plans()->allowed && m_scene->standsAs(cell().joints());
+  return m_allowed == cell().plans()->allowed && m_scene->standsAs(cell().joints()) &&
+         m_scene->armNumber == activeArmNumber(cell().robot(), *cell().plans());
 }
 
+bool CellCollisions::areOthersPrepared() const {
+  return m_others.size() + 1 == cell().robot().arms.size() &&
+         std::all_of(m_others.begin(), m_others.end(),
+                     [&](const auto& scene) { return !scene || scene->standsAs(cell().joints()); });
+}
+
+// The other robots stand elsewhere for each other whenever one has moved, which does not change the scene of the one
+// that is planned for.
 void CellCollisions::prepare() {
-  if (isPrepared()) return;
-  m_scene.reset();
+  const bool isMain = !isPrepared();
+  if (!isMain && areOthersPrepared()) return;
+  if (isMain) m_scene.reset();
+  m_others.clear();
   m_parts.jobs.cancelOf(this);
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
   Job job;
   job.name = tr("Preparing the cell for collisions");
   job.owner = this;
-  job.work = [this, content, meshes = m_meshes](Progress) -> Job::Finish {
-    Result<CellScene> made = sceneOf(*content, *meshes);
-    auto scene = made ? std::make_shared<const CellScene>(std::move(made).value()) : nullptr;
-    return [this, content, scene] {
+  job.work = [this, content, known = m_scene, meshes = m_meshes](Progress) -> Job::Finish {
+    const auto sceneFor = [&](std::size_t arm) {
+      Result<CellScene> made = sceneOf(*content, *meshes, arm);
+      return made ? std::make_shared<const CellScene>(std::move(made).value()) : nullptr;
+    };
+    const std::size_t active = activeArmNumber(*content->robot, *content->plans);
+    const auto scene = known ? known : sceneFor(active);
+    std::vector<std::shared_ptr<const CellScene>> others;
+    for (std::size_t arm = 0; arm < content->robot->arms.size(); ++arm) {
+      if (arm != active) others.push_back(sceneFor(arm));
+    }
+    return [this, content, scene, others = std::move(others)] {
       if (!m_document || content->robot.get() != &cell().robot()) return;
       m_scene = scene;
+      m_others = others;
       m_allowed = content->plans->allowed;
-      if (scene && !isPrepared()) return prepare();
+      if (scene && !(isPrepared() && areOthersPrepared())) return prepare();
       emit prepared();
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
+// One of another robot, if only that is where it was not.
+const CellScene& CellCollisions::sceneMoving(const JointValues& joints) const {
+  const auto isMoving = [&](const auto& scene) { return scene && scene->standsAs(joints); };
+  const auto found = std::find_if(m_others.begin(), m_others.end(), isMoving);
+  return m_scene->standsAs(joints) || found == m_others.end() ? *m_scene : **found;
+}
+
 void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const Body* moved) const {
   if (!m_scene) return;
-  const ArmValues values = m_scene->planned(joints);
-  if (!moved) return markColliding(shown, *m_scene, m_scene->scene.allTooNear(values, 0.0, 0.0));
-  RobotScene::Nearest nearest = m_scene->scene.nearestTo(collisionBodyOf(*moved->geometry, *m_meshes), moved->pose,
-                                                         values, std::numeric_limits<double>::min());
-  nearest.owner = moved->id;
-  if (nearest.link != kNone) markColliding(shown, *m_scene, std::span(&nearest, 1));
+  if (!moved) {
+    // Where nothing is dragged each robot may meet something.
+    const CellScene& moving = sceneMoving(joints);
+    markColliding(shown, moving, moving.scene.allTooNear(moving.planned(joints), 0.0, 0.0));
+    for (const auto& other : m_others) {
+      if (other && other.get() != &moving && other->standsAs(joints))
+        markColliding(shown, *other, other->scene.allTooNear(other->planned(joints), 0.0, 0.0));
+    }
+    return;
+  }
+  const CollisionBody body = collisionBodyOf(*moved->geometry, *m_meshes);
+  const auto markOf = [&](const CellScene& scene) {
+    RobotScene::Nearest nearest =
+        scene.scene.nearestTo(body, moved->pose, scene.planned(joints), std::numeric_limits<double>::min());
+    nearest.owner = moved->id;
+    if (nearest.link != kNone) markColliding(shown, scene, std::span(&nearest, 1));
+  };
+  markOf(*m_scene);
+  for (const auto& other : m_others) {
+    if (other) markOf(*other);
+  }
 }
 
 }  // namespace handwheel

@@ -20,7 +20,8 @@ class CellCollisions : public QObject {
   CellCollisions(const WindowContext& parts, QObject* parent);
 
   void setDocument(DocumentTab* document);
-  // The cell prepared for planning, as it is now; null while that is under way, or impossible.
+  // The cell prepared for planning with the robot that is planned for, as it is now; null while that is under way, or
+  // impossible.
   std::shared_ptr<const CellScene> scene() const { return m_scene; }
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
 
@@ -34,12 +35,16 @@ class CellCollisions : public QObject {
  private:
   const RobotCellDocument& cell() const;
   bool isPrepared() const;
+  bool areOthersPrepared() const;
+  const CellScene& sceneMoving(const JointValues& joints) const;
   void prepare();
 
   WindowContext m_parts;
   std::shared_ptr<CollisionMeshes> m_meshes;
   DocumentTab* m_document = nullptr;
   std::shared_ptr<const CellScene> m_scene;
+  // The same for the other robots, in order: what collides while these are dragged. Null where that is impossible.
+  std::vector<std::shared_ptr<const CellScene>> m_others;
   std::set<std::pair<std::string, std::string>> m_allowed;  // that m_scene was made with
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The actions that plan paths.
+#include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
@@ -14,7 +15,10 @@
 namespace handwheel {
 
 void CellPaths::askForPath() {
-  auto* dialog = new PlanDialog(plans(), m_parts.fidelity.values(), m_document->document.displayUnit(), m_parts.window);
+  CellPlans offered = plans();  // configurations of another robot are no places of this one
+  std::erase_if(offered.configurations,
+                [&](const NamedConfiguration& each) { return !isSameArm(cell().robot(), each.arm, offered.arm); });
+  auto* dialog = new PlanDialog(offered, m_parts.fidelity.values(), m_document->document.displayUnit(), m_parts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PlanDialog::chosen, this, [this, document = m_document](const OperationValues& values) {
     if (document == m_document) plan(values);

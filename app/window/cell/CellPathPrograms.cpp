@@ -3,6 +3,7 @@
 
 // The actions that read and write programs of controllers.
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/PathExport.h"
@@ -96,9 +97,10 @@ void CellPaths::importProgram(const QString& file) {
     const std::string name = QFile::encodeName(file).toStdString();
     const Result<std::string> bytes = readFileHead(name, Post::kLargestText);
     const Post* const post = postForEnding(name);
-    Result<RobotPath> read = !bytes ? Result<RobotPath>(bytes.error())
-                             : post ? pathFromProgram(*scene, *content, *post, *bytes, progress)
-                                    : readPath(*bytes, content->robot->model, content->joints);
+    Result<RobotPath> read =
+        !bytes ? Result<RobotPath>(bytes.error())
+        : post ? pathFromProgram(*scene, *content, *post, *bytes, progress)
+               : readPath(*bytes, content->robot->model, content->joints, dofsOfArm(*content->robot, scene->armNumber));
     return [this, content, file, name, read = std::move(read)]() mutable {
       if (!m_document || content->robot.get() != &cell().robot()) return;
       if (!read) {
@@ -107,6 +109,7 @@ void CellPaths::importProgram(const QString& file) {
         return report(error);
       }
       CellPlans changed = plans();
+      read->arm = content->plans->arm;
       read->name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, read->name};
       changed.paths.push_back(std::move(read).value());

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/CellPaths.h"
 
-#include "controls/CommandModel.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "planning/PlanningFidelity.h"
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
+#include "window/cell/CellRobots.h"
+#include "window/cell/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 
@@ -18,22 +20,13 @@
 
 namespace handwheel {
 
-namespace {
-
-// reason: why it is disabled, when it is.
-void offer(QAction& action, bool isEnabled, const QString& reason) {
-  action.setEnabled(isEnabled);
-  action.setProperty(kDisabledReason, isEnabled ? QString() : reason);
-}
-
-}  // namespace
-
-CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets,
+CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets, CellRobots& robots,
                      std::function<BodyPointer()> selected, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_collisions(collisions),
       m_targets(targets),
+      m_robots(robots),
       m_selected(std::move(selected)),
       m_tree(new PlanTree(parts.window)),
       m_layer(std::make_shared<PathLayer>()),
@@ -53,6 +46,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
       m_remove(tr("Re&move from the plan"), this),
       m_optimise(tr("Optimise the order and &configurations"), this),
+      m_choose(tr("Plan for this ro&bot"), this),
       m_menu(new QMenu(parts.window)) {
   prepare(m_store, "storeConfiguration", "place", tr("Store where the robot stands under a name"));
   prepare(m_storeTarget, "storeTarget", "target",
@@ -74,9 +68,11 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
           tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
   prepare(m_semantics, "readSemantics", nullptr, tr("Read the pairs of links that may touch, and named states"));
-  prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place or target"));
+  prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place, target or robot"));
   prepare(m_optimise, "optimisePath", nullptr,
           tr("Visit the critical places in the order, and reach them in the configurations, that take the least time"));
+  prepare(m_choose, "chooseRobot", nullptr,
+          tr("Plan for the selected robot from now on; the others stand where they are"));
   m_menu->setObjectName(QStringLiteral("planMenu"));
   m_menu->addActions(all());
   parts.viewport.addLayer(m_layer);
@@ -92,6 +88,7 @@ void CellPaths::connectActions() {
   connect(&m_store, &QAction::triggered, this, &CellPaths::store);
   connect(&m_storeTarget, &QAction::triggered, this, &CellPaths::storeTarget);
   connect(&m_go, &QAction::triggered, this, [this] { goTo(m_tree->current()); });
+  connect(&m_choose, &QAction::triggered, this, [this] { m_robots.choose(m_tree->current().name); });
   connect(&m_plan, &QAction::triggered, this, &CellPaths::askForPath);
   connect(&m_again, &QAction::triggered, this, &CellPaths::planAgain);
   connect(&m_optimise, &QAction::triggered, this, &CellPaths::optimise);
@@ -141,8 +138,8 @@ void CellPaths::connectActions() {
 }
 
 QList<QAction*> CellPaths::all() {
-  return {&m_store, &m_storeTarget, &m_go,       &m_plan,   &m_again,  &m_optimise, &m_insert,    &m_here,
-          &m_up,    &m_down,        &m_straight, &m_verify, &m_export, &m_import,   &m_semantics, &m_remove};
+  return {&m_store, &m_storeTarget, &m_go,     &m_plan,   &m_again,  &m_optimise,  &m_insert, &m_here,  &m_up,
+          &m_down,  &m_straight,    &m_verify, &m_export, &m_import, &m_semantics, &m_remove, &m_choose};
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
@@ -176,8 +173,10 @@ const NamedTarget* CellPaths::target() const {
 const RobotPath* CellPaths::path() const {
   const PlanTree::Entry entry = m_tree->current();
   const bool isOfPath = entry.kind == PlanTree::Entry::Kind::Path || entry.kind == PlanTree::Entry::Kind::Place;
-  if (isOfPath) return plans().path(entry.name);
-  return plans().paths.size() == 1 ? &plans().paths.front() : nullptr;
+  const RobotPath* const found = isOfPath                    ? plans().path(entry.name)
+                                 : plans().paths.size() == 1 ? &plans().paths.front()
+                                                             : nullptr;
+  return found && isSameArm(cell().robot(), found->arm, plans().arm) ? found : nullptr;
 }
 
 bool CellPaths::isCurrent(const Check& check) const {
@@ -247,8 +246,11 @@ QString CellPaths::remarkOf(const Check& check) const {
   if (!check.result) return tr("verifying…");
   if (check.result->isCertified()) {
     const QString seconds = QLocale().toString(check.result->seconds, 'f', 1);
-    return check.scene->shapeless.empty() ? tr("free of collisions, %1 s").arg(seconds)
-                                          : tr("free of collisions but for links without meshes, %1 s").arg(seconds);
+    const QString free = check.scene->shapeless.empty()
+                             ? tr("free of collisions, %1 s").arg(seconds)
+                             : tr("free of collisions but for links without meshes, %1 s").arg(seconds);
+    if (check.result->robotsMoved.empty()) return free;
+    return tr("%1; %2 has moved since").arg(free, QString::fromStdString(*check.result->robotsMoved.begin()));
   }
   if (check.result->way.stopsAt) return tr("line cannot be followed");
   return tr("%Ln collision(s)", nullptr, static_cast<int>(check.result->verification.collisions.size()));
@@ -283,7 +285,7 @@ void CellPaths::showPath() {
 void CellPaths::update() {
   std::map<std::string, QString> remarks;
   for (const auto& [name, check] : m_checks) remarks[name] = remarkOf(check);
-  m_tree->setPlans(plans(), remarks, m_targets.reach());
+  m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, remarks, m_targets.reach());
   offerActions();
 }
 
@@ -293,8 +295,9 @@ void CellPaths::offerActions() {
   const bool isCell = m_document != nullptr, isSomething = entry.kind != Kind::None;
   const bool isPlace = entry.kind == Kind::Place;
   const RobotPath* const present = path();
+  const bool isOfOther = !present && (isPlace || entry.kind == Kind::Path);
   const QString noCell = tr("Open a robot cell first."), noPlace = tr("Select a place of a path first."),
-                noPath = tr("Select a path first.");
+                noPath = isOfOther ? tr("Choose the robot that the path is of first.") : tr("Select a path first.");
   offer(m_store, isCell, noCell);
   offer(m_storeTarget, isCell, noCell);
   const bool isAnyPlace = !plans().configurations.empty() || !plans().targets.empty();
@@ -303,6 +306,7 @@ void CellPaths::offerActions() {
   const bool isTarget = entry.kind == Kind::Target;
   offer(m_go, entry.kind == Kind::Configuration || isPlace || isTarget,
         tr("Select a configuration, a place or a target first."));
+  offer(m_choose, entry.kind == Kind::Robot, tr("Select a robot in the list first, in a cell with several."));
   offer(m_again, present && present->places.size() >= 2, noPath);
   offer(m_optimise, present && present->places.size() >= 3,
         present ? tr("There is nothing between the ends of the path.") : noPath);
@@ -319,7 +323,7 @@ void CellPaths::offerActions() {
         present ? tr("Only a path that is proven free of collisions is exported.") : noPath);
   offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
-  offer(m_remove, isSomething, tr("Select a configuration, a path, a place or a target first."));
+  offer(m_remove, isSomething, tr("Select a configuration, a path, a place, a target or a robot first."));
 }
 
 }  // namespace handwheel

@@ -15,6 +15,7 @@
 
 namespace handwheel {
 
+class CellRobots;
 struct OptimisedPath;
 class PathLayer;
 class Post;
@@ -22,13 +23,14 @@ class RobotCellDocument;
 struct WrittenProgram;
 
 // The list of what is planned in a robot cell and its actions: stores configurations and targets, plans paths through
-// them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one.
+// them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one,
+// if it is of the robot that is planned for.
 class CellPaths : public QObject {
   Q_OBJECT
 
  public:
   // selected: the body that is selected alone; null: none is.
-  CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets,
+  CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets, CellRobots& robots,
             std::function<BodyPointer()> selected, QObject* parent);
   ~CellPaths() override;
 
@@ -113,6 +115,7 @@ class CellPaths : public QObject {
   WindowContext m_parts;
   CellCollisions& m_collisions;
   CellTargets& m_targets;
+  CellRobots& m_robots;
   std::function<BodyPointer()> m_selected;
   DocumentTab* m_document = nullptr;
   PlanTree* m_tree;
@@ -120,7 +123,7 @@ class CellPaths : public QObject {
   std::map<std::string, Check> m_checks;  // by the name of the path; their jobs belong to it
   std::uint64_t m_runs = 0;               // verifications that were begun
   QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export,
-      m_import, m_semantics, m_remove, m_optimise;
+      m_import, m_semantics, m_remove, m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window
 };
 

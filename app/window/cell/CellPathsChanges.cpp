@@ -4,6 +4,7 @@
 // How the actions for paths change the document.
 #include "document/FileBytes.h"
 #include "document/cell/BodyCarriers.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
@@ -12,6 +13,7 @@
 #include "text/ErrorText.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "window/cell/CellPaths.h"
+#include "window/cell/CellRobots.h"
 #include "window/documents/DocumentTab.h"
 
 #include <QFile>
@@ -66,7 +68,7 @@ void CellPaths::store() {
   CellPlans changed = plans();
   const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
   const std::string name = changed.freePlaceName(wish);
-  changed.configurations.push_back({name, cell().joints()});
+  changed.configurations.push_back({name, cell().joints(), changed.arm});
   commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed));
   m_tree->select({Kind::Configuration, name});
 }
@@ -77,7 +79,7 @@ void CellPaths::storeTarget() {
   const std::string wish = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
   NamedTarget target{.name = changed.freePlaceName(wish)};
   const RobotModel& robot = cell().robot().model;
-  target.pose = toolPose(robot, changed.tool, cell().joints());
+  target.pose = toolPose(cell().robot(), changed, cell().joints());
   const BodyPointer selected = m_selected();
   const BodyPointer body = selected && carrierOf(*selected, robot) == kNone ? selected : nullptr;
   if (body) target = onBody(std::move(target), *body, robot, cell().joints());
@@ -96,7 +98,7 @@ void CellPaths::setTargetHere(const std::string& name) {
                                    [&](const NamedTarget& each) { return each.name == name; });
   if (target == changed.targets.end()) return;
   const RobotModel& robot = cell().robot().model;
-  target->pose = toolPose(robot, changed.tool, cell().joints());
+  target->pose = toolPose(cell().robot(), changed, cell().joints());
   const BodyPointer body = cell().bodies().withId(target->body);
   if (body) *target = onBody(std::move(*target), *body, robot, cell().joints());
   commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
@@ -113,13 +115,16 @@ void CellPaths::goToTarget(const std::string& name) {
 }
 
 void CellPaths::goTo(const PlanTree::Entry& entry) {
+  if (entry.kind == Kind::Robot) return m_robots.choose(entry.name);
   if (entry.kind == Kind::Target && plans().target(entry.name)) return goToTarget(entry.name);
   const NamedConfiguration* const configuration =
       entry.kind == Kind::Configuration ? plans().configuration(entry.name) : nullptr;
   const RobotPath* const of = entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
   const bool isPlace = of && entry.place < of->places.size();
   if (!configuration && !isPlace) return;
-  auto edit = cell().jointEdit(configuration ? configuration->joints : of->places[entry.place].joints);
+  const JointValues& set = configuration ? configuration->joints : of->places[entry.place].joints;
+  const std::string& arm = configuration ? configuration->arm : of->arm;
+  auto edit = cell().jointEdit(jointsSetBy(cell().robot(), arm, set, cell().joints()));
   if (!edit) return;
   const QString name = QString::fromStdString(entry.name);
   cell().commit(configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.place + 1).arg(name),
@@ -146,7 +151,7 @@ void CellPaths::addPlace() {
   const PlanTree::Entry::Kind chosen = m_tree->current().kind;
   if (chosen == Kind::Path || chosen == Kind::Place) return insertHere();
   CellPlans changed = plans();
-  RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}};
+  RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}, changed.arm};
   const PlanTree::Entry first{Kind::Place, begun.name, 0};
   changed.paths.push_back(std::move(begun));
   commit(tr("Begin a path"), std::move(changed));
@@ -190,6 +195,7 @@ void CellPaths::removeCurrent() {
   const PlanTree::Entry entry = m_tree->current();
   CellPlans changed = plans();
   const QString name = QString::fromStdString(entry.name);
+  if (entry.kind == Kind::Robot) return m_robots.remove(entry.name);
   if (entry.kind == Kind::Configuration) {
     std::erase_if(changed.configurations, [&](const NamedConfiguration& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));

@@ -63,11 +63,13 @@ void CellReachOutline::look() {
   if (!scene) return;
   const auto& cell = static_cast<const RobotCellDocument&>(m_document->document);
   const Pose& tool = cell.plans()->tool;
-  Vec3 direction = toolPose(cell.robot().model, tool, cell.joints()).translation();
+  const Pose base = basePose(scene->robot->model, scene->plannedArm());
+  const Pose toBase = base.inverse(Eigen::Isometry);
+  Vec3 direction = (toBase * toolPose(cell.robot(), *cell.plans(), cell.joints())).translation();
   direction.z() = 0.0;
   direction = direction.norm() > 1e-6 ? Vec3(direction.normalized()) : Vec3::UnitX();
-  const bool isSame = m_scene && m_scene->robot == scene->robot && m_tool.matrix() == tool.matrix() &&
-                      m_direction.dot(direction) > kSameDirection;
+  const bool isSame = m_scene && m_scene->robot == scene->robot && m_scene->armNumber == scene->armNumber &&
+                      m_tool.matrix() == tool.matrix() && m_direction.dot(direction) > kSameDirection;
   if (isSame) return;
   m_scene = scene;
   m_tool = tool;
@@ -76,10 +78,14 @@ void CellReachOutline::look() {
   Job job;
   job.name = tr("Finding the reach of the arm");
   job.owner = this;
-  job.work = [this, scene, tool, direction, start = scene->planned(cell.joints())](Progress progress) -> Job::Finish {
-    const auto outlines = reachSection(scene->arm, tool, start, direction, {}, progress);
+  job.work = [this, scene, tool, direction, base,
+              start = scene->planned(cell.joints())](Progress progress) -> Job::Finish {
+    const auto outlines = reachSection(scene->armFromBase(), tool, start, direction, {}, progress);
     auto lines = std::make_shared<std::vector<PathLine>>();
-    for (const std::vector<Vec3>& outline : outlines) lines->push_back({outline, PathLine::Look::Feed});
+    for (const std::vector<Vec3>& outline : outlines) {
+      lines->push_back({{}, PathLine::Look::Feed});
+      for (const Vec3& point : outline) lines->back().points.push_back(base * point);
+    }
     return [this, scene, lines] {
       if (m_document && m_scene == scene) m_layer->setLines(lines->empty() ? nullptr : lines);
     };

@@ -15,7 +15,8 @@ void markColliding(DisplayModel& model, const CellScene& scene, std::span<const 
     const std::uint32_t link = linkOfPart(*scene.robot, part.name);
     const auto body = bodyOfPart(part.name);
     const bool isMeeting = std::ranges::any_of(pairs, [&](const RobotScene::Nearest& pair) {
-      if (link != kNone && (link == pair.link || link == pair.otherLink)) return true;
+      const bool isOfPair = link == pair.link || link == pair.otherLink || link == CellScene::linkOfOwner(pair.owner);
+      if (link != kNone && isOfPair) return true;
       return body &&
              (pair.owner == *body || scene.bodyOfLink(pair.link) == body || scene.bodyOfLink(pair.otherLink) == body);
     });

@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PathGuides.h"
 
+#include "document/cell/CellArms.h"
 #include "tools/cell/PathCheck.h"
 #include "window/JobRunner.h"
 
 namespace handwheel {
 
-// Bodies do not change where a path leads: the robot has no other one within a document.
+// Bodies do not change where a path leads.
 bool PathGuides::isKnown(const std::string& path, const std::shared_ptr<const CellPlans>& plans) const {
   if (!m_plans || path != m_path) return false;
+  if (const auto scene = m_collisions.scene(); scene && scene->robot != m_robot) return false;
   if (m_plans == plans) return true;
   const RobotPath *const before = m_plans->path(path), *const now = plans->path(path);
-  return before && now && *before == *now && m_plans->tool.matrix() == plans->tool.matrix();
+  return before && now && *before == *now && m_plans->arm == plans->arm &&
+         m_plans->tool.matrix() == plans->tool.matrix();
 }
 
 std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
@@ -22,9 +25,11 @@ std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
     return m_curve;
   }
   const auto scene = m_collisions.scene();
-  if (!scene || !plans->path(path)) return nullptr;
+  const RobotPath* const asked = plans->path(path);
+  if (!scene || !asked || armNumber(*scene->robot, asked->arm) != scene->armNumber) return nullptr;
   m_jobs.cancelOf(this);
   m_plans = plans;
+  m_robot = scene->robot;
   m_path = path;
   m_curve.reset();
   Job job;
@@ -46,6 +51,7 @@ std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
 void PathGuides::clear() {
   m_jobs.cancelOf(this);
   m_plans.reset();
+  m_robot.reset();
   m_curve.reset();
 }
 

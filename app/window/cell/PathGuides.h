@@ -28,6 +28,7 @@ class PathGuides : public QObject {
   JobRunner& m_jobs;
   const CellCollisions& m_collisions;
   std::shared_ptr<const CellPlans> m_plans;  // that the curve was found with; null: none was asked for
+  std::shared_ptr<const CellRobot> m_robot;  // and the robots, with where they stand
   std::string m_path;
   std::shared_ptr<const GuideCurve> m_curve;  // null: under way
 };

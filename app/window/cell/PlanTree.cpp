@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PlanTree.h"
 
+#include "document/cell/CellArms.h"
 #include "theme/Icons.h"
 
 #include <QHeaderView>
@@ -48,13 +49,24 @@ QTreeWidgetItem* PlanTree::add(QTreeWidgetItem* parent, const Entry& entry, cons
   item->setData(0, kPlaceRole, static_cast<qulonglong>(entry.place));
   item->setToolTip(0, text);
   item->setToolTip(1, remark);
-  const bool isNamed = entry.kind != Entry::Kind::Place;
+  const bool isNamed = entry.kind != Entry::Kind::Place && entry.kind != Entry::Kind::Robot;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isNamed ? Qt::ItemIsEditable : Qt::NoItemFlags));
   parent->addChild(item);
   return item;
 }
 
-void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks,
+void PlanTree::addRobots(const CellPlans& plans, const CellRobot& robot) {
+  auto* robots = new QTreeWidgetItem(this, {tr("Robots")});
+  robots->setFlags(Qt::ItemIsEnabled);
+  for (const RobotArm& arm : robot.arms) {
+    const bool isPlanned = arm == activeArm(robot, plans);
+    add(robots, {Entry::Kind::Robot, arm.name}, QString::fromStdString(arm.name),
+        isPlanned ? tr("planned for") : QString());
+  }
+  robots->setExpanded(true);
+}
+
+void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, QString>& remarks,
                         const std::map<std::string, TargetReach>& reach) {
   m_isFilling = true;
   const Entry before = current();
@@ -69,17 +81,23 @@ void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QStr
     if (!name.isEmpty()) return tr("%1: %2").arg(number + 1).arg(name);
     return place.isCritical ? tr("%1: critical").arg(number + 1) : QString::number(number + 1);
   };
+  // Whose it is, if that is not the robot that is planned for.
+  const auto ofOther = [&](const std::string& arm) {
+    const auto number = robot ? armNumber(*robot, arm) : std::nullopt;
+    if (!number || *number == activeArmNumber(*robot, plans)) return QString();
+    return tr("of %1").arg(QString::fromStdString(robot->arms[*number].name));
+  };
   constexpr std::size_t kMostPlaces = 2'000;  // that are listed of a path
   auto* configurations = new QTreeWidgetItem(this, {tr("Configurations")});
   configurations->setFlags(Qt::ItemIsEnabled);
   for (const NamedConfiguration& each : plans.configurations)
-    add(configurations, {Entry::Kind::Configuration, each.name}, QString::fromStdString(each.name), {});
+    add(configurations, {Entry::Kind::Configuration, each.name}, QString::fromStdString(each.name), ofOther(each.arm));
   auto* paths = new QTreeWidgetItem(this, {tr("Paths")});
   paths->setFlags(Qt::ItemIsEnabled);
   for (const RobotPath& path : plans.paths) {
     const auto remark = remarks.find(path.name);
     QTreeWidgetItem* item = add(paths, {Entry::Kind::Path, path.name}, QString::fromStdString(path.name),
-                                remark == remarks.end() ? QString() : remark->second);
+                                remark == remarks.end() ? ofOther(path.arm) : remark->second);
     for (std::size_t i = 0; i < std::min(path.places.size(), kMostPlaces); ++i) {
       add(item, {Entry::Kind::Place, path.name, i}, placeText(path.places[i], i),
           path.places[i].motion == ProgramMotion::Kind::Linear ? tr("straight line") : QString());
@@ -95,6 +113,7 @@ void PlanTree::setPlans(const CellPlans& plans, const std::map<std::string, QStr
                                 isKnown ? known->second.remark : QString());
     if (isKnown) item->setIcon(0, icon(known->second.isFree ? QStringLiteral("ok") : QStringLiteral("warning")));
   }
+  if (robot && robot->arms.size() > 1) addRobots(plans, *robot);
   targets->setExpanded(true);
   configurations->setExpanded(true);
   paths->setExpanded(true);

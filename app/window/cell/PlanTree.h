@@ -10,25 +10,26 @@
 
 namespace handwheel {
 
-// A list of what is planned in a cell: its configurations, its paths with their places, and its targets. It only asks
-// for changes.
+// A list of what is planned in a cell: its configurations, its paths with their places, its targets, and its robots
+// where it has several. It only asks for changes.
 class PlanTree : public QTreeWidget {
   Q_OBJECT
 
  public:
   // What a row stands for.
   struct Entry {
-    enum class Kind { None, Configuration, Path, Place, Target };
+    enum class Kind { None, Configuration, Path, Place, Target, Robot };
     Kind kind = Kind::None;
-    std::string name;       // of the configuration, the target, or the path
+    std::string name;       // of the configuration, the target, the path, or the robot
     std::size_t place = 0;  // in the path
     bool operator==(const Entry&) const = default;
   };
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // remarks: by path, what is known of it ("free of collisions"); reach: of targets.
-  void setPlans(const CellPlans& plans, const std::map<std::string, QString>& remarks,
+  // remarks: by path, what is known of it ("free of collisions"); reach: of targets. robot: null where there is no
+  // cell.
+  void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, QString>& remarks,
                 const std::map<std::string, TargetReach>& reach);
   Entry current() const;
   void select(const Entry& entry);
@@ -44,6 +45,7 @@ class PlanTree : public QTreeWidget {
 
  private:
   Entry entryOf(const QTreeWidgetItem* item) const;
+  void addRobots(const CellPlans& plans, const CellRobot& robot);
   QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& remark);
 
   bool m_isFilling = false;

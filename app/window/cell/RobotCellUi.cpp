@@ -28,8 +28,8 @@
 #include "window/fidelity/FidelityChoice.h"
 #include "window/tools/ToolHost.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
@@ -43,10 +43,11 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
       m_bodies(window, this),
       m_collisions(window, this),
       m_targets(window, m_collisions, this),
+      m_robots(window, this),
       m_reach(window, m_collisions, this),
       m_toolCamera(window, this),
       m_paths(
-          window, m_collisions, m_targets, [this] { return m_bodies.selected(); }, this),
+          window, m_collisions, m_targets, m_robots, [this] { return m_bodies.selected(); }, this),
       m_pathDock(window, m_paths, this),
       m_surfaces(window.jobs, this),
       m_guides(window.jobs, m_collisions, this),
@@ -58,6 +59,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   follow();
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
   connect(&m_paths, &CellPaths::message, this, &KindUi::message);
+  connect(&m_robots, &CellRobots::message, this, &KindUi::message);
   connect(&m_pathDock, &PathDock::partsShown, this, [this](const std::shared_ptr<const DisplayModel>& model) {
     showPast(model);
     m_toolCamera.follow(model.get());
@@ -116,6 +118,7 @@ QWidget* RobotCellUi::makePanel() {
   auto* plansLine = new QHBoxLayout;
   plansLine->setContentsMargins(12, 8, 8, 0);
   plansLine->addWidget(plansHeading, 1);
+  plansLine->addWidget(m_robots.box());
   for (QAction* const action : m_paths.buttons()) {
     auto* button = new QToolButton(plans);
     button->setObjectName(action->objectName() + QStringLiteral("Button"));
@@ -143,6 +146,7 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   m_dragged.reset();
   m_pathDock.setDocument(document);
   m_bodies.setDocument(document);
+  m_robots.setDocument(document);
   m_collisions.setDocument(document);
   m_targets.setDocument(document);
   m_reach.setDocument(document);
@@ -156,26 +160,17 @@ void RobotCellUi::setDocument(DocumentTab* document) {
 }
 
 void RobotCellUi::begin(const QString&) {
-  QStringList titles;
-  for (const LibraryRobot& robot : robotLibrary()) titles += QString::fromUtf8(robot.title);
-  auto* dialog = new QInputDialog(parts().window);
-  dialog->setObjectName(QStringLiteral("builtInRobotDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("New cell"));
-  dialog->setLabelText(tr("Robot:"));
-  dialog->setComboBoxItems(titles);
-  connect(dialog, &QInputDialog::textValueSelected, this, [this, titles](const QString& title) {
-    const LibraryRobot& robot = robotLibrary()[static_cast<std::size_t>(std::max<qsizetype>(0, titles.indexOf(title)))];
+  askForLibraryRobot(parts().window, tr("New cell"), this, [this](const char* id) {
     OpenedFile opened;
     opened.kind = parts().kinds.withId("cell");
-    opened.content = cellOf(*libraryTable(robot.id));
+    opened.content = cellOf(*libraryTable(id));
     parts().openDocument(std::move(opened));
   });
-  dialog->open();
 }
 
 QList<QAction*> RobotCellUi::menu() {
-  return m_bodies.all() + m_paths.all() + QList<QAction*>{m_pathDock.action(), m_reach.action(), m_toolCamera.action()};
+  return m_robots.all() + m_bodies.all() + m_paths.all() +
+         QList<QAction*>{m_pathDock.action(), m_reach.action(), m_toolCamera.action()};
 }
 
 QList<QAction*> RobotCellUi::toolBar() {
@@ -243,7 +238,13 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   if (const auto body = shownBody(document))
     return static_cast<const RobotCellDocument&>(document).propertiesOfBody(*body);
   std::vector<Property> all = RigidPartsUi::panelProperties(document);
+  std::ptrdiff_t ofBase = 0;
   const PlanTree::Entry entry = m_paths.tree()->current();
+  if (entry.kind == PlanTree::Entry::Kind::Robot) {
+    for (Property& each : listedProperties(document)) {
+      if (each.id.starts_with("robot." + entry.name + '.')) all.insert(all.begin() + ofBase++, std::move(each));
+    }
+  }
   const RobotPath* const path = static_cast<const RobotCellDocument&>(document).plans()->path(entry.name);
   if (entry.kind != PlanTree::Entry::Kind::Place || !path) return all;
   const std::vector<Property> place = placeProperties(*path, entry.place);

@@ -9,6 +9,7 @@
 #include "window/cell/CellCollisions.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/CellReachOutline.h"
+#include "window/cell/CellRobots.h"
 #include "window/cell/PartSurfaces.h"
 #include "window/cell/PathDock.h"
 #include "window/cell/PathGuides.h"
@@ -70,6 +71,7 @@ class RobotCellUi : public RigidPartsUi {
   CellBodies m_bodies;
   CellCollisions m_collisions;
   CellTargets m_targets;
+  CellRobots m_robots;
   CellReachOutline m_reach;
   ToolCamera m_toolCamera;
   CellPaths m_paths;

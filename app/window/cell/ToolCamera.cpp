@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kFocus = 300.0;  // mm before the tool
 
-// How the robot has moved the tool between two displays of it: by a part of the link that carries the tool, or of one
-// that it is fixed to. None where these have no parts.
-std::optional<Pose> motionOfTool(const CellRobot& robot, const DisplayModel& from, const DisplayModel& to) {
-  std::uint32_t link = toolLink(robot.model);
+// How the robot has moved the tool between two displays of it: by a part of this link, which carries the tool, or of
+// one that it is fixed to. None where these have no parts.
+std::optional<Pose> motionOfTool(const CellRobot& robot, std::uint32_t link, const DisplayModel& from,
+                                 const DisplayModel& to) {
   while (link != kNone) {
     const auto isOfLink = [&](const DisplayPart& part) { return linkOfPart(robot, part.name) == link; };
     const auto before = std::find_if(from.parts.begin(), from.parts.end(), isOfLink);
@@ -87,14 +87,15 @@ void ToolCamera::toggle(bool isOn) {
 
 void ToolCamera::followDocument() {
   if (!m_before) return;
-  look(toolPose(cell().robot().model, cell().plans()->tool, cell().joints()));
+  look(toolPose(cell().robot(), *cell().plans(), cell().joints()));
 }
 
 void ToolCamera::follow(const DisplayModel* shown) {
   if (!m_document || !m_before) return;
   if (!shown) return followDocument();
-  const auto motion = motionOfTool(cell().robot(), displayOf(cell().robot(), cell().joints()), *shown);
-  if (motion) look(*motion * toolPose(cell().robot().model, cell().plans()->tool, cell().joints()));
+  const std::uint32_t flange = activeArm(cell().robot(), *cell().plans()).flange;
+  const auto motion = motionOfTool(cell().robot(), flange, displayOf(cell().robot(), cell().joints()), *shown);
+  if (motion) look(*motion * toolPose(cell().robot(), *cell().plans(), cell().joints()));
 }
 
 void ToolCamera::look(const Pose& tool) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/CellBlobs.h"
 
+#include "base/JsonText.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/PlansBlobs.h"
 #include "document/cell/SurfaceBudget.h"
@@ -10,9 +12,11 @@
 #include "document/scene/SurfaceBlobs.h"
 #include "robot/UrdfReader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace handwheel {
 
@@ -43,6 +47,7 @@ class Loading {
     if (!read) return read.error();
     auto robot = std::make_shared<CellRobot>();
     robot->model = std::move(read->robot);
+    robot->arms = readArms(robot->model);
     robot->description = description->second;
     SurfaceBudget budget(robot->model);
     for (std::size_t i = 0; i < robot->model.shapes.size(); ++i) {
@@ -57,6 +62,11 @@ class Loading {
     auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = readJoints(robot->model);
     cell->plans = readPlans(m_container, robot->model, cell->joints, m_damage);
+    if (!armNumber(*robot, cell->plans->arm)) {
+      auto plans = std::make_shared<CellPlans>(*cell->plans);
+      m_damage.push_back({ErrorCode::ReferenceMissing, {"the robot", std::exchange(plans->arm, {})}, {}, {}});
+      cell->plans = std::move(plans);
+    }
     cell->robot = std::move(robot);
     Result<BodySet> bodies = readBodies(m_container, kCellFolder, m_damage, progress.part(0.5, 1.0));
     if (!bodies) return bodies.error();
@@ -82,6 +92,34 @@ class Loading {
     if (lost > 0 || soup.triangles.empty()) m_damage.push_back({ArchiveError::EntryDamaged, {name}, {}, {}});
     if (soup.triangles.empty()) return nullptr;
     return std::make_shared<const TriangleSoup>(std::move(soup));
+  }
+
+  // One robot, unless it is said how several share the description.
+  std::vector<RobotArm> readArms(const RobotModel& model) const {
+    const auto stored = m_document.find("robots");
+    if (stored == m_document.end()) return {wholeArm(model)};
+    std::vector<RobotArm> arms;
+    for (const nlohmann::json& entry : stored->is_array() ? *stored : nlohmann::json::array()) {
+      const RobotArm arm{stringAt(entry, "name"), stringAt(entry, "title"), linkNamed(model, stringAt(entry, "base")),
+                         linkNamed(model, stringAt(entry, "flange"))};
+      const auto isSame = [&](const RobotArm& each) { return each.name == arm.name || each.base == arm.base; };
+      if (isArm(model, arm) && std::none_of(arms.begin(), arms.end(), isSame)) arms.push_back(arm);
+    }
+    if (!arms.empty() && arms.size() == stored->size()) return arms;
+    m_damage.push_back({ErrorCode::ElementMalformed, {"robots", "a robot is not in the description"}, {}, {}});
+    return {wholeArm(model)};
+  }
+
+  // Its base is the root or fixed to it, and its flange hangs on the base.
+  static bool isArm(const RobotModel& model, const RobotArm& arm) {
+    if (arm.name.empty() || arm.base == kNone || arm.flange == kNone) return false;
+    const std::uint32_t mount = model.links[arm.base].parentJoint;
+    const bool isPlaced =
+        mount == kNone || (model.joints[mount].kind == JointKind::Fixed && model.joints[mount].parent == model.root);
+    std::uint32_t link = arm.flange;
+    while (link != arm.base && model.links[link].parentJoint != kNone)
+      link = model.joints[model.links[link].parentJoint].parent;
+    return isPlaced && link == arm.base;
   }
 
   JointValues readJoints(const RobotModel& model) const {
@@ -110,6 +148,15 @@ void writeCell(const RobotCellSnapshot& cell, Container& container) {
   const CellRobot& robot = *cell.robot;
   container.blobs[kDescription] = robot.description;
   document["source"] = cell.source;
+  if (robot.arms != std::vector<RobotArm>{wholeArm(robot.model)}) {
+    document["robots"] = nlohmann::json::array();
+    for (const RobotArm& arm : robot.arms) {
+      document["robots"].push_back({{"name", arm.name},
+                                    {"title", arm.title},
+                                    {"base", robot.model.links[arm.base].name},
+                                    {"flange", robot.model.links[arm.flange].name}});
+    }
+  }
   document["joints"] = nlohmann::json::object();
   for (std::size_t dof = 0; dof < robot.model.dofs.size(); ++dof)
     document["joints"][robot.model.jointOfDof(dof).name] = cell.joints[static_cast<Eigen::Index>(dof)];

@@ -118,6 +118,31 @@ const ErrorDescription CellError::TargetStray{
     .sentences = {translatable("ErrorText", "the body that the target '%1' is on was removed")},
     .advice = {translatable("ErrorText", "Undo that, or remove the target.")}};
 
+const ErrorDescription CellError::ArmMissing{
+    .id = "ArmMissing",
+    .sentences = {translatable("ErrorText", "the cell has no robot called '%1'")},
+    .advice = {translatable("ErrorText", "Name one of its robots ('inspect' lists them).")}};
+
+const ErrorDescription CellError::ArmNameUnusable{
+    .id = "ArmNameUnusable",
+    .sentences = {translatable("ErrorText", "'%1' cannot be the name of a robot")},
+    .advice = {translatable("ErrorText", "Choose another name, of one line.")}};
+
+const ErrorDescription CellError::OnlyRobot{
+    .id = "OnlyRobot",
+    .sentences = {translatable("ErrorText", "%1 is the only robot of the cell, which must have one")},
+    .advice = {translatable("ErrorText", "Add another robot before this one is removed.")}};
+
+const ErrorDescription CellError::ArmOnRoot{
+    .id = "ArmOnRoot",
+    .sentences = {translatable("ErrorText", "the base of %1 is what all of the cell is measured from")},
+    .advice = {translatable("ErrorText", "Move the other robots and the bodies instead.")}};
+
+const ErrorDescription CellError::OfOtherArm{
+    .id = "OfOtherArm",
+    .sentences = {translatable("ErrorText", "'%1' is of another robot than the one that is planned for: %2")},
+    .advice = {translatable("ErrorText", "Choose that robot first; on the command line: --arm.")}};
+
 const ErrorDescription CellError::ToolOutOfReach{
     .id = "ToolOutOfReach",
     .sentences = {translatable("ErrorText", "the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that")},

@@ -28,6 +28,11 @@ extern const ErrorDescription TrackBroken;        // {point, count, x, y, z; mm}
 extern const ErrorDescription PlaceNameTaken;     // {name} by a configuration or a target
 extern const ErrorDescription PlansFull;          // {what, count, most} more than a cell can hold
 extern const ErrorDescription TargetStray;        // {target} the body that it is on is missing
+extern const ErrorDescription ArmMissing;         // {name} the cell has no such robot
+extern const ErrorDescription ArmNameUnusable;    // {name}
+extern const ErrorDescription OnlyRobot;          // {robot} it cannot be removed
+extern const ErrorDescription ArmOnRoot;          // {robot} it cannot be moved
+extern const ErrorDescription OfOtherArm;         // {configuration or path, its robot} not the one planned for
 extern const ErrorDescription ToolOutOfReach;     // {x, y, z; mm} whatever the limits
 extern const ErrorDescription ToolBeyondLimits;   // {x, y, z; mm; joint}
 extern const ErrorDescription ToolBlocked;        // {x, y, z; mm; link, link or body} by the nearest way

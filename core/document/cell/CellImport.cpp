@@ -73,6 +73,7 @@ class Import {
   Import(ReadRobot read, std::filesystem::path folder, std::uint32_t shapeSides)
       : m_folder(std::move(folder)), m_shapeSides(shapeSides), m_robot(new CellRobot) {
     m_robot->model = std::move(read.robot);
+    m_robot->arms = {wholeArm(m_robot->model)};
     m_result.damage = std::move(read.damage);
     m_result.unlistedDamage = read.unlistedDamage;
   }

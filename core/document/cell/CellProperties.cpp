@@ -4,7 +4,6 @@
 
 #include "base/NumberText.h"
 #include "document/cell/CellReach.h"
-#include "robot/dh/DhTable.h"
 #include "scene/RigidPose.h"
 
 #include <QtGlobal>
@@ -17,6 +16,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::string_view kPrefix = "joint.";
+const std::string kBase = "robot.";
 
 bool turns(const Joint& joint) {
   return joint.kind != JointKind::Prismatic;
@@ -84,13 +84,36 @@ std::optional<Property> unknownLimits(const RobotModel& robot, const char* id, c
   return property;
 }
 
+// What only a cell with several robots has.
+std::vector<Property> armProperties(const CellRobot& cell, const CellPlans& plans) {
+  std::vector<Property> all;
+  if (cell.arms.size() > 1) {
+    Property chosen = toRead("arm", kTool, QT_TRANSLATE_NOOP("Property", "Robot that is planned for"),
+                             static_cast<double>(activeArmNumber(cell, plans)), Quantity::Number);
+    for (const RobotArm& arm : cell.arms) chosen.choices.push_back(arm.name);
+    chosen.least = 0.0;
+    chosen.largest = static_cast<double>(cell.arms.size() - 1);
+    chosen.editable = true;
+    all.push_back(std::move(chosen));
+  }
+  for (const RobotArm& arm : cell.arms) {
+    if (arm.base == cell.model.root) continue;
+    for (Property& each : poseProperties(kBase + arm.name + '.', arm.name, basePose(cell.model, arm))) {
+      each.groupTranslated = false;
+      all.push_back(std::move(each));
+    }
+  }
+  return all;
+}
+
 std::string shown(double value, const Joint& joint) {
   return shownText(turns(joint) ? value / kRadiansPerDegree : value);
 }
 
 }  // namespace
 
-std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints, const Pose& tool) {
+std::vector<Property> cellProperties(const CellRobot& cell, const JointValues& joints, const CellPlans& plans) {
+  const RobotModel& robot = cell.model;
   std::vector<Property> all;
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)
     all.push_back(jointProperty(robot.jointOfDof(dof), joints[static_cast<Eigen::Index>(dof)]));
@@ -101,17 +124,22 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
     if (limit) all.push_back(*std::move(limit));
   }
   const char* const kRobot = QT_TRANSLATE_NOOP("Property", "Robot");
-  all.push_back(toRead("robot", kRobot, QT_TRANSLATE_NOOP("Property", "Name"), robot.name, Quantity::Number));
-  if (hasPlainShapes(robot)) {
+  std::string titles;
+  for (const RobotArm& arm : cell.arms) titles += (titles.empty() ? "" : ", ") + arm.title;
+  all.push_back(toRead("robot", kRobot, QT_TRANSLATE_NOOP("Property", "Name"), titles, Quantity::Number));
+  bool isPlain = false;
+  for (std::size_t i = 0; i < cell.arms.size(); ++i) isPlain |= hasPlainShapes(robot, cell.arms, i);
+  if (isPlain) {
     Property shapes = toRead("robot.shapes", kRobot, QT_TRANSLATE_NOOP("Property", "Shapes"), 0.0, Quantity::Number);
     shapes.choices = {QT_TRANSLATE_NOOP("Property", "simplified: keep a clearance")};
     all.push_back(std::move(shapes));
   }
-  const std::string& link = robot.links[toolLink(robot)].name;
+  for (Property& each : armProperties(cell, plans)) all.push_back(std::move(each));
+  const std::string& link = robot.links[activeArm(cell, plans).flange].name;
   all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), link, Quantity::Number));
-  for (Property& each : toolProperties(toolPose(robot, tool, joints))) all.push_back(std::move(each));
+  for (Property& each : toolProperties(toolPose(cell, plans, joints))) all.push_back(std::move(each));
   const char* const kCentre = QT_TRANSLATE_NOOP("Property", "Tool centre point, on the flange");
-  for (Property& each : poseProperties("tcp.", kCentre, tool)) all.push_back(std::move(each));
+  for (Property& each : poseProperties("tcp.", kCentre, plans.tool)) all.push_back(std::move(each));
   return all;
 }
 
@@ -133,6 +161,15 @@ std::vector<Property> poseProperties(const std::string& prefix, const std::strin
 
 std::vector<Property> toolProperties(const Pose& pose) {
   return poseProperties("tool.", kTool, pose);
+}
+
+std::optional<BaseField> baseOfProperty(const CellRobot& robot, const std::string& id) {
+  const std::size_t last = id.rfind('.');
+  if (!id.starts_with(kBase) || last < kBase.size() || last == id.npos) return std::nullopt;
+  const std::string name = id.substr(kBase.size(), last - kBase.size());
+  const auto arm = name.empty() ? std::nullopt : armNumber(robot, name);
+  if (!arm) return std::nullopt;
+  return BaseField{*arm, id.substr(last + 1)};
 }
 
 std::optional<Pose> changedPose(const Pose& pose, std::string_view field, const PropertyValue& value) {

@@ -4,17 +4,25 @@
 
 #include "base/Result.h"
 #include "document/Property.h"
-#include "robot/RobotModel.h"
+#include "document/cell/RobotCellSnapshot.h"
 
 #include <optional>
 
 namespace handwheel {
 
 // The properties of a robot cell. One for each degree of freedom ("joint.<name>", labelled with the joint's name), with
-// its limits; then, read-only, which joints have no known speed or effort, the robot's name and the link that carries
-// its tool; then the pose of the tool's centre point, which is `tool` in that link ("tool.x" to "tool.rz"; mm and rad
-// as of bodies, in the frame of the robot's base); then that of the centre point in the link ("tcp.x" to "tcp.rz").
-std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints, const Pose& tool);
+// its limits; then, read-only, which joints have no known speed or effort and the robot's name; of several robots which
+// one is planned for ("arm", a choice) and where those stand that are not on the root ("robot.NAME.x" to
+// "robot.NAME.rz"); the link that carries the tool; then the pose of the tool's centre point ("tool.x" to "tool.rz"; mm
+// and rad as of bodies, in the frame of the root); then that of the centre point in the link ("tcp.x" to "tcp.rz").
+std::vector<Property> cellProperties(const CellRobot& robot, const JointValues& joints, const CellPlans& plans);
+
+// "robot.NAME.x": which of the robots stands there, and the field of its pose. None: that is no such property.
+struct BaseField {
+  std::size_t arm;
+  std::string field;
+};
+std::optional<BaseField> baseOfProperty(const CellRobot& robot, const std::string& id);
 
 // The degree of freedom of a joint property; kNone for other properties.
 std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id);

@@ -39,8 +39,8 @@ Pose poseInBase(const Body& body, const RobotModel& robot, const JointValues& jo
 
 }  // namespace
 
-Pose toolPose(const RobotModel& robot, const Pose& tool, const JointValues& joints) {
-  return linkPoses(robot, joints)[toolLink(robot)] * tool;
+Pose toolPose(const CellRobot& robot, const CellPlans& plans, const JointValues& joints) {
+  return linkPoses(robot.model, joints)[activeArm(robot, plans).flange] * plans.tool;
 }
 
 Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, const RobotModel& robot,
@@ -85,17 +85,18 @@ Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, co
   return Error{CellError::ToolBlocked, std::move(arguments), {}, {}};
 }
 
-Result<JointValues> jointsReaching(const RobotModel& robot, const Pose& tool, const Pose& pose,
+Result<JointValues> jointsReaching(const CellRobot& robot, const CellPlans& plans, const Pose& pose,
                                    const JointValues& joints) {
-  const auto arm = SerialArm::of(robot, robot.root, toolLink(robot));
+  const RobotModel& model = robot.model;
+  const auto arm = SerialArm::of(model, model.root, activeArm(robot, plans).flange);
   if (!arm) return arm.error();
   ArmValues near(static_cast<Eigen::Index>(arm->dofs.size()));
   for (std::size_t i = 0; i < arm->dofs.size(); ++i) near[static_cast<Eigen::Index>(i)] = joints[arm->dofs[i]];
-  const std::vector<ArmSolution> found = solutionsFor(arm->arm, tipFor(pose, tool), near);
+  const std::vector<ArmSolution> found = solutionsFor(arm->arm, tipFor(pose, plans.tool), near);
   if (found.empty()) return outOfReach(pose);
   const ArmSolution& nearest = found.front();
   if (nearest.beyond)
-    return beyondLimits(pose, robot.jointOfDof(arm->dofs[static_cast<std::size_t>(*nearest.beyond)]).name);
+    return beyondLimits(pose, model.jointOfDof(arm->dofs[static_cast<std::size_t>(*nearest.beyond)]).name);
   JointValues moved = joints;
   for (std::size_t i = 0; i < arm->dofs.size(); ++i) moved[arm->dofs[i]] = nearest.values[static_cast<Eigen::Index>(i)];
   return moved;

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/cell/CellArms.h"
 #include "document/cell/CellScene.h"
 #include "robot/arm/ArmSolutions.h"
 
 namespace handwheel {
 
-// Poses of the tool's centre point that the robot of a cell reaches, in the frame of its base.
+// Poses of the tool's centre point that the robot of a cell reaches which is planned for, in the frame of the root.
 
 // The pose of the tool's centre point (CellPlans::tool) where the joints stand.
-Pose toolPose(const RobotModel& robot, const Pose& tool, const JointValues& joints);
+Pose toolPose(const CellRobot& robot, const CellPlans& plans, const JointValues& joints);
 
 // The pose of a target in the frame of the base. Error: TargetStray.
 Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, const RobotModel& robot,
@@ -37,7 +38,7 @@ Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, co
 
 // Where nothing is asked about collisions: the joints that bring the tool to a pose, the nearest to those given.
 // Errors: ToolOutOfReach, ToolBeyondLimits; those of SerialArm::of().
-Result<JointValues> jointsReaching(const RobotModel& robot, const Pose& tool, const Pose& pose,
+Result<JointValues> jointsReaching(const CellRobot& robot, const CellPlans& plans, const Pose& pose,
                                    const JointValues& joints);
 
 }  // namespace handwheel

@@ -3,11 +3,14 @@
 #include "document/cell/CellScene.h"
 
 #include "document/cell/BodyCarriers.h"
+#include "document/cell/CellArms.h"
 #include "document/scene/BodyDisplay.h"
 #include "planning/PlanningSet.h"
+#include "robot/Kinematics.h"
 #include "scene/PrimitiveGeometry.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -58,9 +61,29 @@ std::vector<BodyId> addCarried(const BodySet& bodies, RobotModel& robot) {
   return carried;
 }
 
-// robot: that of the cell with the bodies that it carries.
-AllowedPairs allowedOf(const RobotCellSnapshot& cell, const RobotModel& robot) {
+struct Obstacle {
+  std::uint32_t link;
+  CollisionBody body;
+  Pose pose;
+};
+
+// Takes the shapes of the links that are not of this robot, where they stand. What is theirs keeps the clearance that
+// things keep, and nothing of it is left out unasked, as pairs within one robot are.
+std::vector<Obstacle> takeOthers(std::vector<CollisionBody>& shapes, const std::vector<Pose>& poses,
+                                 const std::vector<std::uint32_t>& owners, std::size_t number) {
+  std::vector<Obstacle> others;
+  for (std::uint32_t l = 0; l < shapes.size(); ++l) {
+    if (owners[l] != number && !shapes[l].pieces().empty())
+      others.push_back({l, std::exchange(shapes[l], CollisionBody()), poses[l]});
+  }
+  return others;
+}
+
+// robot: that of the cell with the bodies that it carries. owners: which robot each of its links belongs to.
+AllowedPairs allowedOf(const RobotCellSnapshot& cell, const RobotModel& robot,
+                       const std::vector<std::uint32_t>& owners) {
   AllowedPairs pairs{neighbours(robot), {}};
+  std::erase_if(pairs.links, [&](const LinkPair& pair) { return owners[pair.first] != owners[pair.second]; });
   for (const auto& [first, second] : cell.plans->allowed) {
     const std::uint32_t a = linkNamed(robot, first), b = linkNamed(robot, second);
     const auto body = bodyOfPart(second);
@@ -124,6 +147,8 @@ std::pair<std::string, std::string> CellScene::namesOf(const RobotScene::Nearest
     const auto body = bodyOfLink(link);
     return body ? bodies.withId(*body)->name : robot->model.links[link].name;
   };
+  if (const std::uint32_t link = linkOfOwner(nearest.owner); link != kNone)
+    return {nameOfLink(nearest.link), nameOfLink(link)};
   const BodyPointer body = nearest.owner == kNone ? nullptr : bodies.withId(nearest.owner);
   return {nameOfLink(nearest.link), body ? body->name : nameOfLink(nearest.otherLink)};
 }
@@ -137,9 +162,33 @@ bool CellScene::standsAs(const JointValues& joints) const {
   return whole(planned(joints)) == joints;
 }
 
+bool CellScene::ownStandAs(const JointValues& joints) const {
+  const JointValues wanted = whole(planned(joints));
+  return withJointsOf(*robot, armNumber, wanted, joints) == wanted;
+}
+
+std::vector<std::string> CellScene::robotsElsewhere(const JointValues& joints) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < robot->arms.size(); ++i) {
+    if (i != armNumber && withJointsOf(*robot, i, others, joints) != others) names.push_back(robot->arms[i].name);
+  }
+  return names;
+}
+
+SerialArm CellScene::armFromBase() const {
+  std::vector<ArmJoint> joints(arm.joints().begin(), arm.joints().end());
+  const Pose base = basePose(robot->model, plannedArm()).inverse(Eigen::Isometry);
+  if (!joints.empty()) joints.front().before = base * joints.front().before;
+  return SerialArm(std::move(joints), arm.size() == 0 ? Pose(base * arm.tip()) : arm.tip());
+}
+
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes) {
+  return sceneOf(cell, meshes, activeArmNumber(*cell.robot, *cell.plans));
+}
+
+Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes, std::size_t number) {
   RobotModel robot = withCollisions(cell.robot->model);
-  Result<SerialArm::InRobot> arm = SerialArm::of(robot, robot.root, toolLink(robot));
+  Result<SerialArm::InRobot> arm = SerialArm::of(robot, robot.root, cell.robot->arms[number].flange);
   if (!arm) return arm.error();
   std::vector<std::shared_ptr<const CollisionMesh>> surfaces(robot.shapes.size());
   for (std::size_t i = 0; i < robot.shapes.size(); ++i) {
@@ -147,11 +196,13 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
       surfaces[i] = meshes.of(cell.robot->surfaces[i]);
   }
   std::vector<BodyId> carried = addCarried(cell.bodies, robot);
-  const AllowedPairs allowed = allowedOf(cell, robot);
+  const std::vector<std::uint32_t> owners = armsOfLinks(robot, cell.robot->arms);
+  const AllowedPairs allowed = allowedOf(cell, robot, owners);
   std::vector<CollisionBody> shapes = collisionBodies(robot, surfaces);
   for (std::size_t i = 0; i < carried.size(); ++i) {
     shapes[cell.robot->model.links.size() + i] = collisionBodyOf(*cell.bodies.withId(carried[i])->geometry, meshes);
   }
+  const std::vector<Obstacle> others = takeOthers(shapes, linkPoses(robot, cell.joints), owners, number);
   RobotScene scene(robot, Pose::Identity(), std::move(shapes), arm->dofs, cell.joints, allowed.links);
   if (const Status sound = scene.isSound(); !sound) return sound.error();
   // What the robot carries is somebody's choice and may be turned into the arm: of it only what always meets the link
@@ -171,6 +222,15 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
       scene.addObstacle(collisionBodyOf(*body->geometry, meshes), body->pose, body->id);
   }
   for (const auto& [link, body] : allowed.bodies) scene.allow(link, body);
+  const auto ownerOf = [&](std::uint32_t link) {
+    const std::size_t own = cell.robot->model.links.size();
+    return link < own ? CellScene::kLinkOwners + link : carried[link - own];
+  };
+  for (const Obstacle& other : others) scene.addObstacle(other.body, other.pose, ownerOf(other.link));
+  for (const auto& [a, b] : allowed.links) {
+    if (owners[a] != number) scene.allow(b, ownerOf(a));
+    if (owners[b] != number) scene.allow(a, ownerOf(b));
+  }
   return CellScene{std::move(scene),
                    std::move(arm->arm),
                    std::move(arm->dofs),
@@ -179,7 +239,8 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
                    shapelessLinks(robot, *cell.robot),
                    cell.robot,
                    cell.bodies,
-                   std::move(carried)};
+                   std::move(carried),
+                   number};
 }
 
 }  // namespace handwheel

@@ -28,20 +28,21 @@ class CollisionMeshes {
 // The shape of a body for collisions; empty where it has no triangles.
 CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes);
 
-// A robot cell prepared for planning: the joints between the robot's base and its tool are planned, the others stand.
-// All bodies are obstacles, those that are not shown, too; those that a link carries are links of their own, fixed to
-// it. Immutable; any thread.
+// A robot cell prepared for planning: the joints between the base of one robot and its tool are planned, the others
+// stand. All bodies are obstacles, those that are not shown, too; those that a link carries are links of their own,
+// fixed to it. Other robots, with what they carry, are obstacles where they stand. Immutable; any thread.
 struct CellScene {
   RobotScene scene;
   SerialArm arm;                    // from the root to the link that carries the tool
   std::vector<std::uint32_t> dofs;  // of the robot, one for each planned joint
-  JointValues others;               // of the whole robot: where the joints are that are not planned
+  JointValues others;               // of all robots: where the joints are that are not planned
   std::set<LinkPair>
       alwaysMeeting;  // pairs of links that meet however the joints stand, or close ones at rest: they do not count
   std::vector<std::uint32_t> shapeless;  // links whose meshes are missing: collisions of these are not seen
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;
   std::vector<BodyId> carried;  // the bodies that are links after those of the robot, in order
+  std::size_t armNumber = 0;    // of the robot that is planned for, in CellRobot::arms
   std::shared_ptr<Roadmap> roadmap = std::make_shared<Roadmap>();  // of the planner "prm", from plan to plan
 
   ArmValues planned(const JointValues& joints) const;
@@ -50,11 +51,25 @@ struct CellScene {
   std::pair<std::string, std::string> namesOf(const RobotScene::Nearest& nearest) const;
   // The body that this link of the scene is; none: it is one of the robot.
   std::optional<BodyId> bodyOfLink(std::uint32_t link) const;
-  // The joints that are not planned must be the same at both. False: they are not.
+  // Obstacles of these owners are links of other robots, by their numbers in the model; all others are bodies.
+  static constexpr std::uint32_t kLinkOwners = 0x8000'0000;
+  static std::uint32_t linkOfOwner(std::uint32_t owner) {
+    return owner == kNone || owner < kLinkOwners ? kNone : owner - kLinkOwners;
+  }
+  // Whether all joints that are not planned are where they are at these values.
   bool standsAs(const JointValues& joints) const;
+  // The same of those of the robot that is planned for, as of a gripper.
+  bool ownStandAs(const JointValues& joints) const;
+  // The names of the other robots that stand elsewhere at these values.
+  std::vector<std::string> robotsElsewhere(const JointValues& joints) const;
+  const RobotArm& plannedArm() const { return robot->arms[armNumber]; }
+  // The same arm from its own base on, as its controller counts.
+  SerialArm armFromBase() const;
 };
 
-// Errors: those of SerialArm::of() and RobotScene::isSound().
+// For the robot that is planned for, or for another one by its number. Errors: those of SerialArm::of() and
+// RobotScene::isSound().
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes);
+Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes, std::size_t arm);
 
 }  // namespace handwheel

@@ -32,8 +32,12 @@ class PlansReading {
       if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string())
         m_plans.allowed.insert({pair[0].get<std::string>(), pair[1].get<std::string>()});
     }
-    const std::vector<double> numbers = numbersAt(stored, "tool", 12);
-    if (numbers.size() == 12) m_plans.tool = poseFrom(numbers, "tool").value_or(Pose::Identity());
+    m_plans.arm = stringAt(stored, "arm");
+    m_plans.tool = toolFrom(stored, "tool");
+    const auto tools = stored.find("other_tools");
+    if (tools != stored.end() && tools->is_object() && tools->size() <= CellPlans::kMost) {
+      for (const auto& [arm, pose] : tools->items()) m_plans.otherTools[arm] = toolFrom(*tools, arm.c_str());
+    }
     const auto clearance = stored.find("clearance_mm");
     if (clearance != stored.end() && clearance->is_number())
       m_plans.clearance = std::clamp(clearance->get<double>(), 0.0, 1e4);
@@ -49,6 +53,11 @@ class PlansReading {
     if (all.size() <= CellPlans::kMost) return all;
     note({ErrorCode::FileTooLarge, {key, std::to_string(all.size()), std::to_string(CellPlans::kMost)}, {}, {}});
     return all.first(CellPlans::kMost);
+  }
+
+  Pose toolFrom(const json& object, const char* key) {
+    const std::vector<double> numbers = numbersAt(object, key, 12);
+    return numbers.size() == 12 ? poseFrom(numbers, "tool").value_or(Pose::Identity()) : Pose::Identity();
   }
 
   void note(Error error) {
@@ -69,7 +78,7 @@ class PlansReading {
         note(joints.error());
         continue;
       }
-      m_plans.configurations.push_back({m_placeNames.take(name), std::move(joints).value()});
+      m_plans.configurations.push_back({m_placeNames.take(name), std::move(joints).value(), stringAt(entry, "arm")});
     }
   }
 
@@ -114,8 +123,12 @@ void writePlans(const CellPlans& plans, const RobotModel& robot, Container& cont
   json stored = {{"clearance_mm", plans.clearance}, {"tool", numbersOfPose(plans.tool)},
                  {"configurations", json::array()}, {"targets", json::array()},
                  {"paths", json::array()},          {"allowed", json::array()}};
-  for (const NamedConfiguration& each : plans.configurations)
+  if (!plans.arm.empty()) stored["arm"] = plans.arm;
+  for (const auto& [arm, tool] : plans.otherTools) stored["other_tools"][arm] = numbersOfPose(tool);
+  for (const NamedConfiguration& each : plans.configurations) {
     stored["configurations"].push_back({{"name", each.name}, {"joints", toJson(robot, each.joints)}});
+    if (!each.arm.empty()) stored["configurations"].back()["arm"] = each.arm;
+  }
   for (const NamedTarget& each : plans.targets)
     stored["targets"].push_back({{"name", each.name}, {"pose", numbersOfPose(each.pose)}, {"body", each.body}});
   for (const RobotPath& path : plans.paths) stored["paths"].push_back(toJson(robot, path));

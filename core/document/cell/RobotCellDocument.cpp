@@ -9,6 +9,8 @@
 #include "document/cell/JointEdit.h"
 #include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
+#include "document/cell/RobotChanges.h"
+#include "document/cell/RobotsEdit.h"
 #include "document/scene/BodyProperties.h"
 #include "scene/RigidPose.h"
 
@@ -69,7 +71,7 @@ SnapshotPointer RobotCellDocument::snapshot() const {
 }
 
 std::vector<Property> RobotCellDocument::properties() const {
-  std::vector<Property> all = cellProperties(m_robot->model, m_joints, m_plans->tool);
+  std::vector<Property> all = cellProperties(*m_robot, m_joints, *m_plans);
   for (const BodyPointer& body : bodies()) {
     for (Property& ofBody : propertiesOfBody(*body)) all.push_back(std::move(ofBody));
   }
@@ -103,7 +105,7 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::targetEdit(const std::string& i
 }
 
 std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
-  std::vector<Property> all = cellProperties(m_robot->model, m_joints, m_plans->tool);
+  std::vector<Property> all = cellProperties(*m_robot, m_joints, *m_plans);
   for (const Body& body : shown) {
     for (Property& ofBody : propertiesOfBody(body)) all.push_back(std::move(ofBody));
   }
@@ -161,11 +163,13 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
   if (id.starts_with("target.")) return targetEdit(id, value);
-  const Pose tool = toolPose(m_robot->model, m_plans->tool, m_joints);
+  if (id == "arm") return armEdit(id, value);
+  if (const auto base = baseOfProperty(*m_robot, id)) return baseEdit(*base, id, value);
+  const Pose tool = toolPose(*m_robot, *m_plans, m_joints);
   const std::string field = id.starts_with("tool.") ? id.substr(5) : std::string();
   if (const auto pose = changedPose(tool, field, value)) {
     if (pose->isApprox(tool, 1e-12)) return std::unique_ptr<Edit>();
-    const Result<JointValues> joints = jointsReaching(m_robot->model, m_plans->tool, *pose, m_joints);
+    const Result<JointValues> joints = jointsReaching(*m_robot, *m_plans, *pose, m_joints);
     if (!joints) return joints.error();
     return jointEdit(*joints);
   }
@@ -186,6 +190,35 @@ std::unique_ptr<Edit> RobotCellDocument::jointEdit(const JointValues& joints) co
   }
   if (moves.empty()) return nullptr;
   return std::make_unique<JointEdit>(std::move(moves));
+}
+
+Result<std::unique_ptr<Edit>> RobotCellDocument::armEdit(const std::string& id, const PropertyValue& value) const {
+  const auto* const number = std::get_if<double>(&value);
+  if (!number || !(*number >= 0.0 && *number < static_cast<double>(m_robot->arms.size())))
+    return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
+  Result<CellPlans> plans = withArmChosen(*m_robot, *m_plans, m_robot->arms[static_cast<std::size_t>(*number)].name);
+  if (!plans) return plans.error();
+  return std::unique_ptr<Edit>(plansEdit(std::move(plans).value()));
+}
+
+Result<std::unique_ptr<Edit>> RobotCellDocument::baseEdit(const BaseField& base, const std::string& id,
+                                                          const PropertyValue& value) const {
+  const Pose present = basePose(m_robot->model, m_robot->arms[base.arm]);
+  const auto pose = changedPose(present, base.field, value);
+  if (!pose) return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
+  if (pose->isApprox(present, 1e-15)) return std::unique_ptr<Edit>();
+  const auto now = std::static_pointer_cast<const RobotCellSnapshot>(snapshot());
+  Result<RobotCellSnapshot> changed = withRobotMoved(*now, base.arm, *pose);
+  if (!changed) return changed.error();
+  return robotsEdit(std::move(changed).value(), base.arm);
+}
+
+std::unique_ptr<Edit> RobotCellDocument::robotsEdit(RobotCellSnapshot changed, std::optional<std::size_t> moved) const {
+  std::vector<BodyEdit::Change> bodies;
+  for (const BodyPointer& body : changed.bodies) {
+    if (this->bodies().withId(body->id) != body) bodies.push_back({body->id, body});
+  }
+  return std::make_unique<RobotsEdit>(std::move(changed), std::move(bodies), moved);
 }
 
 std::unique_ptr<Edit> RobotCellDocument::plansEdit(CellPlans plans) const {

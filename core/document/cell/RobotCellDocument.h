@@ -10,7 +10,9 @@
 
 namespace handwheel {
 
-// Document of a robot cell: a robot with its joint values, and the bodies beside it.
+struct BaseField;
+
+// Document of a robot cell: robots with their joint values, and the bodies beside them.
 class RobotCellDocument : public Document, public BodyOwner {
   Q_OBJECT
 
@@ -39,13 +41,20 @@ class RobotCellDocument : public Document, public BodyOwner {
   std::unique_ptr<Edit> jointEdit(const JointValues& joints) const;
   // An edit that makes these the plans; null when they are the same.
   std::unique_ptr<Edit> plansEdit(CellPlans plans) const;
+  // An edit that makes these the robots, with their joints, plans and what they carry (RobotChanges.h). The bodies must
+  // be those of the document, at most changed. moved: the number of the robot that is only moved.
+  std::unique_ptr<Edit> robotsEdit(RobotCellSnapshot changed, std::optional<std::size_t> moved = {}) const;
 
  private:
   friend class JointEdit;
   friend class PlansEdit;
+  friend class RobotsEdit;
   void bodiesChanged() override { wasChanged(); }
 
   Result<std::unique_ptr<Edit>> targetEdit(const std::string& id, const PropertyValue& value) const;
+  Result<std::unique_ptr<Edit>> armEdit(const std::string& id, const PropertyValue& value) const;
+  Result<std::unique_ptr<Edit>> baseEdit(const BaseField& base, const std::string& id,
+                                         const PropertyValue& value) const;
 
   std::shared_ptr<const CellRobot> m_robot;
   JointValues m_joints;

@@ -3,6 +3,7 @@
 #include "document/cell/RobotCellKind.h"
 
 #include "document/AtomicFile.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellBlobs.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellImport.h"
@@ -62,9 +63,34 @@ nlohmann::json describeJoints(const RobotModel& robot, const JointValues& values
   return joints;
 }
 
-nlohmann::json describeTool(const RobotModel& robot, const JointValues& values) {
-  const std::uint32_t link = toolLink(robot);
-  const Pose pose = linkPoses(robot, values)[link];
+nlohmann::json describeRobots(const RobotCellSnapshot& cell) {
+  const RobotModel& robot = cell.robot->model;
+  nlohmann::json list = nlohmann::json::array();
+  for (const RobotArm& arm : cell.robot->arms) {
+    const Pose base = basePose(robot, arm);
+    const Vec3 at = base.translation();
+    const Eigen::Quaterniond turn(base.linear());
+    list.push_back({{"name", arm.name},
+                    {"title", arm.title},
+                    {"base", robot.links[arm.base].name},
+                    {"flange", robot.links[arm.flange].name},
+                    {"position", {at.x(), at.y(), at.z()}},
+                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                    {"planned", arm == activeArm(*cell.robot, *cell.plans)}});
+  }
+  return list;
+}
+
+// Whose joints something sets, by its name.
+std::string describedArm(const RobotCellSnapshot& cell, const std::string& arm) {
+  const auto number = armNumber(*cell.robot, arm);
+  return number ? cell.robot->arms[*number].name : arm;
+}
+
+nlohmann::json describeTool(const RobotCellSnapshot& cell) {
+  const RobotModel& robot = cell.robot->model;
+  const std::uint32_t link = activeArm(*cell.robot, *cell.plans).flange;
+  const Pose pose = linkPoses(robot, cell.joints)[link];
   const Vec3 at = pose.translation();
   const Eigen::Quaterniond turn(pose.linear());
   return {{"link", robot.links[link].name},
@@ -75,7 +101,9 @@ nlohmann::json describeTool(const RobotModel& robot, const JointValues& values) 
 nlohmann::json describeConfigurations(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
   for (const NamedConfiguration& each : cell.plans->configurations)
-    list.push_back({{"name", each.name}, {"joints", toJson(cell.robot->model, each.joints)}});
+    list.push_back({{"name", each.name},
+                    {"robot", describedArm(cell, each.arm)},
+                    {"joints", toJson(cell.robot->model, each.joints)}});
   return list;
 }
 
@@ -95,7 +123,8 @@ nlohmann::json describeTargets(const RobotCellSnapshot& cell) {
 
 nlohmann::json describePaths(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
-  for (const RobotPath& path : cell.plans->paths) list.push_back({{"name", path.name}, {"places", path.places.size()}});
+  for (const RobotPath& path : cell.plans->paths)
+    list.push_back({{"name", path.name}, {"robot", describedArm(cell, path.arm)}, {"places", path.places.size()}});
   return list;
 }
 
@@ -205,7 +234,8 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"links", robot.links.size()},
           {"fixed_joints", robot.joints.size() - robot.dofs.size()},
           {"joints", describeJoints(robot, cell.joints)},
-          {"tool", describeTool(robot, cell.joints)},
+          {"robots", describeRobots(cell)},
+          {"tool", describeTool(cell)},
           {"triangles", triangles},
           {"missing_meshes", missing},
           {"bodies", describeBodies(cell.bodies)},

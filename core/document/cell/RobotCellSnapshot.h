@@ -4,27 +4,28 @@
 
 #include "document/Snapshot.h"
 #include "mesh/structure/TriangleSoup.h"
-#include "robot/RobotModel.h"
+#include "robot/RobotArms.h"
 #include "robot/program/RobotPath.h"
 #include "scene/BodySet.h"
 
 namespace handwheel {
 
-// A robot model with the surfaces for its display. It does not change when the joints move, so snapshots and display
-// share it.
+// The robots of a cell in one model, with the surfaces for their display. They do not change when the joints move, so
+// snapshots and display share them.
 struct CellRobot {
   RobotModel model;
-  std::string description;  // the URDF file as it was read
+  std::vector<RobotArm> arms;  // at least one
+  std::string description;     // the URDF file as it was read, or written of all robots
   // Per shape of the model, in mm, coordinates that single precision can hold; null for a mesh that is missing.
   std::vector<std::shared_ptr<const TriangleSoup>> surfaces;
 };
 
 // The value of a cell document.
 struct RobotCellSnapshot : Snapshot {
-  std::shared_ptr<const CellRobot> robot;  // never null
+  std::shared_ptr<const CellRobot> robot;  // never null; all robots of the cell
   JointValues joints;                      // within their limits
-  std::string source;                      // the file that the robot came from, as text in UTF-8
-  BodySet bodies;                          // what stands beside the robot; in the frame of its base
+  std::string source;                      // the file that the first robot came from, as text in UTF-8
+  BodySet bodies;                          // what stands beside the robots; in the frame of the root
   std::shared_ptr<const CellPlans> plans = std::make_shared<const CellPlans>();  // never null
 };
 

@@ -46,9 +46,7 @@ struct LibraryRobot {
 };
 std::span<const LibraryRobot> robotLibrary();
 // The one of these that a model is, by its name; null: none.
-const LibraryRobot* libraryRobot(const RobotModel& model);
-// Whether no shape of a robot is a mesh, as those that robotOf() draws: plain ones stand in for the robot's own.
-bool hasPlainShapes(const RobotModel& model);
+const LibraryRobot* libraryRobot(std::string_view model);
 // Null: there is no such robot.
 const DhTable* libraryTable(std::string_view id);
 

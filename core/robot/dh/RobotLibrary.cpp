@@ -202,16 +202,11 @@ std::span<const LibraryRobot> robotLibrary() {
   return kRobots;
 }
 
-const LibraryRobot* libraryRobot(const RobotModel& model) {
+const LibraryRobot* libraryRobot(std::string_view model) {
   for (const LibraryRobot& robot : robotLibrary()) {
-    if (model.name == robot.title) return &robot;
+    if (model == robot.title) return &robot;
   }
   return nullptr;
-}
-
-bool hasPlainShapes(const RobotModel& model) {
-  return std::none_of(model.shapes.begin(), model.shapes.end(),
-                      [](const Shape& shape) { return std::holds_alternative<MeshShape>(shape); });
 }
 
 const DhTable* libraryTable(std::string_view id) {

@@ -29,9 +29,11 @@ std::uint32_t dofNamed(const RobotModel& robot, std::string_view name) {
 }
 
 // The degrees of freedom that columns of waypoints stand for. Error: ReferenceMissing.
-Result<std::vector<std::uint32_t>> columnsOf(const Json& json, const RobotModel& robot) {
+Result<std::vector<std::uint32_t>> columnsOf(const Json& json, const RobotModel& robot,
+                                             std::vector<std::uint32_t> usual) {
   std::vector<std::uint32_t> columns;
   const auto joints = json.find("joints");
+  if (joints == json.end() && !usual.empty()) return usual;
   if (joints == json.end()) {
     for (std::uint32_t dof = 0; dof < robot.dofs.size(); ++dof) columns.push_back(dof);
     return columns;
@@ -172,14 +174,17 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
                       {"blend_mm", place.blend}});
   }
   Json json = {{"name", path.name}, {"places", places}};
+  if (!path.arm.empty()) json["arm"] = path.arm;
   if (path.process) json["process"] = processJson(*path.process);
   return json;
 }
 
-Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const JointValues& others) {
+Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const JointValues& others,
+                           std::vector<std::uint32_t> usual) {
   if (!json.is_object()) return malformedPath("path", "an object was expected");
   RobotPath path;
   path.name = stringAt(json, "name", "path");
+  path.arm = stringAt(json, "arm");
   if (const auto process = json.find("process"); process != json.end()) path.process = processFrom(*process);
   const auto places = json.find("places"), waypoints = json.find("waypoints");
   const bool isDetailed = places != json.end();
@@ -193,7 +198,7 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
                  {}};
   }
   Result<std::vector<std::uint32_t>> columns = std::vector<std::uint32_t>();
-  if (!isDetailed) columns = columnsOf(json, robot);
+  if (!isDetailed) columns = columnsOf(json, robot, std::move(usual));
   if (!columns) return columns.error();
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string at = element + "[" + std::to_string(i) + "]";
@@ -210,10 +215,11 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
   return path;
 }
 
-Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others) {
+Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others,
+                           std::vector<std::uint32_t> columns) {
   const Result<Json> json = parseJson(text, "path");
   if (!json) return json.error();
-  return pathFrom(*json, robot, others);
+  return pathFrom(*json, robot, others, std::move(columns));
 }
 
 }  // namespace handwheel

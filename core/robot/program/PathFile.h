@@ -14,12 +14,14 @@ namespace handwheel {
 // docs/robots.md has the keys.
 nlohmann::json toJson(const RobotModel& robot, const RobotPath& path);
 
-// The places from such JSON, or only "waypoints": lists of numbers in the order of "joints", or of the robot's joints.
-// Joints that are not in it are those of `others`. Errors: ElementMalformed {element, reason}, ReferenceMissing
-// {joint}, ValueOutOfRange {joint, value, least, largest}, FileTooLarge.
-Result<RobotPath> pathFrom(const nlohmann::json& json, const RobotModel& robot, const JointValues& others);
+// The places from such JSON, or only "waypoints": lists of numbers in the order of "joints", or of these degrees of
+// freedom (none: all of the robot's). Joints that are not in it are those of `others`. Errors: ElementMalformed
+// {element, reason}, ReferenceMissing {joint}, ValueOutOfRange {joint, value, least, largest}, FileTooLarge.
+Result<RobotPath> pathFrom(const nlohmann::json& json, const RobotModel& robot, const JointValues& others,
+                           std::vector<std::uint32_t> columns = {});
 // The same from a file's text; errors of parseJson(), too.
-Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others);
+Result<RobotPath> readPath(std::string_view text, const RobotModel& robot, const JointValues& others,
+                           std::vector<std::uint32_t> columns = {});
 
 // A pose as twelve numbers, row by row: the turn and, last in each row, the place.
 nlohmann::json numbersOfPose(const Pose& pose);

@@ -80,9 +80,24 @@ std::size_t CellPlans::bytes() const {
   return sum;
 }
 
+void CellPlans::choose(const std::string& other, const std::string& present) {
+  if (other != present) {
+    otherTools[present] = tool;
+    const auto known = otherTools.find(other);
+    tool = known == otherTools.end() ? Pose::Identity() : known->second;
+    otherTools.erase(other);
+  }
+  arm = other;
+}
+
 bool CellPlans::operator==(const CellPlans& other) const {
   return configurations == other.configurations && targets == other.targets && paths == other.paths &&
-         allowed == other.allowed && tool.matrix() == other.tool.matrix() && clearance == other.clearance;
+         allowed == other.allowed && arm == other.arm && tool.matrix() == other.tool.matrix() &&
+         std::equal(otherTools.begin(), otherTools.end(), other.otherTools.begin(), other.otherTools.end(),
+                    [](const auto& a, const auto& b) {
+                      return a.first == b.first && a.second.matrix() == b.second.matrix();
+                    }) &&
+         clearance == other.clearance;
 }
 
 }  // namespace handwheel

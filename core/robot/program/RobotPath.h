@@ -19,7 +19,7 @@ namespace handwheel {
 
 // A place of a path, and the motion that ends there.
 struct PathPlace {
-  JointValues joints;  // of the whole robot; rad, mm
+  JointValues joints;  // of the whole cell; those of other robots tell where these stood; rad, mm
   std::string name = {};
   bool isCritical = true;  // set by a person: planning again passes through it
   ProgramMotion::Kind motion = ProgramMotion::Kind::Joint;
@@ -45,6 +45,7 @@ struct RobotPath {
 
   std::string name;
   std::vector<PathPlace> places;
+  std::string arm = {};                     // whose path it is, as CellPlans::arm
   std::optional<PathProcess> process = {};  // none: it was planned between places, or by hand
 
   bool operator==(const RobotPath&) const = default;
@@ -53,7 +54,8 @@ struct RobotPath {
 // Joint values under a name.
 struct NamedConfiguration {
   std::string name;
-  JointValues joints;  // of the whole robot; rad, mm
+  JointValues joints;    // of the whole cell; rad, mm
+  std::string arm = {};  // whose joints it sets, as CellPlans::arm
 
   bool operator==(const NamedConfiguration&) const = default;
 };
@@ -89,8 +91,11 @@ struct CellPlans {
   std::vector<RobotPath> paths;
   // Names of links, or a link and a body ("body.3"), whose collisions do not count.
   std::set<std::pair<std::string, std::string>> allowed;
-  Pose tool = Pose::Identity();  // the tool's centre point in the link that carries the tool
-  double clearance = 0.0;        // mm that paths keep from everything
+  std::string arm = {};          // the name of the robot that is planned for; empty: the first
+  Pose tool = Pose::Identity();  // the centre point of its tool in the link that carries the tool
+  // Those of the other robots, by their names; the link itself for those that are not in it.
+  std::map<std::string, Pose, std::less<>> otherTools = {};
+  double clearance = 0.0;  // mm that paths keep from everything
 
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
   const NamedTarget* target(std::string_view name) const;                // null: there is none
@@ -101,6 +106,8 @@ struct CellPlans {
   std::string freePathName(const std::string& wish) const { return pathNames().take(wish); }
   std::string freePlaceName(const std::string& wish) const { return placeNames().take(wish); }
   std::size_t bytes() const;  // about
+  // Plans for another robot from now on. present: the name of the one that is planned for, which keeps its tool.
+  void choose(const std::string& other, const std::string& present);
 
   bool operator==(const CellPlans& other) const;
 };

@@ -35,7 +35,7 @@ std::span<const ToolKey> ArmWaysTool::keys() {
 }
 
 void ArmWaysTool::documentChanged() {
-  m_pose = toolPose(m_document.robot().model, m_document.plans()->tool, m_document.joints());
+  m_pose = toolPose(m_document.robot(), *m_document.plans(), m_document.joints());
   forgetWays();
 }
 
@@ -82,7 +82,7 @@ ToolReply ArmWaysTool::commit() {
   if (!chosen || !chosen->isWithinLimits() || isThere()) return ToolReply::Ignored;
   auto edit = m_document.jointEdit(m_scene->whole(chosen->arm.values));
   if (!edit) return ToolReply::Ignored;
-  const Pose now = toolPose(m_document.robot().model, m_document.plans()->tool, m_document.joints());
+  const Pose now = toolPose(m_document.robot(), *m_document.plans(), m_document.joints());
   const QString text = now.isApprox(m_pose, 1e-9)
                            ? QCoreApplication::translate("ArmWaysTool", "Change the configuration of the arm")
                            : QCoreApplication::translate("ArmWaysTool", "Move the tool");
@@ -97,7 +97,7 @@ ToolReply ArmWaysTool::perform(std::string_view action) {
   if (action != "revert") return ToolReply::Ignored;
   if (isThere() && way()) return ToolReply::Finished;
   const bool wasElsewhere =
-      !m_pose.isApprox(toolPose(m_document.robot().model, m_document.plans()->tool, m_document.joints()), 1e-9);
+      !m_pose.isApprox(toolPose(m_document.robot(), *m_document.plans(), m_document.joints()), 1e-9);
   const bool wasOther = m_chosen > 0;
   documentChanged();
   return wasElsewhere || wasOther ? ToolReply::Used : ToolReply::Finished;

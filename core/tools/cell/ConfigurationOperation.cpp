@@ -3,6 +3,7 @@
 #include "tools/cell/ConfigurationOperation.h"
 
 #include "base/NumberText.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyErrors.h"
@@ -144,10 +145,11 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
     const std::string name = values.text("add");
     if (const auto problem = problemOfName(name)) return *problem;
     if (plans.target(name)) return Error{CellError::PlaceNameTaken, {name}, {}, {}};
+    const NamedConfiguration made{name, stored, plans.arm};
     if (const auto found = find(name); found != plans.configurations.end())
-      found->joints = stored;
+      *found = made;
     else
-      plans.configurations.push_back({name, stored});
+      plans.configurations.push_back(made);
   }
   for (const char* const verb : {"go", "remove"}) {
     const bool isToTarget = verb == std::string_view("go") && goesToTarget(values, *cell.plans);
@@ -155,7 +157,7 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
     const auto found = find(values.text(verb));
     if (found == plans.configurations.end()) return Error{CellError::PlaceMissing, {values.text(verb)}, {}, {}};
     if (verb == std::string_view("go"))
-      changed.joints = found->joints;
+      changed.joints = jointsSetBy(*cell.robot, found->arm, found->joints, cell.joints);
     else
       plans.configurations.erase(found);
   }
@@ -174,6 +176,7 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
 
 Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics, const RobotCellSnapshot& cell) {
   const RobotModel& robot = cell.robot->model;
+  const std::vector<std::uint32_t> owners = armsOfDofs(robot, cell.robot->arms);
   for (const auto& [a, b] : semantics.allowed) plans.allowed.insert({robot.links[a].name, robot.links[b].name});
   FreeNames names = plans.placeNames();
   for (const RobotSemantics::State& state : semantics.states) {
@@ -181,7 +184,9 @@ Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics
     for (const auto& [dof, value] : state.values) joints[dof] = value;
     Result<JointValues> within = valuesWithinLimits(robot, std::move(joints));
     if (!within) return within.error();
-    plans.configurations.push_back({names.take(state.name), std::move(within).value()});
+    const std::uint32_t owner = state.values.empty() ? kNone : owners[state.values.begin()->first];
+    const std::string arm = owner == kNone || cell.robot->arms.size() == 1 ? plans.arm : cell.robot->arms[owner].name;
+    plans.configurations.push_back({names.take(state.name), std::move(within).value(), arm});
   }
   return plans;
 }

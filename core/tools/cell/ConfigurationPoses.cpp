@@ -38,7 +38,7 @@ Result<Pose> givenPose(const OperationValues& values, const RobotCellSnapshot& c
   const RobotModel& robot = cell.robot->model;
   if (const NamedTarget* const target = targetToGoTo(values, *cell.plans))
     return poseOfTarget(*target, cell.bodies, robot, cell.joints);
-  Pose pose = toolPose(robot, cell.plans->tool, cell.joints);
+  Pose pose = toolPose(*cell.robot, *cell.plans, cell.joints);
   if (values.isSet("turn")) pose = poseOf(pose.translation(), vectorOf(values, "turn"));
   if (values.isSet("at")) pose.translation() = vectorOf(values, "at");
   return pose;

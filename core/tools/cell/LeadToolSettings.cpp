@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/NumberText.h"
+#include "document/cell/CellArms.h"
 #include "tools/ToolProperty.h"
 #include "tools/cell/LeadState.h"
 #include "tools/cell/PathCheck.h"
@@ -32,7 +33,9 @@ Property shownLength(const char* id, const char* label, double value) {
 
 std::vector<std::string> LeadTool::pathNames() const {
   std::vector<std::string> names;
-  for (const RobotPath& path : m_document.plans()->paths) names.push_back(path.name);
+  for (const RobotPath& path : m_document.plans()->paths) {
+    if (isSameArm(m_document.robot(), path.arm, m_document.plans()->arm)) names.push_back(path.name);
+  }
   return names;
 }
 

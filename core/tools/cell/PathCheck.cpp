@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/PathCheck.h"
 
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
 #include "robot/dh/DhTable.h"
@@ -55,12 +56,17 @@ std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, cons
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress) {
   if (path.places.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};
+  if (armNumber(*scene.robot, path.arm) != scene.armNumber)
+    return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const PathPlace& place = path.places[i];
-    if (scene.standsAs(place.joints)) continue;
+    if (scene.ownStandAs(place.joints)) continue;
     return Error{CellError::OthersMoved, {place.name.empty() ? std::to_string(i + 1) : place.name}, {}, {}};
   }
   CheckedPath checked;
+  for (const PathPlace& place : path.places) {
+    for (std::string& name : scene.robotsElsewhere(place.joints)) checked.robotsMoved.insert(std::move(name));
+  }
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;
@@ -101,11 +107,11 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
                        const CheckedPath& checked) {
   RobotProgram program;
   program.name = path.name;
-  program.robot = scene.robot->model.name;
-  program.arm = scene.arm;
+  program.robot = scene.plannedArm().title;
+  program.arm = scene.armFromBase();
   program.tool = plans.tool;
-  program.isBaseOfController = libraryRobot(scene.robot->model) != nullptr;
-  program.hasPlainShapes = hasPlainShapes(scene.robot->model);
+  program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
+  program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const PathPlace& place = path.places[i];
     ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};

@@ -8,6 +8,8 @@
 #include "planning/PathVerification.h"
 #include "robot/program/RobotProgram.h"
 
+#include <set>
+
 namespace handwheel {
 
 // A path of a cell as motions straight in joint space: lines of the tool are followed by short ones.
@@ -33,6 +35,8 @@ struct CheckedPath {
   // mm, of each place: how far the robot may leave it by and stay free on every way within that zone. 0: an exact stop.
   std::vector<double> blends;
   double seconds = 0.0;  // with a stop at each place, but between lines that blend
+  // Other robots that stand elsewhere than when the path was made. What is said of it is true of where they stand now.
+  std::set<std::string> robotsMoved = {};
 
   bool isCertified() const { return !way.stopsAt && !verification.certified.empty() && verification.isCertified(); }
   // The place that a motion of the verification leads to, from 1.
@@ -46,7 +50,8 @@ struct PathCheckSettings {
   double step = kVerificationStep;                       // rad, at which what is not proven free is looked at
 };
 
-// Verifies and measures a path: all of it, whatever it finds. Errors: PathTooShort, OthersMoved, Cancelled.
+// Verifies and measures a path of the robot that the scene is for, with the others where they stand: all of it,
+// whatever it finds. Errors: PathTooShort, OthersMoved, OfOtherArm, Cancelled.
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress = {});
 

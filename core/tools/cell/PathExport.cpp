@@ -32,7 +32,7 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
 }
 
 std::string otherRobot(const CellScene& scene, const Post& post) {
-  const LibraryRobot* const robot = libraryRobot(scene.robot->model);
+  const LibraryRobot* const robot = libraryRobot(scene.plannedArm().title);
   return robot && !std::string_view(robot->title).starts_with(post.maker()) ? robot->title : "";
 }
 
@@ -89,13 +89,13 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
 Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
                                   std::string_view text, Progress progress) {
   RobotProgram frame;
-  frame.arm = scene.arm;
+  frame.arm = scene.armFromBase();
   frame.tool = cell.plans->tool;
   // Readers of controllers with six joints count on six.
   if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
   const Result<std::vector<ReadMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
-  RobotPath path{"program", {}};
+  RobotPath path{"program", {}, cell.plans->arm};
   ArmValues before = scene.planned(cell.joints);
   for (const ReadMotion& motion : *motions) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
@@ -113,7 +113,7 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
       before = *motion.joints;
     } else {
       const Pose tip = *motion.pose * frame.tool.inverse(Eigen::Isometry);
-      const NumericalIkResult found = solvedNumerically(scene.arm, tip, before, {.tolerance = 1e-8, .seconds = 0.05});
+      const NumericalIkResult found = solvedNumerically(frame.arm, tip, before, {.tolerance = 1e-8, .seconds = 0.05});
       if (!found.isSolved)
         return located({CellError::PoseUnreachable, {std::to_string(path.places.size() + 1)}, {}, {}});
       before = found.values;
@@ -124,7 +124,7 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
     place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
     const bool hasShare = motion.toolSpeed && !path.places.empty();
     place.speed = speedOf(motion, place.motion,
-                          hasShare ? shareFor(scene.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
+                          hasShare ? shareFor(frame.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
     place.blend = std::max(0.0, motion.blend);
     path.places.push_back(std::move(place));
   }

@@ -215,8 +215,12 @@ const Operation& planOperation() {
 
 Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
                               const JointValues& near) {
-  if (const NamedConfiguration* configuration = cell.plans->configuration(text))
-    return PathPlace{.joints = configuration->joints, .name = configuration->name};
+  if (const NamedConfiguration* configuration = cell.plans->configuration(text)) {
+    if (armNumber(*scene.robot, configuration->arm) != scene.armNumber)
+      return Error{CellError::OfOtherArm, {configuration->name, configuration->arm}, {}, {}};
+    return PathPlace{.joints = withJointsOf(*scene.robot, scene.armNumber, cell.joints, configuration->joints),
+                     .name = configuration->name};
+  }
   if (const NamedTarget* target = cell.plans->target(text)) {
     const Result<Pose> pose = poseOfTarget(*target, cell.bodies, scene.robot->model, cell.joints);
     if (!pose) return pose.error();
@@ -273,15 +277,22 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
     if (place.isCritical || isEnd) kept.push_back(&place);
   }
   PlannedPath planned;
+  // Other robots are where they stand now.
+  const auto standing = [&](PathPlace place) {
+    place.joints = withJointsOf(*scene.robot, scene.armNumber, scene.others, place.joints);
+    return place;
+  };
   if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
   LegPlanning legs(scene, plans, settings);
-  planned.path.places.push_back(*kept.front());
+  planned.path.arm = plans.arm;
+  planned.path.places.push_back(standing(*kept.front()));
   const double share = 1.0 / static_cast<double>(kept.size() - 1);
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const std::array<std::string, 2> names{nameOf(*kept[i - 1], i - 1), nameOf(*kept[i], i)};
-    if (!scene.standsAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
+    if (!scene.ownStandAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
     const double done = share * static_cast<double>(i - 1);
-    const Status leg = legs.plan(*kept[i - 1], *kept[i], names, planned.path, progress.part(done, done + share));
+    const Status leg =
+        legs.plan(*kept[i - 1], standing(*kept[i]), names, planned.path, progress.part(done, done + share));
     if (!leg) return leg.error();
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   }

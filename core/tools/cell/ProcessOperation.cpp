@@ -315,6 +315,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     const Status leg = addLeg(scene, *cell.plans, last, *to, route, planned, progress.part(0.9, 1.0));
     if (!leg) return leg.error();
   }
+  planned.path.arm = cell.plans->arm;
   planned.path.process = processOf(values, asChosen.pose);
   planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return planned;

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/cell/BodyCarriers.h"
+#include "document/cell/CellArms.h"
 #include "document/scene/BodyDisplay.h"
 #include "planning/ToolTrack.h"
 #include "tools/OperationSettings.h"
@@ -206,7 +207,9 @@ ToolPreview ProcessTool::preview() const {
 
 std::vector<std::string> ProcessTool::ends() const {
   std::vector<std::string> names;
-  for (const NamedConfiguration& each : m_document.plans()->configurations) names.push_back(each.name);
+  for (const NamedConfiguration& each : m_document.plans()->configurations) {
+    if (isSameArm(m_document.robot(), each.arm, m_document.plans()->arm)) names.push_back(each.name);
+  }
   return names;
 }
 

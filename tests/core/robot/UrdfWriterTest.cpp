@@ -73,6 +73,16 @@ class UrdfWriterTest : public QObject {
     QVERIFY(rc::check("the same places",
                       [&] { RC_ASSERT(farthest(robot.robot, again.robot, someValues(robot.robot)) < 1e-9); }));
   }
+
+  // Joints that follow others of any kind, also those that stand; slides count in metres there.
+  void anyTree() {
+    QVERIFY(rc::check("the same places", [] {
+      const RobotModel robot = readOrThrow(anyRobot()).robot;
+      const RobotModel again = readOrThrow(urdfOf(robot)).robot;
+      RC_ASSERT(again.dofs.size() == robot.dofs.size());
+      RC_ASSERT(farthest(robot, again, someValues(robot)) < 1e-6);
+    }));
+  }
 };
 
 HANDWHEEL_TEST(UrdfWriterTest)

@@ -45,7 +45,7 @@ class ArmCell {
     document().commit("Add", std::move(addBodyEdit(document().bodies(), std::move(box))).value());
     return document().bodies().withName(name)->id;
   }
-  Pose tool() { return toolPose(document().robot().model, document().plans()->tool, document().joints()); }
+  Pose tool() { return toolPose(document().robot(), *document().plans(), document().joints()); }
   int steps() { return document().history()->count(); }
   void plan(CellPlans plans) {
     if (auto edit = document().plansEdit(std::move(plans))) document().commit("Plan", std::move(edit));

@@ -45,6 +45,7 @@ class Bench {
     auto read = readUrdf(urdf);
     auto robot = std::make_shared<CellRobot>();
     robot->model = std::move(read->robot);
+    robot->arms = {wholeArm(robot->model)};
     for (const Shape& shape : robot->model.shapes)
       robot->surfaces.push_back(std::make_shared<const TriangleSoup>(surfaceOf(shape)));
     auto cell = std::make_shared<RobotCellSnapshot>();

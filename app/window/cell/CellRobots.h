@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "document/cell/RobotCellSnapshot.h"
+#include "panels/MessageBar.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <functional>
+
+class QComboBox;
+
+namespace handwheel {
+
+class RobotCellDocument;
+
+// The robots of the cell in view: adds one beside what is there, removes one, and lets a person choose the one that is
+// planned for. Window thread.
+class CellRobots : public QObject {
+  Q_OBJECT
+
+ public:
+  CellRobots(const WindowContext& parts, QObject* parent);
+
+  void setDocument(DocumentTab* document);
+  QList<QAction*> all() { return {&m_add, &m_addBuiltIn, &m_remove}; }
+  QComboBox* box() const { return m_box; }  // owned by the window; hidden for a cell with one robot
+
+  // By their names; no such robot: nothing happens.
+  void choose(const std::string& name);
+  void remove(const std::string& name);
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  using Reading = std::function<Result<OpenedFile>(Progress)>;
+
+  RobotCellDocument& cell() const;
+  void askForFile();
+  void askForBuiltIn();
+  void add(const QString& what, Reading reading);
+  void addTo(DocumentTab& tab, const std::shared_ptr<const RobotCellSnapshot>& robot);
+  void report(const Document& document, const Error& error);
+  void update();
+
+  WindowContext m_parts;
+  DocumentTab* m_document = nullptr;
+  QAction m_add, m_addBuiltIn, m_remove;
+  QComboBox* m_box;
+};
+
+// Lets a person choose a robot of the library; chosen gets its id.
+void askForLibraryRobot(QWidget* window, const QString& title, QObject* receiver,
+                        const std::function<void(const char* id)>& chosen);
+
+}  // namespace handwheel

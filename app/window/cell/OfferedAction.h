@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "controls/CommandModel.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+// Enables an action, or says why it is disabled.
+inline void offer(QAction& action, bool isEnabled, const QString& reason) {
+  action.setEnabled(isEnabled);
+  action.setProperty(kDisabledReason, isEnabled ? QString() : reason);
+}
+
+}  // namespace handwheel
