@@ -31,8 +31,18 @@ void CellCollisions::setDocument(DocumentTab* document) {
   prepare();
 }
 
+// Who hears of a change before this does asks for the scene with joint values that it may not have.
+bool CellCollisions::isOfPresentRobots() const {
+  return m_document && m_scene && m_scene->robot.get() == &cell().robot();
+}
+
+std::shared_ptr<const CellScene> CellCollisions::scene() const {
+  const bool isUsable = isOfPresentRobots() && m_scene->armNumber == activeArmNumber(cell().robot(), *cell().plans());
+  return isUsable ? m_scene : nullptr;
+}
+
 bool CellCollisions::isPrepared() const {
-  if (!m_scene || m_scene->robot.get() != &cell().robot() || !(m_scene->bodies == cell().bodies())) return false;
+  if (!isOfPresentRobots() || !(m_scene->bodies == cell().bodies())) return false;
   return m_allowed == cell().plans()->allowed && m_scene->standsAs(cell().joints()) &&
          m_scene->armNumber == activeArmNumber(cell().robot(), *cell().plans());
 }
@@ -86,7 +96,7 @@ const CellScene& CellCollisions::sceneMoving(const JointValues& joints) const {
 }
 
 void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const Body* moved) const {
-  if (!m_scene) return;
+  if (!isOfPresentRobots()) return;
   if (!moved) {
     // Where nothing is dragged each robot may meet something.
     const CellScene& moving = sceneMoving(joints);

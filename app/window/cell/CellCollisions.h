@@ -22,7 +22,7 @@ class CellCollisions : public QObject {
   void setDocument(DocumentTab* document);
   // The cell prepared for planning with the robot that is planned for, as it is now; null while that is under way, or
   // impossible.
-  std::shared_ptr<const CellScene> scene() const { return m_scene; }
+  std::shared_ptr<const CellScene> scene() const;
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
 
   // Colours what collides in a cell that is shown: the robot at these joint values, where a body is being moved (null:
@@ -34,6 +34,7 @@ class CellCollisions : public QObject {
 
  private:
   const RobotCellDocument& cell() const;
+  bool isOfPresentRobots() const;
   bool isPrepared() const;
   bool areOthersPrepared() const;
   const CellScene& sceneMoving(const JointValues& joints) const;

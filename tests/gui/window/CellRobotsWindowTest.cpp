@@ -79,6 +79,30 @@ class CellRobotsWindowTest : public QObject {
     QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
   }
 
+  // Tools that work with the prepared cell hear of another number of joints before the cell is prepared anew.
+  void whileAToolRuns() {
+    for (const char* const tool : {"armWaysTool", "leadTool"}) {
+      TwoRobotsWindow driver;
+      driver.choose("storeConfiguration");
+      driver.choose(tool);
+      QVERIFY(driver.settle());
+      driver.addBuiltIn();
+      QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+      QVERIFY(driver.settle());
+      driver.tree()->setCurrentItem(driver.robot(1));
+      driver.choose("chooseRobot");
+      QVERIFY(driver.settle());
+      for (const char* const step : {"undo", "undo", "redo", "redo"}) {
+        driver.find<QAction>(step)->trigger();
+        QVERIFY(driver.settle());
+      }
+      QCOMPARE(driver.box()->currentIndex(), 1);
+      driver.choose("removeRobot");
+      QCOMPARE(driver.box()->count(), 1);
+      QVERIFY(driver.settle());
+    }
+  }
+
   // One robot within the other is red, whichever is planned for, and no longer when it stands beside it.
   void whatMeetsIsRed() {
     TwoRobotsWindow driver;
