@@ -14,7 +14,7 @@ namespace handwheel {
 // How a surface is repaired by a volume.
 struct VolumeRepairOptions {
   double voxel = 0.0;     // mm
-  bool isReduced = true;  // to about as many triangles as the surface had
+  bool isReduced = true;  // to about as many triangles as the surface had, or as stay within a voxel
 };
 
 // A surface that was repaired by a volume.
@@ -27,8 +27,8 @@ struct VolumeRepair {
 
 // Replaces a surface by that of the volume that it encloses (He 2008, 4.1: the volume workflow). All defects go: holes,
 // gaps, self-intersections, walls inside, whatever is not manifold. Details below the size of a voxel go too, and sharp
-// edges are cut off by up to half a voxel. Triangles are taken away by quadrics; where that made any meet, all stay.
-// Errors: those of volumeOfSurface().
+// edges are cut off by up to half a voxel. Triangles are taken away by quadrics, as far as no vertex or sample moves by
+// more than a voxel and none meet. Errors: those of volumeOfSurface().
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress = {});
 

@@ -120,8 +120,8 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   std::optional<Result<RepairedByVolume>> result;
   runInterruptible("Repairing", [&](CommandJob& job) { result = repairFileByVolume(request, kinds, job.progress()); });
-  if (!*result) return fail((*result)->error());
-  const RepairedByVolume& done = (*result)->value();
+  if (!*result) return fail(result->error());
+  const RepairedByVolume& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   const int code =

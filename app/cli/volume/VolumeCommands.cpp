@@ -32,9 +32,7 @@ std::string readRequest(const Arguments& arguments, Request& request, OperationV
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
-  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return problem;
-  const std::string problem = problemOf(values);
-  return problem.empty() ? problem : sentenceOf(problem);
+  return readOptions(arguments, values);
 }
 
 struct Answer {
@@ -45,8 +43,8 @@ struct Answer {
 };
 
 int deliver(const std::optional<Result<Answer>>& result, const Arguments& arguments) {
-  if (!*result) return fail((*result)->error());
-  const Answer& done = (*result)->value();
+  if (!*result) return fail(result->error());
+  const Answer& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   return print(arguments.has("json") ? done.report.dump() + "\n" : done.text);

@@ -60,9 +60,9 @@ class VolumeRepairTest : public QObject {
       reduced += after.triangles.size() < repair->sampledTriangles;
       // A surface that is outside of the ball by more than what was taken away allows would be geometry nobody has.
       const TriangleHierarchy hierarchy(scan.points, scan.triangles);
-      for (const Vec3& p : after.points) RC_ASSERT(std::sqrt(hierarchy.nearest(p)->squaredDistance) < 3.0);
+      for (const Vec3& p : after.points) RC_ASSERT(std::sqrt(hierarchy.nearest(p)->squaredDistance) < 2.5);
     }));
-    QVERIFY(reduced > 30);
+    QVERIFY(reduced > 0);
   }
 
   void withoutReduction() {
