@@ -367,6 +367,10 @@
         <source>Exercise</source>
         <translation>Übung</translation>
     </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -1269,6 +1273,106 @@
     <message>
         <source>&apos;%1&apos; is neither a URDF, a table after Denavit and Hartenberg, a robot cell nor a built-in robot</source>
         <translation>„%1“ ist weder eine URDF-Datei noch eine Tabelle nach Denavit und Hartenberg, eine Roboterzelle oder ein eingebauter Roboter</translation>
+    </message>
+    <message>
+        <source>on the straight line to %1 the robot collides: %2 with %3</source>
+        <translation>auf der geraden Linie nach %1 stößt der Roboter an: %2 mit %3</translation>
+    </message>
+    <message>
+        <source>Move to it by the joints, set it or the place before elsewhere, or allow this pair.</source>
+        <translation>Fahren Sie über die Gelenke dorthin, setzen Sie diesen Punkt oder den davor an eine andere Stelle, oder erlauben Sie dieses Paar.</translation>
+    </message>
+    <message>
+        <source>the cell would have %2 %1, and it can hold %3</source>
+        <translation>die Zelle hätte %2 %1, und sie kann %3 aufnehmen</translation>
+    </message>
+    <message>
+        <source>Remove what is not needed any more, or plan it in another cell.</source>
+        <translation>Entfernen Sie, was nicht mehr gebraucht wird, oder planen Sie es in einer anderen Zelle.</translation>
+    </message>
+    <message>
+        <source>the cell has no robot called &apos;%1&apos;</source>
+        <translation>die Zelle hat keinen Roboter mit dem Namen „%1“</translation>
+    </message>
+    <message>
+        <source>Name one of its robots (&apos;inspect&apos; lists them).</source>
+        <translation>Nennen Sie einen ihrer Roboter („inspect“ zeigt sie).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be the name of a robot</source>
+        <translation>„%1“ kann nicht der Name eines Roboters sein</translation>
+    </message>
+    <message>
+        <source>Choose another name, of one line.</source>
+        <translation>Wählen Sie einen anderen, einzeiligen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is the only robot of the cell, which must have one</source>
+        <translation>%1 ist der einzige Roboter der Zelle, und einen muss sie haben</translation>
+    </message>
+    <message>
+        <source>Add another robot before this one is removed.</source>
+        <translation>Fügen Sie einen anderen Roboter hinzu, bevor dieser entfernt wird.</translation>
+    </message>
+    <message>
+        <source>the base of %1 is what all of the cell is measured from</source>
+        <translation>die Basis von %1 ist der Bezug für alle Maße der Zelle</translation>
+    </message>
+    <message>
+        <source>Move the other robots and the bodies instead.</source>
+        <translation>Bewegen Sie stattdessen die anderen Roboter und die Körper.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of another robot than the one that is planned for: %2</source>
+        <translation>„%1“ gehört zu einem anderen Roboter als dem, für den geplant wird: %2</translation>
+    </message>
+    <message>
+        <source>Choose that robot first; on the command line: --arm.</source>
+        <translation>Wählen Sie zuerst diesen Roboter; auf der Befehlszeile: --arm.</translation>
+    </message>
+    <message>
+        <source>Give this field of the exercise another value.</source>
+        <translation>Geben Sie diesem Feld der Übung einen anderen Wert.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not read, and may change where or whether the robot moves</source>
+        <translation>„%1“ wird nicht gelesen und kann ändern, wohin oder ob sich der Roboter bewegt</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, replace it by the motions that it leads to, or remove it.</source>
+        <translation>Ersetzen Sie es in einer Kopie des Programms durch die Bewegungen, zu denen es führt, oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>motion %1 is a line at %2 mm/s, and %3 controllers take %4 mm/s at most</source>
+        <translation>Bewegung %1 ist eine Linie mit %2 mm/s, und Steuerungen mit %3 nehmen höchstens %4 mm/s an</translation>
+    </message>
+    <message>
+        <source>Give the place that it leads to a lower speed.</source>
+        <translation>Geben Sie dem Punkt, zu dem sie führt, eine niedrigere Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm are too fine for a part of %2 mm</source>
+        <translation>Voxel von %1 mm sind zu fein für ein Teil von %2 mm</translation>
+    </message>
+    <message>
+        <source>Choose voxels of at least %3 mm.</source>
+        <translation>Wählen Sie Voxel von mindestens %3 mm.</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would take %2 MB, and %3 MB are left</source>
+        <translation>Voxel von %1 mm würden %2 MB brauchen, und %3 MB sind noch frei</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or close other programs.</source>
+        <translation>Wählen Sie größere Voxel, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing</source>
+        <translation>die Oberfläche schließt nichts ein</translation>
+    </message>
+    <message>
+        <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
+        <translation>Kehren Sie ihre Flächen nach außen, wenn sie umgestülpt ist; eine offene Fläche hat kein Inneres.</translation>
     </message>
 </context>
 <context>
@@ -2334,10 +2438,6 @@
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>a circular motion</source>
-        <translation>eine Kreisbewegung</translation>
-    </message>
-    <message>
         <source>motions</source>
         <translation>Bewegungen</translation>
     </message>
@@ -2416,6 +2516,457 @@
     <message>
         <source>there are too many tools</source>
         <translation>es sind zu viele Werkzeuge</translation>
+    </message>
+    <message>
+        <source>a robot is not in the description</source>
+        <translation>ein Roboter steht nicht in der Beschreibung</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>den Roboter</translation>
+    </message>
+    <message>
+        <source>a cell with several robots as one robot</source>
+        <translation>eine Zelle mit mehreren Robotern als ein einzelner Roboter</translation>
+    </message>
+    <message>
+        <source>criterion %1</source>
+        <translation>Kriterium %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>places of a path</source>
+        <translation>Punkte einer Bahn</translation>
+    </message>
+    <message>
+        <source>paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>erlaubte Paare</translation>
+    </message>
+    <message>
+        <source>allowed pairs</source>
+        <translation>erlaubte Paare</translation>
+    </message>
+    <message>
+        <source>its data are not in the file, or the robot does not hold it</source>
+        <translation>seine Daten stehen nicht in der Datei, oder der Roboter hält es nicht</translation>
+    </message>
+    <message>
+        <source>its data are not in the file, or it moves</source>
+        <translation>seine Daten stehen nicht in der Datei, oder es bewegt sich</translation>
+    </message>
+    <message>
+        <source>its tool or base is on the controller, not in the file</source>
+        <translation>sein Werkzeug oder seine Basis steht in der Steuerung, nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>it is of another tool than those before</source>
+        <translation>es gehört zu einem anderen Werkzeug als die davor</translation>
+    </message>
+    <message>
+        <source>CalcRobT has another tool or frame than the motion</source>
+        <translation>CalcRobT hat ein anderes Werkzeug oder Koordinatensystem als die Bewegung</translation>
+    </message>
+    <message>
+        <source>it is not told which routine is first</source>
+        <translation>es ist nicht angegeben, welche Routine die erste ist</translation>
+    </message>
+    <message>
+        <source>routines call each other endlessly</source>
+        <translation>Routinen rufen einander endlos auf</translation>
+    </message>
+</context>
+<context>
+    <name>Exercise</name>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>A ball of 36 mm on a neck of 12 mm.</source>
+        <translation>Eine Kugel von 36 mm auf einem Hals von 12 mm.</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Schruppen</translation>
+    </message>
+    <message>
+        <source>Take the material off in passes of 1.5 mm and leave 0.4 mm on the radius.</source>
+        <translation>Nehmen Sie den Werkstoff mit 1,5 mm Zustellung je Schnitt ab, und lassen Sie 0,4 mm Aufmaß im Radius stehen.</translation>
+    </message>
+    <message>
+        <source>Begin each pass in the air at the end of the bar.</source>
+        <translation>Beginnen Sie jeden Schnitt in der Luft am Ende der Stange.</translation>
+    </message>
+    <message>
+        <source>The read-out shows the diameter: 0.4 mm on the radius are 0.8 mm on the diameter.</source>
+        <translation>Die Anzeige zeigt den Durchmesser: 0,4 mm im Radius sind 0,8 mm im Durchmesser.</translation>
+    </message>
+    <message>
+        <source>Move both slides at once along the circle.</source>
+        <translation>Bewegen Sie beide Schlitten gleichzeitig entlang des Kreises.</translation>
+    </message>
+    <message>
+        <source>Begin at the pole, where the ball ends, and go towards the chuck.</source>
+        <translation>Beginnen Sie am Pol, wo die Kugel endet, und fahren Sie zum Futter hin.</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Schlichten</translation>
+    </message>
+    <message>
+        <source>Follow the outline in one pass at 0.1 mm per revolution.</source>
+        <translation>Fahren Sie den Umriss in einem Schnitt mit 0,1 mm je Umdrehung ab.</translation>
+    </message>
+    <message>
+        <source>The slower the feed, the finer the surface.</source>
+        <translation>Je kleiner der Vorschub, desto feiner die Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Form within 0.1 mm</source>
+        <translation>Form auf 0,1 mm genau</translation>
+    </message>
+    <message>
+        <source>Radius 18 ±0.1</source>
+        <translation>Radius 18 ±0,1</translation>
+    </message>
+    <message>
+        <source>Finish N8</source>
+        <translation>Rauheit N8</translation>
+    </message>
+    <message>
+        <source>No collision, no feed too high</source>
+        <translation>Keine Kollision, kein zu hoher Vorschub</translation>
+    </message>
+    <message>
+        <source>Cutting force within that of the lathe</source>
+        <translation>Schnittkraft in den Grenzen der Drehmaschine</translation>
+    </message>
+    <message>
+        <source>Power within that of the motor</source>
+        <translation>Leistung in den Grenzen des Motors</translation>
+    </message>
+    <message>
+        <source>In the time</source>
+        <translation>In der vorgegebenen Zeit</translation>
+    </message>
+    <message>
+        <source>Without many hints</source>
+        <translation>Ohne viele Hinweise</translation>
+    </message>
+    <message>
+        <source>Bored bush</source>
+        <translation>Buchse mit Bohrung</translation>
+    </message>
+    <message>
+        <source>A bush with a bore to H10.</source>
+        <translation>Eine Buchse mit einer Bohrung nach H10.</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außendrehen</translation>
+    </message>
+    <message>
+        <source>Turn ⌀44 over 30 mm.</source>
+        <translation>Drehen Sie ⌀44 auf 30 mm Länge.</translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation>Bohrung ausdrehen</translation>
+    </message>
+    <message>
+        <source>Bore in passes of 1.5 mm to 0.4 mm below the size.</source>
+        <translation>Drehen Sie die Bohrung mit 1,5 mm Zustellung je Schnitt bis 0,4 mm unter Maß aus.</translation>
+    </message>
+    <message>
+        <source>The bore has no chips to see: listen.</source>
+        <translation>In der Bohrung sind keine Späne zu sehen: Hören Sie hin.</translation>
+    </message>
+    <message>
+        <source>Finish the bore</source>
+        <translation>Bohrung schlichten</translation>
+    </message>
+    <message>
+        <source>One pass at 0.1 mm per revolution.</source>
+        <translation>Ein Schnitt mit 0,1 mm je Umdrehung.</translation>
+    </message>
+    <message>
+        <source>⌀25 H10 bore</source>
+        <translation>Bohrung ⌀25 H10</translation>
+    </message>
+    <message>
+        <source>Depth 28 ±0.2</source>
+        <translation>Tiefe 28 ±0,2</translation>
+    </message>
+    <message>
+        <source>Dumb-bell weight</source>
+        <translation>Hantelgewicht</translation>
+    </message>
+    <message>
+        <source>Two equal heads with a handle between them.</source>
+        <translation>Zwei gleiche Köpfe mit einem Griff dazwischen.</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Turn the handle between the two heads.</source>
+        <translation>Drehen Sie den Griff zwischen den beiden Köpfen.</translation>
+    </message>
+    <message>
+        <source>The faces of the heads are 34 mm apart.</source>
+        <translation>Die Planflächen der Köpfe haben 34 mm Abstand.</translation>
+    </message>
+    <message>
+        <source>Handle 34 ±0.2</source>
+        <translation>Griff 34 ±0,2</translation>
+    </message>
+    <message>
+        <source>Your first shoulder</source>
+        <translation>Ihr erster Absatz</translation>
+    </message>
+    <message>
+        <source>Turn the end of a bar of 40 mm down to 30 mm, over a length of 30 mm. It takes a few minutes.</source>
+        <translation>Drehen Sie eine Stange von ⌀40 mm am Ende auf ⌀30 mm ab, über eine Länge von 30 mm. Das dauert einige Minuten.</translation>
+    </message>
+    <message>
+        <source>Choose the tool</source>
+        <translation>Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>Press V, or choose “Turn” above. A round tool appears at the pointer; the grey bar turns all the time, so only the distance from its axis matters.</source>
+        <translation>Drücken Sie V, oder wählen Sie oben „Drehen“. Am Zeiger erscheint ein rundes Werkzeug; die graue Stange dreht sich die ganze Zeit, daher zählt nur der Abstand von ihrer Achse.</translation>
+    </message>
+    <message>
+        <source>First pass</source>
+        <translation>Erster Schnitt</translation>
+    </message>
+    <message>
+        <source>Go with the pointer to the right end of the bar, just inside its edge. Hold the left button, and drag slowly along the bar over 30 mm. The label shows the diameter ⌀ that is left, and the feed f: more than 1 mm per revolution, 13 mm a second, is too fast; below 0.25 mm the surface becomes fine.</source>
+        <translation>Gehen Sie mit dem Zeiger an das rechte Ende der Stange, knapp innerhalb ihres Randes. Halten Sie die linke Taste, und ziehen Sie langsam 30 mm an der Stange entlang. Die Anzeige am Zeiger nennt den Durchmesser ⌀, der übrig bleibt, und den Vorschub f: Mehr als 1 mm je Umdrehung, 13 mm in der Sekunde, ist zu schnell; unter 0,25 mm wird die Oberfläche fein.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut while the tool is outside of the bar. Begin beyond its end and come in slowly.</source>
+        <translation>Solange das Werkzeug außerhalb der Stange ist, wird nichts geschnitten. Beginnen Sie jenseits ihres Endes, und fahren Sie langsam hinein.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes a pass back.</source>
+        <translation>Strg+Z nimmt einen Schnitt zurück.</translation>
+    </message>
+    <message>
+        <source>Go deeper</source>
+        <translation>Tiefer zustellen</translation>
+    </message>
+    <message>
+        <source>Repeat it a little deeper each time, until the label shows ⌀30.</source>
+        <translation>Wiederholen Sie das jedes Mal ein wenig tiefer, bis die Anzeige am Zeiger ⌀30 nennt.</translation>
+    </message>
+    <message>
+        <source>Two or three passes are enough.</source>
+        <translation>Zwei oder drei Schnitte genügen.</translation>
+    </message>
+    <message>
+        <source>The shoulder</source>
+        <translation>Der Absatz</translation>
+    </message>
+    <message>
+        <source>Let the pass end 30 mm from the end, so that a face stands there.</source>
+        <translation>Beenden Sie den Schnitt 30 mm vom Ende der Stange, sodass dort eine Planfläche steht.</translation>
+    </message>
+    <message>
+        <source>Z in the label is the height of the middle of the nose above the chuck&apos;s end of the bar. The face stands one nose radius, 0.8 mm, below it: stop at Z 50.8.</source>
+        <translation>Z in der Anzeige am Zeiger ist die Höhe der Mitte der Schneidenecke über dem Ende der Stange im Futter. Die Planfläche steht um einen Eckenradius, 0,8 mm, darunter: Halten Sie bei Z 50,8 an.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Press “Measure” below. Lines with ✓ are right; with ✗, take another pass.</source>
+        <translation>Drücken Sie unten „Messen“. Zeilen mit ✓ stimmen; bei ✗ machen Sie noch einen Schnitt.</translation>
+    </message>
+    <message>
+        <source>Length 30 ±1</source>
+        <translation>Länge 30 ±1</translation>
+    </message>
+    <message>
+        <source>Gourd</source>
+        <translation>Kalebasse</translation>
+    </message>
+    <message>
+        <source>Two bulbs with a waist, by hand and eye.</source>
+        <translation>Zwei Bäuche mit einer Taille, nach Gefühl und Augenmaß.</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Find the narrowest place, 36 mm from the end.</source>
+        <translation>Suchen Sie die dünnste Stelle, 36 mm vom Ende.</translation>
+    </message>
+    <message>
+        <source>Plunge a little, measure, and plunge again.</source>
+        <translation>Stechen Sie ein wenig ein, messen Sie, und stechen Sie weiter ein.</translation>
+    </message>
+    <message>
+        <source>Form within 0.15 mm</source>
+        <translation>Form auf 0,15 mm genau</translation>
+    </message>
+    <message>
+        <source>Shaft with shoulders</source>
+        <translation>Welle mit Absätzen</translation>
+    </message>
+    <message>
+        <source>Three diameters to h10 with exact lengths.</source>
+        <translation>Drei Durchmesser nach h10 mit genauen Längen.</translation>
+    </message>
+    <message>
+        <source>First shoulder</source>
+        <translation>Erster Absatz</translation>
+    </message>
+    <message>
+        <source>Turn ⌀20 over 30 mm.</source>
+        <translation>Drehen Sie ⌀20 auf 30 mm Länge.</translation>
+    </message>
+    <message>
+        <source>Touch off at the end first.</source>
+        <translation>Kratzen Sie zuerst am Ende der Stange an.</translation>
+    </message>
+    <message>
+        <source>Second shoulder</source>
+        <translation>Zweiter Absatz</translation>
+    </message>
+    <message>
+        <source>Turn ⌀28 over the next 30 mm.</source>
+        <translation>Drehen Sie ⌀28 auf den nächsten 30 mm.</translation>
+    </message>
+    <message>
+        <source>Third shoulder</source>
+        <translation>Dritter Absatz</translation>
+    </message>
+    <message>
+        <source>Turn ⌀36 over 25 mm.</source>
+        <translation>Drehen Sie ⌀36 auf 25 mm Länge.</translation>
+    </message>
+    <message>
+        <source>Length 30 ±0.1</source>
+        <translation>Länge 30 ±0,1</translation>
+    </message>
+    <message>
+        <source>Thread M20</source>
+        <translation>Gewinde M20</translation>
+    </message>
+    <message>
+        <source>A thread M20 × 2.5 - 6g with relief and chamfer.</source>
+        <translation>Ein Gewinde M20 × 2,5 - 6g mit Freistich und Fase.</translation>
+    </message>
+    <message>
+        <source>Major diameter</source>
+        <translation>Außendurchmesser</translation>
+    </message>
+    <message>
+        <source>Turn to 19.8 mm, as a thread M20 with a pitch of 2.5 mm begins.</source>
+        <translation>Drehen Sie auf ⌀19,8 mm, das Ausgangsmaß für ein Gewinde M20 mit 2,5 mm Steigung.</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Freistich</translation>
+    </message>
+    <message>
+        <source>Groove to 16.4 mm beside the collar, where the thread runs out.</source>
+        <translation>Stechen Sie neben dem Bund, wo das Gewinde ausläuft, auf ⌀16,4 mm ein.</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Gewinde</translation>
+    </message>
+    <message>
+        <source>Cut the thread with the tool of 60°: passes of falling depth, down to a pitch diameter of 18.25 mm.</source>
+        <translation>Drehen Sie das Gewinde mit dem Gewindedrehmeißel von 60°: Schnitte mit abnehmender Zustellung, bis zu einem Flankendurchmesser von 18,25 mm.</translation>
+    </message>
+    <message>
+        <source>On the lathe, set the pitch and close the half-nut in front of the end of the bar; open it in the relief.</source>
+        <translation>Stellen Sie an der Drehmaschine die Steigung ein, und schließen Sie die Schlossmutter vor dem Ende der Stange; öffnen Sie sie im Freistich.</translation>
+    </message>
+    <message>
+        <source>A lead that is a part of the lead screw&apos;s pitch always finds its groove again.</source>
+        <translation>Eine Steigung, die in der Steigung der Leitspindel ohne Rest aufgeht, trifft immer wieder ihre Rille.</translation>
+    </message>
+    <message>
+        <source>⌀20 6g major diameter</source>
+        <translation>Außendurchmesser ⌀20 6g</translation>
+    </message>
+    <message>
+        <source>Pitch 2.5 ±0.02</source>
+        <translation>Steigung 2,5 ±0,02</translation>
+    </message>
+    <message>
+        <source>Pitch diameter 18.376 6g</source>
+        <translation>Flankendurchmesser 18,376 6g</translation>
+    </message>
+    <message>
+        <source>Minor diameter 6g</source>
+        <translation>Kerndurchmesser 6g</translation>
+    </message>
+    <message>
+        <source>To the collar 40 ±0.2</source>
+        <translation>Bis zum Bund 40 ±0,2</translation>
+    </message>
+    <message>
+        <source>Chamfer 45°</source>
+        <translation>Fase 45°</translation>
+    </message>
+    <message>
+        <source>Wine glass</source>
+        <translation>Weinglas</translation>
+    </message>
+    <message>
+        <source>A glass with a hollow bowl on a thin stem.</source>
+        <translation>Ein Glas mit hohlem Kelch auf einem dünnen Stiel.</translation>
+    </message>
+    <message>
+        <source>Hollow the bowl</source>
+        <translation>Kelch ausdrehen</translation>
+    </message>
+    <message>
+        <source>Bore from the end in passes of 1.5 mm, while the stem is still thick.</source>
+        <translation>Drehen Sie vom Ende her mit 1,5 mm Zustellung je Schnitt aus, solange der Stiel noch dick ist.</translation>
+    </message>
+    <message>
+        <source>What is hollowed last breaks the stem.</source>
+        <translation>Wer den Kelch zuletzt ausdreht, bricht den Stiel ab.</translation>
+    </message>
+    <message>
+        <source>Stem</source>
+        <translation>Stiel</translation>
+    </message>
+    <message>
+        <source>Turn the stem to 8 mm.</source>
+        <translation>Drehen Sie den Stiel auf ⌀8 mm.</translation>
+    </message>
+    <message>
+        <source>Small cuts: the stem bends.</source>
+        <translation>Kleine Schnitte: Der Stiel biegt sich.</translation>
+    </message>
+    <message>
+        <source>Depth of the bowl 39 ±0.5</source>
+        <translation>Tiefe des Kelchs 39 ±0,5</translation>
     </message>
 </context>
 <context>
@@ -3565,10 +4116,6 @@
         <translation>Das Teil misst %1 × %2 × %3 mm, wenn seine Zahlen Millimeter sind: Die Datei nennt keine Einheit.</translation>
     </message>
     <message>
-        <source>The description has neither model solution nor work.</source>
-        <translation>Die Beschreibung enthält weder Musterlösung noch Arbeit.</translation>
-    </message>
-    <message>
         <source>there is no such surface along all of the range</source>
         <translation>eine solche Fläche gibt es nicht über den ganzen Bereich</translation>
     </message>
@@ -3819,6 +4366,14 @@
     <message>
         <source>%1 of %2 points</source>
         <translation>%1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>A description cannot hold a model solution that was made by hand. It has none.</source>
+        <translation>Eine Beschreibung kann keine Musterlösung enthalten, die von Hand gemacht wurde. Sie hat keine.</translation>
+    </message>
+    <message>
+        <source>The work is not in the description.</source>
+        <translation>Die Arbeit steht nicht in der Beschreibung.</translation>
     </message>
 </context>
 <context>
@@ -5374,6 +5929,218 @@
         <source>a drawn curve</source>
         <translation>einer gezeichneten Kurve</translation>
     </message>
+    <message>
+        <source>Robot that is planned for</source>
+        <translation>Roboter, für den geplant wird</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Material (mm³)</source>
+        <translation>Material (mm³)</translation>
+    </message>
+    <message>
+        <source>Memory (MB)</source>
+        <translation>Arbeitsspeicher (MB)</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>Entstanden aus</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel below 0.25 % C, annealed</source>
+        <translation>Unlegierter Stahl unter 0,25 % C, geglüht</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel from 0.25 % C, annealed</source>
+        <translation>Unlegierter Stahl ab 0,25 % C, geglüht</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel below 0.55 % C, quenched and tempered</source>
+        <translation>Unlegierter Stahl unter 0,55 % C, vergütet</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel from 0.55 % C, annealed</source>
+        <translation>Unlegierter Stahl ab 0,55 % C, geglüht</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel from 0.55 % C, quenched and tempered</source>
+        <translation>Unlegierter Stahl ab 0,55 % C, vergütet</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, annealed</source>
+        <translation>Niedriglegierter Stahl, geglüht</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, quenched and tempered, 930 MPa</source>
+        <translation>Niedriglegierter Stahl, vergütet, 930 MPa</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, quenched and tempered, 1000 MPa</source>
+        <translation>Niedriglegierter Stahl, vergütet, 1000 MPa</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, quenched and tempered, 1200 MPa</source>
+        <translation>Niedriglegierter Stahl, vergütet, 1200 MPa</translation>
+    </message>
+    <message>
+        <source>High-alloy and tool steel, annealed</source>
+        <translation>Hochlegierter Stahl und Werkzeugstahl, geglüht</translation>
+    </message>
+    <message>
+        <source>High-alloy and tool steel, quenched and tempered</source>
+        <translation>Hochlegierter Stahl und Werkzeugstahl, vergütet</translation>
+    </message>
+    <message>
+        <source>Stainless steel, ferritic or martensitic</source>
+        <translation>Nichtrostender Stahl, ferritisch oder martensitisch</translation>
+    </message>
+    <message>
+        <source>Stainless steel, martensitic</source>
+        <translation>Nichtrostender Stahl, martensitisch</translation>
+    </message>
+    <message>
+        <source>Stainless steel, austenitic</source>
+        <translation>Nichtrostender Stahl, austenitisch</translation>
+    </message>
+    <message>
+        <source>Grey cast iron, ferritic-pearlitic</source>
+        <translation>Grauguss, ferritisch-perlitisch</translation>
+    </message>
+    <message>
+        <source>Grey cast iron, pearlitic</source>
+        <translation>Grauguss, perlitisch</translation>
+    </message>
+    <message>
+        <source>Nodular cast iron, ferritic</source>
+        <translation>Gusseisen mit Kugelgraphit, ferritisch</translation>
+    </message>
+    <message>
+        <source>Nodular cast iron, pearlitic</source>
+        <translation>Gusseisen mit Kugelgraphit, perlitisch</translation>
+    </message>
+    <message>
+        <source>Malleable cast iron, ferritic</source>
+        <translation>Temperguss, ferritisch</translation>
+    </message>
+    <message>
+        <source>Malleable cast iron, pearlitic</source>
+        <translation>Temperguss, perlitisch</translation>
+    </message>
+    <message>
+        <source>Wrought aluminium alloy</source>
+        <translation>Aluminium-Knetlegierung</translation>
+    </message>
+    <message>
+        <source>Wrought aluminium alloy, cured</source>
+        <translation>Aluminium-Knetlegierung, ausgehärtet</translation>
+    </message>
+    <message>
+        <source>Cast aluminium alloy to 12 % Si</source>
+        <translation>Aluminium-Gusslegierung bis 12 % Si</translation>
+    </message>
+    <message>
+        <source>Cast aluminium alloy to 12 % Si, cured</source>
+        <translation>Aluminium-Gusslegierung bis 12 % Si, ausgehärtet</translation>
+    </message>
+    <message>
+        <source>Cast aluminium alloy above 12 % Si</source>
+        <translation>Aluminium-Gusslegierung über 12 % Si</translation>
+    </message>
+    <message>
+        <source>Free-cutting copper alloy</source>
+        <translation>Kupfer-Automatenlegierung</translation>
+    </message>
+    <message>
+        <source>Brass</source>
+        <translation>Messing</translation>
+    </message>
+    <message>
+        <source>Electrolytic copper</source>
+        <translation>Elektrolytkupfer</translation>
+    </message>
+    <message>
+        <source>Heat-resistant alloy on iron base, annealed</source>
+        <translation>Warmfeste Legierung auf Eisenbasis, geglüht</translation>
+    </message>
+    <message>
+        <source>Heat-resistant alloy on iron base, cured</source>
+        <translation>Warmfeste Legierung auf Eisenbasis, ausgehärtet</translation>
+    </message>
+    <message>
+        <source>Heat-resistant alloy on nickel or cobalt base</source>
+        <translation>Warmfeste Legierung auf Nickel- oder Kobaltbasis</translation>
+    </message>
+    <message>
+        <source>Pure titanium</source>
+        <translation>Reintitan</translation>
+    </message>
+    <message>
+        <source>Titanium alloy, alpha and beta</source>
+        <translation>Titanlegierung, Alpha und Beta</translation>
+    </message>
+    <message>
+        <source>Mild steel, 520 MPa</source>
+        <translation>Weicher Stahl, 520 MPa</translation>
+    </message>
+    <message>
+        <source>Medium steel, 620 MPa</source>
+        <translation>Mittelharter Stahl, 620 MPa</translation>
+    </message>
+    <message>
+        <source>Hard steel, 720 MPa</source>
+        <translation>Harter Stahl, 720 MPa</translation>
+    </message>
+    <message>
+        <source>Tool steel, 670 MPa</source>
+        <translation>Werkzeugstahl, 670 MPa</translation>
+    </message>
+    <message>
+        <source>Tool steel, 770 MPa</source>
+        <translation>Werkzeugstahl, 770 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-manganese steel, 770 MPa</source>
+        <translation>Chrom-Mangan-Stahl, 770 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-manganese steel, 630 MPa</source>
+        <translation>Chrom-Mangan-Stahl, 630 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-molybdenum steel, 730 MPa</source>
+        <translation>Chrom-Molybdän-Stahl, 730 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-molybdenum steel, 600 MPa</source>
+        <translation>Chrom-Molybdän-Stahl, 600 MPa</translation>
+    </message>
+    <message>
+        <source>Nickel-chrome-molybdenum steel, 900 MPa</source>
+        <translation>Nickel-Chrom-Molybdän-Stahl, 900 MPa</translation>
+    </message>
+    <message>
+        <source>Nickel-chrome-molybdenum steel, 352 HB</source>
+        <translation>Nickel-Chrom-Molybdän-Stahl, 352 HB</translation>
+    </message>
+    <message>
+        <source>Hard cast iron, 46 HRC</source>
+        <translation>Hartguss, 46 HRC</translation>
+    </message>
+    <message>
+        <source>Meehanite cast iron, 360 MPa</source>
+        <translation>Meehanite-Gusseisen, 360 MPa</translation>
+    </message>
+    <message>
+        <source>Grey cast iron, 200 HB</source>
+        <translation>Grauguss, 200 HB</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6897,6 +7664,18 @@
         <source>too fast: feed %1 mm/rev, at most %2</source>
         <translation>zu schnell: Vorschub %1 mm/U, höchstens %2</translation>
     </message>
+    <message>
+        <source>Change robots</source>
+        <translation>Roboter ändern</translation>
+    </message>
+    <message>
+        <source>Make volume</source>
+        <translation>Volumen erzeugen</translation>
+    </message>
+    <message>
+        <source>Make mesh</source>
+        <translation>Netz erzeugen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -7496,10 +8275,6 @@
         <translation>Plant eine Bahn zwischen Stellungen, die bewiesen kollisionsfrei ist</translation>
     </message>
     <message>
-        <source>Plan the path again through its critical places</source>
-        <translation>Plant die Bahn durch ihre kritischen Punkte neu</translation>
-    </message>
-    <message>
         <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
         <translation>Fügt die Stellung des Roboters hinter dem gewählten Punkt als kritische Stellung ein</translation>
     </message>
@@ -7752,10 +8527,6 @@
         <translation>Ersetzt den gewählten Punkt oder das gewählte Ziel durch die jetzige Stellung des Roboters</translation>
     </message>
     <message>
-        <source>Remove the selected configuration, path, place or target</source>
-        <translation>Entfernt die gewählte Stellung, die Bahn, den Punkt oder das Ziel</translation>
-    </message>
-    <message>
         <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
         <translation>Fährt die kritischen Punkte in der Reihenfolge und in den Stellungen an, die am wenigsten Zeit brauchen</translation>
     </message>
@@ -7778,10 +8549,6 @@
     <message>
         <source>Select a place of a path or a target first.</source>
         <translation>Wählen Sie zuerst einen Punkt einer Bahn oder ein Ziel.</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path, a place or a target first.</source>
-        <translation>Wählen Sie zuerst eine Stellung, eine Bahn, einen Punkt oder ein Ziel.</translation>
     </message>
     <message>
         <source>Try again in a moment.</source>
@@ -7807,6 +8574,66 @@
         <source>%1 is not the language of the controller of this robot, %2.</source>
         <translation>%1 ist nicht die Sprache der Steuerung dieses Roboters, %2.</translation>
     </message>
+    <message>
+        <source>%1 was changed while it was planned</source>
+        <translation>%1 wurde geändert, während die Planung lief</translation>
+    </message>
+    <message>
+        <source>Your changes stay; what was planned is %1.</source>
+        <translation>Ihre Änderungen bleiben; das Ergebnis der Planung ist %1.</translation>
+    </message>
+    <message>
+        <source>The cell was changed while %1 was planned</source>
+        <translation>Die Zelle wurde geändert, während %1 geplant wurde</translation>
+    </message>
+    <message>
+        <source>The result does not hold for the cell as it is now, and was thrown away.</source>
+        <translation>Das Ergebnis gilt nicht für die Zelle, wie sie jetzt ist, und wurde verworfen.</translation>
+    </message>
+    <message>
+        <source>Plan it again</source>
+        <translation>Neu planen</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Plan for this ro&amp;bot</source>
+        <translation>F&amp;ür diesen Roboter planen</translation>
+    </message>
+    <message>
+        <source>Plan the path again through its critical places; one along a curve follows it where the part is now</source>
+        <translation>Plant die Bahn noch einmal durch ihre kritischen Punkte; eine Bahn entlang einer Kurve folgt dieser dort, wo das Teil jetzt ist</translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path, place, target or robot</source>
+        <translation>Entfernt, was gewählt ist: Stellung, Bahn, Punkt, Ziel oder Roboter</translation>
+    </message>
+    <message>
+        <source>Plan for the selected robot from now on; the others stand where they are</source>
+        <translation>Plant von jetzt an für den gewählten Roboter; die anderen bleiben stehen, wo sie sind</translation>
+    </message>
+    <message>
+        <source>%1; %2 has moved since</source>
+        <translation>%1; %2 hat sich seitdem bewegt</translation>
+    </message>
+    <message>
+        <source>Choose the robot that the path is of first.</source>
+        <translation>Wählen Sie zuerst den Roboter, zu dem die Bahn gehört.</translation>
+    </message>
+    <message>
+        <source>Select a robot in the list first, in a cell with several.</source>
+        <translation>Wählen Sie zuerst einen Roboter in der Liste, in einer Zelle mit mehreren.</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a place, a target or a robot first.</source>
+        <translation>Wählen Sie zuerst eine Stellung, eine Bahn, einen Punkt, ein Ziel oder einen Roboter.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -7821,6 +8648,81 @@
     <message>
         <source>Finding the reach of the arm</source>
         <translation>Reichweite des Arms wird ermittelt</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellRobots</name>
+    <message>
+        <source>Robot:</source>
+        <translation>Roboter:</translation>
+    </message>
+    <message>
+        <source>Add a robot from a &amp;file…</source>
+        <translation>Roboter aus einer &amp;Datei hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a bu&amp;ilt-in robot…</source>
+        <translation>M&amp;itgelieferten Roboter hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the robot</source>
+        <translation>Robo&amp;ter entfernen</translation>
+    </message>
+    <message>
+        <source>Add another robot to the cell, by its URDF or a table after Denavit and Hartenberg</source>
+        <translation>Einen weiteren Roboter zur Zelle hinzufügen, aus seiner URDF-Datei oder einer Tabelle nach Denavit und Hartenberg</translation>
+    </message>
+    <message>
+        <source>Add another robot to the cell from the library</source>
+        <translation>Einen weiteren Roboter aus der Bibliothek zur Zelle hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the robot that is planned for, with its configurations and paths</source>
+        <translation>Den Roboter, für den geplant wird, mit seinen Stellungen und Bahnen entfernen</translation>
+    </message>
+    <message>
+        <source>Robot that is planned for</source>
+        <translation>Roboter, für den geplant wird</translation>
+    </message>
+    <message>
+        <source>The robot that is planned for; the others stand where they are</source>
+        <translation>Der Roboter, für den geplant wird; die anderen bleiben stehen, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Open a robot cell first.</source>
+        <translation>Öffnen Sie zuerst eine Roboterzelle.</translation>
+    </message>
+    <message>
+        <source>It is the only robot of the cell.</source>
+        <translation>Er ist der einzige Roboter der Zelle.</translation>
+    </message>
+    <message>
+        <source>Plan for %1</source>
+        <translation>Für %1 planen</translation>
+    </message>
+    <message>
+        <source>Remove the robot %1</source>
+        <translation>Roboter %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Add a robot</source>
+        <translation>Roboter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Robots (*.urdf *.dh.json);;All files (*)</source>
+        <translation>Roboter (*.urdf *.dh.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Add the robot %1</source>
+        <translation>Roboter %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>The robots stay as they are</source>
+        <translation>Die Roboter bleiben, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -7904,6 +8806,25 @@
     <message>
         <source>No matching command.</source>
         <translation>Kein passender Befehl.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CopyActions</name>
+    <message>
+        <source>Open a copy as %1</source>
+        <translation>Kopie als %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open the surface of this document as a new document of that kind</source>
+        <translation>Die Oberfläche dieses Dokuments als neues Dokument dieser Art öffnen</translation>
+    </message>
+    <message>
+        <source>Copying %1</source>
+        <translation>%1 wird kopiert</translation>
+    </message>
+    <message>
+        <source>%1 was not copied</source>
+        <translation>%1 wurde nicht kopiert</translation>
     </message>
 </context>
 <context>
@@ -8242,6 +9163,21 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DeviceDock</name>
+    <message>
+        <source>along (Z)</source>
+        <translation>längs (Z)</translation>
+    </message>
+    <message>
+        <source>radius (X)</source>
+        <translation>Radius (X)</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>quer</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DeviceFinder</name>
     <message>
         <source>Looking for devices</source>
@@ -8551,10 +9487,6 @@
         <translation>Den ersten Absatz drehen</translation>
     </message>
     <message>
-        <source>A lesson of three minutes: the program says what to do, and measures the part.</source>
-        <translation>Eine Lektion von drei Minuten: Das Programm sagt, was zu tun ist, und misst das Teil.</translation>
-    </message>
-    <message>
         <source>Exercise: shaft with shoulders</source>
         <translation>Übung: Welle mit Absätzen</translation>
     </message>
@@ -8739,6 +9671,10 @@
     <message>
         <source>%1, comparison</source>
         <translation>%1, Vergleich</translation>
+    </message>
+    <message>
+        <source>A lesson of about five minutes: the program says what to do, and measures the part.</source>
+        <translation>Eine Lektion von etwa fünf Minuten: Das Programm sagt, was zu tun ist, und misst das Teil.</translation>
     </message>
 </context>
 <context>
@@ -9565,6 +10501,18 @@
         <source>Left-hand thread: while the spindle runs forward the lead screw takes the carriage away from the chuck. It is set while the half-nut is open.</source>
         <translation>Linksgewinde: Bei Vorwärtslauf der Spindel führt die Leitspindel den Bettschlitten vom Futter weg. Wird bei offener Schlossmutter gestellt.</translation>
     </message>
+    <message>
+        <source>%1 not touched off</source>
+        <translation>%1 nicht angekratzt</translation>
+    </message>
+    <message>
+        <source>Turn a little of the bar, measure its diameter, enter it below, and press “Touch off X” before the cross slide moves.</source>
+        <translation>Drehen Sie die Stange ein wenig ab, messen Sie ihren Durchmesser, geben Sie ihn unten ein, und drücken Sie „X ankratzen“, bevor sich der Planschlitten bewegt.</translation>
+    </message>
+    <message>
+        <source>Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the carriage moves.</source>
+        <translation>Berühren Sie die Planfläche der Stange mit dem Werkzeug, geben Sie ihre Höhe unten ein, und drücken Sie „Z ankratzen“, bevor sich der Bettschlitten bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -10205,6 +11153,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PathGuides</name>
+    <message>
+        <source>Finding the way along %1</source>
+        <translation>Weg entlang %1 wird ermittelt</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PlanDialog</name>
     <message>
         <source>Plan a path</source>
@@ -10256,6 +11211,18 @@
     <message>
         <source>Targets</source>
         <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>planned for</source>
+        <translation>für ihn wird geplant</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
     </message>
 </context>
 <context>
@@ -10877,6 +11844,10 @@
             <numerusform>%n Kollision aufgezeichnet, die „Rückgängig“ nicht zurücknimmt.</numerusform>
             <numerusform>%n Kollisionen aufgezeichnet, die „Rückgängig“ nicht zurücknimmt.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Change the tools of the program</source>
+        <translation>Werkzeuge des Programms ändern</translation>
     </message>
 </context>
 <context>
@@ -11523,10 +12494,6 @@
     <message>
         <source>New cell</source>
         <translation>Neue Zelle</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>Roboter:</translation>
     </message>
     <message>
         <source>Planning</source>
@@ -12644,6 +13611,33 @@
     <message>
         <source>There is not enough memory to draw all of the model.</source>
         <translation>Der Arbeitsspeicher reicht nicht aus, um das ganze Modell zu zeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::VolumeUi</name>
+    <message>
+        <source>New &amp;clay</source>
+        <translation>Neue &amp;Tonkugel</translation>
+    </message>
+    <message>
+        <source>Start with a ball of clay</source>
+        <translation>Mit einer Kugel aus Ton beginnen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1 mm³ in voxels of %2 mm. Its surface is closed.</source>
+        <translation>%1 mm³ in Voxeln von %2 mm. Die Oberfläche ist geschlossen.</translation>
+    </message>
+    <message>
+        <source>Opened %1: a volume</source>
+        <translation>%1 geöffnet: ein Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Volume</source>
+        <translation>&amp;Volumen</translation>
     </message>
 </context>
 <context>

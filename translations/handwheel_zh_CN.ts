@@ -366,6 +366,10 @@
         <source>Exercise</source>
         <translation>练习</translation>
     </message>
+    <message>
+        <source>Volume</source>
+        <translation>体素模型</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -1268,6 +1272,106 @@
     <message>
         <source>&apos;%1&apos; is neither a URDF, a table after Denavit and Hartenberg, a robot cell nor a built-in robot</source>
         <translation>“%1”既不是 URDF、Denavit-Hartenberg 表、机器人单元，也不是内置机器人</translation>
+    </message>
+    <message>
+        <source>on the straight line to %1 the robot collides: %2 with %3</source>
+        <translation>在到 %1 的直线上机器人发生碰撞：%2 与 %3</translation>
+    </message>
+    <message>
+        <source>Move to it by the joints, set it or the place before elsewhere, or allow this pair.</source>
+        <translation>请以关节运动到达，将该位置或前一位置设到别处，或允许该对接触。</translation>
+    </message>
+    <message>
+        <source>the cell would have %2 %1, and it can hold %3</source>
+        <translation>单元将有 %2 个%1，而最多只能容纳 %3 个</translation>
+    </message>
+    <message>
+        <source>Remove what is not needed any more, or plan it in another cell.</source>
+        <translation>请移除不再需要的内容，或在另一个单元中规划。</translation>
+    </message>
+    <message>
+        <source>the cell has no robot called &apos;%1&apos;</source>
+        <translation>单元中没有名为“%1”的机器人</translation>
+    </message>
+    <message>
+        <source>Name one of its robots (&apos;inspect&apos; lists them).</source>
+        <translation>请指定单元中的一个机器人（用 inspect 列出）。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be the name of a robot</source>
+        <translation>“%1”不能用作机器人的名称</translation>
+    </message>
+    <message>
+        <source>Choose another name, of one line.</source>
+        <translation>请选择另一个名称，且只能为一行。</translation>
+    </message>
+    <message>
+        <source>%1 is the only robot of the cell, which must have one</source>
+        <translation>%1 是单元中唯一的机器人，而单元必须有一个机器人</translation>
+    </message>
+    <message>
+        <source>Add another robot before this one is removed.</source>
+        <translation>请先添加另一个机器人，再移除它。</translation>
+    </message>
+    <message>
+        <source>the base of %1 is what all of the cell is measured from</source>
+        <translation>%1 的基座是整个单元的测量基准</translation>
+    </message>
+    <message>
+        <source>Move the other robots and the bodies instead.</source>
+        <translation>请改为移动其他机器人和物体。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of another robot than the one that is planned for: %2</source>
+        <translation>“%1”属于另一个机器人 %2，而非当前规划的机器人</translation>
+    </message>
+    <message>
+        <source>Choose that robot first; on the command line: --arm.</source>
+        <translation>请先选择那个机器人；命令行：--arm。</translation>
+    </message>
+    <message>
+        <source>Give this field of the exercise another value.</source>
+        <translation>请为练习的此字段指定其他值。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not read, and may change where or whether the robot moves</source>
+        <translation>“%1”未被读取，而它可能影响机器人是否移动以及移动到何处</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, replace it by the motions that it leads to, or remove it.</source>
+        <translation>请在程序的副本中用它所产生的运动替换它，或将其删除。</translation>
+    </message>
+    <message>
+        <source>motion %1 is a line at %2 mm/s, and %3 controllers take %4 mm/s at most</source>
+        <translation>运动 %1 是速度为 %2 mm/s 的直线，而 %3 控制器最高只接受 %4 mm/s</translation>
+    </message>
+    <message>
+        <source>Give the place that it leads to a lower speed.</source>
+        <translation>请为该运动到达的位置设置较低的速度。</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm are too fine for a part of %2 mm</source>
+        <translation>%1 mm 的体素对于 %2 mm 的零件过细</translation>
+    </message>
+    <message>
+        <source>Choose voxels of at least %3 mm.</source>
+        <translation>请选择不小于 %3 mm 的体素。</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would take %2 MB, and %3 MB are left</source>
+        <translation>%1 mm 的体素需要 %2 MB，而只剩 %3 MB</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or close other programs.</source>
+        <translation>请选择更大的体素，或关闭其他程序。</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing</source>
+        <translation>曲面未围成任何空间</translation>
+    </message>
+    <message>
+        <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
+        <translation>如果内外颠倒，请使其各面朝外；平的片体没有内部。</translation>
     </message>
 </context>
 <context>
@@ -2333,10 +2437,6 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>a circular motion</source>
-        <translation>圆弧运动</translation>
-    </message>
-    <message>
         <source>motions</source>
         <translation>运动</translation>
     </message>
@@ -2415,6 +2515,457 @@
     <message>
         <source>there are too many tools</source>
         <translation>刀具过多</translation>
+    </message>
+    <message>
+        <source>a robot is not in the description</source>
+        <translation>有机器人不在描述中</translation>
+    </message>
+    <message>
+        <source>the robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>a cell with several robots as one robot</source>
+        <translation>将含多个机器人的单元作为一个机器人</translation>
+    </message>
+    <message>
+        <source>criterion %1</source>
+        <translation>评分项 %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>步骤 %1</translation>
+    </message>
+    <message>
+        <source>places of a path</source>
+        <translation>路径的位置</translation>
+    </message>
+    <message>
+        <source>paths</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>configurations</source>
+        <translation>位形</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>目标点</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>允许接触的对</translation>
+    </message>
+    <message>
+        <source>allowed pairs</source>
+        <translation>允许接触的对</translation>
+    </message>
+    <message>
+        <source>its data are not in the file, or the robot does not hold it</source>
+        <translation>其数据不在文件中，或机器人未持有它</translation>
+    </message>
+    <message>
+        <source>its data are not in the file, or it moves</source>
+        <translation>其数据不在文件中，或它会移动</translation>
+    </message>
+    <message>
+        <source>its tool or base is on the controller, not in the file</source>
+        <translation>其工具或基坐标系在控制器上，不在文件中</translation>
+    </message>
+    <message>
+        <source>it is of another tool than those before</source>
+        <translation>它所用的工具与之前的不同</translation>
+    </message>
+    <message>
+        <source>CalcRobT has another tool or frame than the motion</source>
+        <translation>CalcRobT 的工具或坐标系与运动的不同</translation>
+    </message>
+    <message>
+        <source>it is not told which routine is first</source>
+        <translation>未指明首先执行哪个例行程序</translation>
+    </message>
+    <message>
+        <source>routines call each other endlessly</source>
+        <translation>例行程序之间无限地相互调用</translation>
+    </message>
+</context>
+<context>
+    <name>Exercise</name>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>A ball of 36 mm on a neck of 12 mm.</source>
+        <translation>直径 36 mm 的球，颈部直径 12 mm。</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>粗车</translation>
+    </message>
+    <message>
+        <source>Take the material off in passes of 1.5 mm and leave 0.4 mm on the radius.</source>
+        <translation>以每刀 1.5 mm 的吃刀量去除余料，半径上留 0.4 mm 余量。</translation>
+    </message>
+    <message>
+        <source>Begin each pass in the air at the end of the bar.</source>
+        <translation>每次走刀都从棒料端面外的空处开始。</translation>
+    </message>
+    <message>
+        <source>The read-out shows the diameter: 0.4 mm on the radius are 0.8 mm on the diameter.</source>
+        <translation>读数显示的是直径：半径上的 0.4 mm 即直径上的 0.8 mm。</translation>
+    </message>
+    <message>
+        <source>Move both slides at once along the circle.</source>
+        <translation>同时移动两个拖板，沿圆弧走刀。</translation>
+    </message>
+    <message>
+        <source>Begin at the pole, where the ball ends, and go towards the chuck.</source>
+        <translation>从球的末端即顶点处开始，向卡盘方向走刀。</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>精车</translation>
+    </message>
+    <message>
+        <source>Follow the outline in one pass at 0.1 mm per revolution.</source>
+        <translation>以每转 0.1 mm 的进给沿轮廓一刀车成。</translation>
+    </message>
+    <message>
+        <source>The slower the feed, the finer the surface.</source>
+        <translation>进给越慢，表面越光洁。</translation>
+    </message>
+    <message>
+        <source>Form within 0.1 mm</source>
+        <translation>形状偏差在 0.1 mm 以内</translation>
+    </message>
+    <message>
+        <source>Radius 18 ±0.1</source>
+        <translation>半径 18 ±0.1</translation>
+    </message>
+    <message>
+        <source>Finish N8</source>
+        <translation>粗糙度 N8</translation>
+    </message>
+    <message>
+        <source>No collision, no feed too high</source>
+        <translation>无碰撞，进给不过大</translation>
+    </message>
+    <message>
+        <source>Cutting force within that of the lathe</source>
+        <translation>切削力不超过车床允许值</translation>
+    </message>
+    <message>
+        <source>Power within that of the motor</source>
+        <translation>功率不超过电机功率</translation>
+    </message>
+    <message>
+        <source>In the time</source>
+        <translation>在规定时间内</translation>
+    </message>
+    <message>
+        <source>Without many hints</source>
+        <translation>少看提示</translation>
+    </message>
+    <message>
+        <source>Bored bush</source>
+        <translation>镗孔衬套</translation>
+    </message>
+    <message>
+        <source>A bush with a bore to H10.</source>
+        <translation>内孔公差为 H10 的衬套。</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>外圆</translation>
+    </message>
+    <message>
+        <source>Turn ⌀44 over 30 mm.</source>
+        <translation>将 30 mm 长度车至 ⌀44。</translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation>镗孔</translation>
+    </message>
+    <message>
+        <source>Bore in passes of 1.5 mm to 0.4 mm below the size.</source>
+        <translation>以每刀 1.5 mm 的吃刀量镗孔，镗至比尺寸小 0.4 mm。</translation>
+    </message>
+    <message>
+        <source>The bore has no chips to see: listen.</source>
+        <translation>孔内看不到切屑：请听声音。</translation>
+    </message>
+    <message>
+        <source>Finish the bore</source>
+        <translation>精镗内孔</translation>
+    </message>
+    <message>
+        <source>One pass at 0.1 mm per revolution.</source>
+        <translation>以每转 0.1 mm 的进给一刀完成。</translation>
+    </message>
+    <message>
+        <source>⌀25 H10 bore</source>
+        <translation>⌀25 H10 内孔</translation>
+    </message>
+    <message>
+        <source>Depth 28 ±0.2</source>
+        <translation>深度 28 ±0.2</translation>
+    </message>
+    <message>
+        <source>Dumb-bell weight</source>
+        <translation>哑铃</translation>
+    </message>
+    <message>
+        <source>Two equal heads with a handle between them.</source>
+        <translation>两个相同的铃头，中间是握柄。</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>握柄</translation>
+    </message>
+    <message>
+        <source>Turn the handle between the two heads.</source>
+        <translation>在两个铃头之间车出握柄。</translation>
+    </message>
+    <message>
+        <source>The faces of the heads are 34 mm apart.</source>
+        <translation>两铃头的端面相距 34 mm。</translation>
+    </message>
+    <message>
+        <source>Handle 34 ±0.2</source>
+        <translation>握柄 34 ±0.2</translation>
+    </message>
+    <message>
+        <source>Your first shoulder</source>
+        <translation>您的第一个台阶</translation>
+    </message>
+    <message>
+        <source>Turn the end of a bar of 40 mm down to 30 mm, over a length of 30 mm. It takes a few minutes.</source>
+        <translation>将直径 40 mm 的棒料一端车至 30 mm，长度 30 mm。只需几分钟。</translation>
+    </message>
+    <message>
+        <source>Choose the tool</source>
+        <translation>选择刀具</translation>
+    </message>
+    <message>
+        <source>Press V, or choose “Turn” above. A round tool appears at the pointer; the grey bar turns all the time, so only the distance from its axis matters.</source>
+        <translation>按 V 键，或在上方选择“车削”。指针处会出现圆头刀具；灰色棒料一直在旋转，因此只有刀具到轴线的距离才重要。</translation>
+    </message>
+    <message>
+        <source>First pass</source>
+        <translation>第一刀</translation>
+    </message>
+    <message>
+        <source>Go with the pointer to the right end of the bar, just inside its edge. Hold the left button, and drag slowly along the bar over 30 mm. The label shows the diameter ⌀ that is left, and the feed f: more than 1 mm per revolution, 13 mm a second, is too fast; below 0.25 mm the surface becomes fine.</source>
+        <translation>将指针移到棒料右端，刚好在其边缘以内。按住左键，沿棒料缓慢拖动 30 mm。标签显示车后剩余的直径 ⌀ 和进给 f：每转超过 1 mm（即每秒 13 mm）过快；低于 0.25 mm 时表面变得光洁。</translation>
+    </message>
+    <message>
+        <source>Nothing is cut while the tool is outside of the bar. Begin beyond its end and come in slowly.</source>
+        <translation>刀具在棒料之外时不切削。请从棒料端面之外开始，慢慢切入。</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes a pass back.</source>
+        <translation>Ctrl+Z 可撤销一次走刀。</translation>
+    </message>
+    <message>
+        <source>Go deeper</source>
+        <translation>加大切深</translation>
+    </message>
+    <message>
+        <source>Repeat it a little deeper each time, until the label shows ⌀30.</source>
+        <translation>重复走刀，每次再深一点，直到标签显示 ⌀30。</translation>
+    </message>
+    <message>
+        <source>Two or three passes are enough.</source>
+        <translation>走两三刀就够了。</translation>
+    </message>
+    <message>
+        <source>The shoulder</source>
+        <translation>台阶</translation>
+    </message>
+    <message>
+        <source>Let the pass end 30 mm from the end, so that a face stands there.</source>
+        <translation>使走刀在距端面 30 mm 处结束，在该处形成台阶端面。</translation>
+    </message>
+    <message>
+        <source>Z in the label is the height of the middle of the nose above the chuck&apos;s end of the bar. The face stands one nose radius, 0.8 mm, below it: stop at Z 50.8.</source>
+        <translation>标签中的 Z 是刀尖圆弧中心距棒料卡盘端的高度。台阶端面比它低一个刀尖圆弧半径，即 0.8 mm：请停在 Z 50.8。</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Press “Measure” below. Lines with ✓ are right; with ✗, take another pass.</source>
+        <translation>按下方的“测量”。标有 ✓ 的行合格；标有 ✗ 时请再走一刀。</translation>
+    </message>
+    <message>
+        <source>Length 30 ±1</source>
+        <translation>长度 30 ±1</translation>
+    </message>
+    <message>
+        <source>Gourd</source>
+        <translation>葫芦</translation>
+    </message>
+    <message>
+        <source>Two bulbs with a waist, by hand and eye.</source>
+        <translation>两个鼓肚，中间一道细腰，凭手感和目测车成。</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>细腰</translation>
+    </message>
+    <message>
+        <source>Find the narrowest place, 36 mm from the end.</source>
+        <translation>找到最细处，距端面 36 mm。</translation>
+    </message>
+    <message>
+        <source>Plunge a little, measure, and plunge again.</source>
+        <translation>径向切入少许，测量，再切入。</translation>
+    </message>
+    <message>
+        <source>Form within 0.15 mm</source>
+        <translation>形状偏差在 0.15 mm 以内</translation>
+    </message>
+    <message>
+        <source>Shaft with shoulders</source>
+        <translation>台阶轴</translation>
+    </message>
+    <message>
+        <source>Three diameters to h10 with exact lengths.</source>
+        <translation>三个公差为 h10 的直径，长度精确。</translation>
+    </message>
+    <message>
+        <source>First shoulder</source>
+        <translation>第一个台阶</translation>
+    </message>
+    <message>
+        <source>Turn ⌀20 over 30 mm.</source>
+        <translation>将 30 mm 长度车至 ⌀20。</translation>
+    </message>
+    <message>
+        <source>Touch off at the end first.</source>
+        <translation>请先在端面对刀。</translation>
+    </message>
+    <message>
+        <source>Second shoulder</source>
+        <translation>第二个台阶</translation>
+    </message>
+    <message>
+        <source>Turn ⌀28 over the next 30 mm.</source>
+        <translation>将接下来的 30 mm 长度车至 ⌀28。</translation>
+    </message>
+    <message>
+        <source>Third shoulder</source>
+        <translation>第三个台阶</translation>
+    </message>
+    <message>
+        <source>Turn ⌀36 over 25 mm.</source>
+        <translation>将 25 mm 长度车至 ⌀36。</translation>
+    </message>
+    <message>
+        <source>Length 30 ±0.1</source>
+        <translation>长度 30 ±0.1</translation>
+    </message>
+    <message>
+        <source>Thread M20</source>
+        <translation>螺纹 M20</translation>
+    </message>
+    <message>
+        <source>A thread M20 × 2.5 - 6g with relief and chamfer.</source>
+        <translation>带退刀槽和倒角的 M20 × 2.5 - 6g 螺纹。</translation>
+    </message>
+    <message>
+        <source>Major diameter</source>
+        <translation>大径</translation>
+    </message>
+    <message>
+        <source>Turn to 19.8 mm, as a thread M20 with a pitch of 2.5 mm begins.</source>
+        <translation>车至 19.8 mm，即车削螺距 2.5 mm 的 M20 螺纹之前的直径。</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>退刀槽</translation>
+    </message>
+    <message>
+        <source>Groove to 16.4 mm beside the collar, where the thread runs out.</source>
+        <translation>在轴肩旁切槽至 16.4 mm，螺纹在此处收尾。</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>螺纹</translation>
+    </message>
+    <message>
+        <source>Cut the thread with the tool of 60°: passes of falling depth, down to a pitch diameter of 18.25 mm.</source>
+        <translation>用 60° 螺纹车刀车螺纹：吃刀量逐刀递减，直至中径 18.25 mm。</translation>
+    </message>
+    <message>
+        <source>On the lathe, set the pitch and close the half-nut in front of the end of the bar; open it in the relief.</source>
+        <translation>在车床上，设定螺距，在棒料端面之外合上开合螺母；在退刀槽中打开开合螺母。</translation>
+    </message>
+    <message>
+        <source>A lead that is a part of the lead screw&apos;s pitch always finds its groove again.</source>
+        <translation>丝杠螺距是所车导程的整数倍时，车刀总能重新落入原来的牙槽，不会乱牙。</translation>
+    </message>
+    <message>
+        <source>⌀20 6g major diameter</source>
+        <translation>大径 ⌀20 6g</translation>
+    </message>
+    <message>
+        <source>Pitch 2.5 ±0.02</source>
+        <translation>螺距 2.5 ±0.02</translation>
+    </message>
+    <message>
+        <source>Pitch diameter 18.376 6g</source>
+        <translation>中径 18.376 6g</translation>
+    </message>
+    <message>
+        <source>Minor diameter 6g</source>
+        <translation>小径 6g</translation>
+    </message>
+    <message>
+        <source>To the collar 40 ±0.2</source>
+        <translation>到轴肩 40 ±0.2</translation>
+    </message>
+    <message>
+        <source>Chamfer 45°</source>
+        <translation>倒角 45°</translation>
+    </message>
+    <message>
+        <source>Wine glass</source>
+        <translation>酒杯</translation>
+    </message>
+    <message>
+        <source>A glass with a hollow bowl on a thin stem.</source>
+        <translation>细杯柄上带空心杯身的酒杯。</translation>
+    </message>
+    <message>
+        <source>Hollow the bowl</source>
+        <translation>挖空杯身</translation>
+    </message>
+    <message>
+        <source>Bore from the end in passes of 1.5 mm, while the stem is still thick.</source>
+        <translation>趁杯柄还粗，从端面开始以每刀 1.5 mm 的吃刀量镗孔。</translation>
+    </message>
+    <message>
+        <source>What is hollowed last breaks the stem.</source>
+        <translation>若最后才挖空，杯柄会折断。</translation>
+    </message>
+    <message>
+        <source>Stem</source>
+        <translation>杯柄</translation>
+    </message>
+    <message>
+        <source>Turn the stem to 8 mm.</source>
+        <translation>将杯柄车至 8 mm。</translation>
+    </message>
+    <message>
+        <source>Small cuts: the stem bends.</source>
+        <translation>吃刀量要小：杯柄会弯曲。</translation>
+    </message>
+    <message>
+        <source>Depth of the bowl 39 ±0.5</source>
+        <translation>杯身深度 39 ±0.5</translation>
     </message>
 </context>
 <context>
@@ -3557,10 +4108,6 @@
         <translation>如果数值以毫米为单位，则部件尺寸为 %1 × %2 × %3 mm：文件未注明单位。</translation>
     </message>
     <message>
-        <source>The description has neither model solution nor work.</source>
-        <translation>该描述既不含参考答案，也不含作业。</translation>
-    </message>
-    <message>
         <source>there is no such surface along all of the range</source>
         <translation>整个范围内没有这样的表面</translation>
     </message>
@@ -3811,6 +4358,14 @@
     <message>
         <source>%1 of %2 points</source>
         <translation>%1 / %2 分</translation>
+    </message>
+    <message>
+        <source>A description cannot hold a model solution that was made by hand. It has none.</source>
+        <translation>描述文件无法包含手工完成的参考答案。其中没有参考答案。</translation>
+    </message>
+    <message>
+        <source>The work is not in the description.</source>
+        <translation>作业不在描述文件中。</translation>
     </message>
 </context>
 <context>
@@ -5366,6 +5921,218 @@
         <source>a drawn curve</source>
         <translation>绘制的曲线</translation>
     </message>
+    <message>
+        <source>Robot that is planned for</source>
+        <translation>当前规划的机器人</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体素模型</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>体素边长</translation>
+    </message>
+    <message>
+        <source>Material (mm³)</source>
+        <translation>材料体积 (mm³)</translation>
+    </message>
+    <message>
+        <source>Memory (MB)</source>
+        <translation>内存 (MB)</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel below 0.25 % C, annealed</source>
+        <translation>非合金钢，含碳量低于 0.25 %，退火</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel from 0.25 % C, annealed</source>
+        <translation>非合金钢，含碳量 0.25 % 及以上，退火</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel below 0.55 % C, quenched and tempered</source>
+        <translation>非合金钢，含碳量低于 0.55 %，调质</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel from 0.55 % C, annealed</source>
+        <translation>非合金钢，含碳量 0.55 % 及以上，退火</translation>
+    </message>
+    <message>
+        <source>Unalloyed steel from 0.55 % C, quenched and tempered</source>
+        <translation>非合金钢，含碳量 0.55 % 及以上，调质</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, annealed</source>
+        <translation>低合金钢，退火</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, quenched and tempered, 930 MPa</source>
+        <translation>低合金钢，调质，930 MPa</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, quenched and tempered, 1000 MPa</source>
+        <translation>低合金钢，调质，1000 MPa</translation>
+    </message>
+    <message>
+        <source>Low-alloy steel, quenched and tempered, 1200 MPa</source>
+        <translation>低合金钢，调质，1200 MPa</translation>
+    </message>
+    <message>
+        <source>High-alloy and tool steel, annealed</source>
+        <translation>高合金钢和工具钢，退火</translation>
+    </message>
+    <message>
+        <source>High-alloy and tool steel, quenched and tempered</source>
+        <translation>高合金钢和工具钢，调质</translation>
+    </message>
+    <message>
+        <source>Stainless steel, ferritic or martensitic</source>
+        <translation>不锈钢，铁素体或马氏体</translation>
+    </message>
+    <message>
+        <source>Stainless steel, martensitic</source>
+        <translation>不锈钢，马氏体</translation>
+    </message>
+    <message>
+        <source>Stainless steel, austenitic</source>
+        <translation>不锈钢，奥氏体</translation>
+    </message>
+    <message>
+        <source>Grey cast iron, ferritic-pearlitic</source>
+        <translation>灰铸铁，铁素体-珠光体</translation>
+    </message>
+    <message>
+        <source>Grey cast iron, pearlitic</source>
+        <translation>灰铸铁，珠光体</translation>
+    </message>
+    <message>
+        <source>Nodular cast iron, ferritic</source>
+        <translation>球墨铸铁，铁素体</translation>
+    </message>
+    <message>
+        <source>Nodular cast iron, pearlitic</source>
+        <translation>球墨铸铁，珠光体</translation>
+    </message>
+    <message>
+        <source>Malleable cast iron, ferritic</source>
+        <translation>可锻铸铁，铁素体</translation>
+    </message>
+    <message>
+        <source>Malleable cast iron, pearlitic</source>
+        <translation>可锻铸铁，珠光体</translation>
+    </message>
+    <message>
+        <source>Wrought aluminium alloy</source>
+        <translation>变形铝合金</translation>
+    </message>
+    <message>
+        <source>Wrought aluminium alloy, cured</source>
+        <translation>变形铝合金，时效</translation>
+    </message>
+    <message>
+        <source>Cast aluminium alloy to 12 % Si</source>
+        <translation>铸造铝合金，含硅量不超过 12 %</translation>
+    </message>
+    <message>
+        <source>Cast aluminium alloy to 12 % Si, cured</source>
+        <translation>铸造铝合金，含硅量不超过 12 %，时效</translation>
+    </message>
+    <message>
+        <source>Cast aluminium alloy above 12 % Si</source>
+        <translation>铸造铝合金，含硅量高于 12 %</translation>
+    </message>
+    <message>
+        <source>Free-cutting copper alloy</source>
+        <translation>易切削铜合金</translation>
+    </message>
+    <message>
+        <source>Brass</source>
+        <translation>黄铜</translation>
+    </message>
+    <message>
+        <source>Electrolytic copper</source>
+        <translation>电解铜</translation>
+    </message>
+    <message>
+        <source>Heat-resistant alloy on iron base, annealed</source>
+        <translation>铁基耐热合金，退火</translation>
+    </message>
+    <message>
+        <source>Heat-resistant alloy on iron base, cured</source>
+        <translation>铁基耐热合金，时效</translation>
+    </message>
+    <message>
+        <source>Heat-resistant alloy on nickel or cobalt base</source>
+        <translation>镍基或钴基耐热合金</translation>
+    </message>
+    <message>
+        <source>Pure titanium</source>
+        <translation>纯钛</translation>
+    </message>
+    <message>
+        <source>Titanium alloy, alpha and beta</source>
+        <translation>钛合金，α+β 型</translation>
+    </message>
+    <message>
+        <source>Mild steel, 520 MPa</source>
+        <translation>软钢，520 MPa</translation>
+    </message>
+    <message>
+        <source>Medium steel, 620 MPa</source>
+        <translation>中硬钢，620 MPa</translation>
+    </message>
+    <message>
+        <source>Hard steel, 720 MPa</source>
+        <translation>硬钢，720 MPa</translation>
+    </message>
+    <message>
+        <source>Tool steel, 670 MPa</source>
+        <translation>工具钢，670 MPa</translation>
+    </message>
+    <message>
+        <source>Tool steel, 770 MPa</source>
+        <translation>工具钢，770 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-manganese steel, 770 MPa</source>
+        <translation>铬锰钢，770 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-manganese steel, 630 MPa</source>
+        <translation>铬锰钢，630 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-molybdenum steel, 730 MPa</source>
+        <translation>铬钼钢，730 MPa</translation>
+    </message>
+    <message>
+        <source>Chrome-molybdenum steel, 600 MPa</source>
+        <translation>铬钼钢，600 MPa</translation>
+    </message>
+    <message>
+        <source>Nickel-chrome-molybdenum steel, 900 MPa</source>
+        <translation>镍铬钼钢，900 MPa</translation>
+    </message>
+    <message>
+        <source>Nickel-chrome-molybdenum steel, 352 HB</source>
+        <translation>镍铬钼钢，352 HB</translation>
+    </message>
+    <message>
+        <source>Hard cast iron, 46 HRC</source>
+        <translation>硬铸铁，46 HRC</translation>
+    </message>
+    <message>
+        <source>Meehanite cast iron, 360 MPa</source>
+        <translation>密烘铸铁，360 MPa</translation>
+    </message>
+    <message>
+        <source>Grey cast iron, 200 HB</source>
+        <translation>灰铸铁，200 HB</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6852,6 +7619,18 @@
         <source>too fast: feed %1 mm/rev, at most %2</source>
         <translation>过快：进给 %1 mm/r，最大 %2</translation>
     </message>
+    <message>
+        <source>Change robots</source>
+        <translation>更改机器人</translation>
+    </message>
+    <message>
+        <source>Make volume</source>
+        <translation>生成体素模型</translation>
+    </message>
+    <message>
+        <source>Make mesh</source>
+        <translation>生成网格</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -7447,10 +8226,6 @@
         <translation>在位形之间规划一条已证明无碰撞的路径</translation>
     </message>
     <message>
-        <source>Plan the path again through its critical places</source>
-        <translation>经过关键位置重新规划路径</translation>
-    </message>
-    <message>
         <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
         <translation>将机器人当前位形作为关键位形插入所选位置之后</translation>
     </message>
@@ -7699,10 +8474,6 @@
         <translation>用机器人当前位形替换所选的位置或目标点</translation>
     </message>
     <message>
-        <source>Remove the selected configuration, path, place or target</source>
-        <translation>移除所选的位形、路径、位置或目标点</translation>
-    </message>
-    <message>
         <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
         <translation>以用时最少的顺序和位形经过各关键位置</translation>
     </message>
@@ -7725,10 +8496,6 @@
     <message>
         <source>Select a place of a path or a target first.</source>
         <translation>请先选择路径上的位置或目标点。</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path, a place or a target first.</source>
-        <translation>请先选择位形、路径、位置或目标点。</translation>
     </message>
     <message>
         <source>Try again in a moment.</source>
@@ -7754,6 +8521,66 @@
         <source>%1 is not the language of the controller of this robot, %2.</source>
         <translation>%1 不是此机器人（%2）的控制器所用的语言。</translation>
     </message>
+    <message>
+        <source>%1 was changed while it was planned</source>
+        <translation>%1 在规划期间被更改</translation>
+    </message>
+    <message>
+        <source>Your changes stay; what was planned is %1.</source>
+        <translation>您的更改已保留；规划结果为 %1。</translation>
+    </message>
+    <message>
+        <source>The cell was changed while %1 was planned</source>
+        <translation>规划 %1 期间单元被更改</translation>
+    </message>
+    <message>
+        <source>The result does not hold for the cell as it is now, and was thrown away.</source>
+        <translation>结果不适用于单元的当前状态，已被丢弃。</translation>
+    </message>
+    <message>
+        <source>Plan it again</source>
+        <translation>重新规划</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>正在写入 %1</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>Plan for this ro&amp;bot</source>
+        <translation>为此机器人规划(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Plan the path again through its critical places; one along a curve follows it where the part is now</source>
+        <translation>经过关键位置重新规划路径；沿曲线的路径会按零件的当前位置跟随该曲线</translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path, place, target or robot</source>
+        <translation>移除所选的位形、路径、位置、目标点或机器人</translation>
+    </message>
+    <message>
+        <source>Plan for the selected robot from now on; the others stand where they are</source>
+        <translation>从现在起为所选机器人规划；其他机器人保持不动</translation>
+    </message>
+    <message>
+        <source>%1; %2 has moved since</source>
+        <translation>%1；此后 %2 已移动</translation>
+    </message>
+    <message>
+        <source>Choose the robot that the path is of first.</source>
+        <translation>请先选择该路径所属的机器人。</translation>
+    </message>
+    <message>
+        <source>Select a robot in the list first, in a cell with several.</source>
+        <translation>在含多个机器人的单元中，请先在列表中选择一个机器人。</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a place, a target or a robot first.</source>
+        <translation>请先选择位形、路径、位置、目标点或机器人。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -7768,6 +8595,81 @@
     <message>
         <source>Finding the reach of the arm</source>
         <translation>正在求机械臂的可达范围</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellRobots</name>
+    <message>
+        <source>Robot:</source>
+        <translation>机器人：</translation>
+    </message>
+    <message>
+        <source>Add a robot from a &amp;file…</source>
+        <translation>从文件添加机器人(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Add a bu&amp;ilt-in robot…</source>
+        <translation>添加内置机器人(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the robot</source>
+        <translation>移除机器人(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Add another robot to the cell, by its URDF or a table after Denavit and Hartenberg</source>
+        <translation>用 URDF 或 Denavit-Hartenberg 表向单元再添加一个机器人</translation>
+    </message>
+    <message>
+        <source>Add another robot to the cell from the library</source>
+        <translation>从库中向单元再添加一个机器人</translation>
+    </message>
+    <message>
+        <source>Remove the robot that is planned for, with its configurations and paths</source>
+        <translation>移除当前规划的机器人及其位形和路径</translation>
+    </message>
+    <message>
+        <source>Robot that is planned for</source>
+        <translation>当前规划的机器人</translation>
+    </message>
+    <message>
+        <source>The robot that is planned for; the others stand where they are</source>
+        <translation>当前规划的机器人；其他机器人保持不动</translation>
+    </message>
+    <message>
+        <source>Open a robot cell first.</source>
+        <translation>请先打开机器人单元。</translation>
+    </message>
+    <message>
+        <source>It is the only robot of the cell.</source>
+        <translation>它是单元中唯一的机器人。</translation>
+    </message>
+    <message>
+        <source>Plan for %1</source>
+        <translation>为 %1 规划</translation>
+    </message>
+    <message>
+        <source>Remove the robot %1</source>
+        <translation>移除机器人 %1</translation>
+    </message>
+    <message>
+        <source>Add a robot</source>
+        <translation>添加机器人</translation>
+    </message>
+    <message>
+        <source>Robots (*.urdf *.dh.json);;All files (*)</source>
+        <translation>机器人 (*.urdf *.dh.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Add the robot %1</source>
+        <translation>添加机器人 %1</translation>
+    </message>
+    <message>
+        <source>The robots stay as they are</source>
+        <translation>机器人保持不变</translation>
     </message>
 </context>
 <context>
@@ -7851,6 +8753,25 @@
     <message>
         <source>No matching command.</source>
         <translation>没有匹配的命令。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CopyActions</name>
+    <message>
+        <source>Open a copy as %1</source>
+        <translation>将副本作为%1打开</translation>
+    </message>
+    <message>
+        <source>Open the surface of this document as a new document of that kind</source>
+        <translation>将此文档的表面作为该类型的新文档打开</translation>
+    </message>
+    <message>
+        <source>Copying %1</source>
+        <translation>正在复制 %1</translation>
+    </message>
+    <message>
+        <source>%1 was not copied</source>
+        <translation>未能复制 %1</translation>
     </message>
 </context>
 <context>
@@ -8187,6 +9108,21 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DeviceDock</name>
+    <message>
+        <source>along (Z)</source>
+        <translation>轴向 (Z)</translation>
+    </message>
+    <message>
+        <source>radius (X)</source>
+        <translation>径向 (X)</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>切向</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DeviceFinder</name>
     <message>
         <source>Looking for devices</source>
@@ -8496,10 +9432,6 @@
         <translation>车削您的第一个台阶</translation>
     </message>
     <message>
-        <source>A lesson of three minutes: the program says what to do, and measures the part.</source>
-        <translation>三分钟的一课：程序会提示该做什么，并测量零件。</translation>
-    </message>
-    <message>
         <source>Exercise: shaft with shoulders</source>
         <translation>练习：台阶轴</translation>
     </message>
@@ -8682,6 +9614,10 @@
     <message>
         <source>%1, comparison</source>
         <translation>%1，对照</translation>
+    </message>
+    <message>
+        <source>A lesson of about five minutes: the program says what to do, and measures the part.</source>
+        <translation>约五分钟的课程：程序告诉您该做什么，并测量零件。</translation>
     </message>
 </context>
 <context>
@@ -9498,6 +10434,18 @@
         <source>Left-hand thread: while the spindle runs forward the lead screw takes the carriage away from the chuck. It is set while the half-nut is open.</source>
         <translation>左旋螺纹：主轴正转时，丝杠带动大拖板离开卡盘。在开合螺母打开时设定。</translation>
     </message>
+    <message>
+        <source>%1 not touched off</source>
+        <translation>%1 未对刀</translation>
+    </message>
+    <message>
+        <source>Turn a little of the bar, measure its diameter, enter it below, and press “Touch off X” before the cross slide moves.</source>
+        <translation>将棒料车去少许，测量其直径，在下方输入，并在中拖板移动之前按“对刀 X”。</translation>
+    </message>
+    <message>
+        <source>Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the carriage moves.</source>
+        <translation>用刀具接触棒料端面，在下方输入其高度，并在大拖板移动之前按“对刀 Z”。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -10133,6 +11081,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PathGuides</name>
+    <message>
+        <source>Finding the way along %1</source>
+        <translation>正在求沿 %1 的路线</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PlanDialog</name>
     <message>
         <source>Plan a path</source>
@@ -10184,6 +11139,18 @@
     <message>
         <source>Targets</source>
         <translation>目标点</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>planned for</source>
+        <translation>当前规划</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>属于 %1</translation>
     </message>
 </context>
 <context>
@@ -10802,6 +11769,10 @@
         <translation>
             <numerusform>已记录 %n 处碰撞，撤销不会将其取消。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Change the tools of the program</source>
+        <translation>更改程序的刀具</translation>
     </message>
 </context>
 <context>
@@ -11437,10 +12408,6 @@
     <message>
         <source>New cell</source>
         <translation>新建单元</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>机器人：</translation>
     </message>
     <message>
         <source>Planning</source>
@@ -12551,6 +13518,33 @@
     <message>
         <source>There is not enough memory to draw all of the model.</source>
         <translation>内存不足，无法绘制整个模型。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::VolumeUi</name>
+    <message>
+        <source>New &amp;clay</source>
+        <translation>新建黏土(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Start with a ball of clay</source>
+        <translation>从一个黏土球开始</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体素模型</translation>
+    </message>
+    <message>
+        <source>%1 mm³ in voxels of %2 mm. Its surface is closed.</source>
+        <translation>%1 mm³，体素边长 %2 mm。其表面是封闭的。</translation>
+    </message>
+    <message>
+        <source>Opened %1: a volume</source>
+        <translation>已打开 %1：体素模型</translation>
+    </message>
+    <message>
+        <source>&amp;Volume</source>
+        <translation>体素模型(&amp;O)</translation>
     </message>
 </context>
 <context>
