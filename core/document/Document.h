@@ -39,7 +39,7 @@ class Document : public QObject {
   bool isModified() const { return m_recovered || m_isRecordedAnew || !m_history.isClean(); }
   // To be called after its present state was written to this path; a container keeps id and unknown keys.
   void markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp = {});
-  // Marks it as restored from an autosave: it belongs to this path, but differs from the file there.
+  // Marks it as in no file: restored from an autosave of the document of this path, or made of another one (empty).
   void markRecovered(const QString& path);
 
   // Sets the exercise that it is work on, and the attempt. No undo step, so that an undo takes back what was made, but

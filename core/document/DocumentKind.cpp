@@ -23,10 +23,6 @@ namespace {
 
 constexpr const char *kAssigned = "exercise", *kDescription = "description", *kAttempt = "attempt";
 
-std::string newId() {
-  return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-}
-
 LengthUnit unitNamed(const std::string& symbol) {
   for (LengthUnit unit : {LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
     if (symbol == symbolOf(unit)) return unit;
@@ -41,7 +37,7 @@ Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snap
   std::error_code ignored;
   if (!path.empty()) own.folder = std::filesystem::absolute(path, ignored).parent_path();
   nlohmann::json& manifest = *own.manifest;
-  manifest["id"] = file.id.empty() ? newId() : file.id;
+  manifest["id"] = file.id.empty() ? newDocumentId() : file.id;
   manifest["kind"] = kind.id();
   manifest["display_unit"] = symbolOf(file.displayUnit);
   listRecordings(file.recordings, manifest);
@@ -86,7 +82,7 @@ Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Prog
   if (!content) return content.error();
   opened.content = std::move(content.value());
   opened.file.id = stringAt(manifest, "id");
-  if (opened.file.id.empty()) opened.file.id = newId();
+  if (opened.file.id.empty()) opened.file.id = newDocumentId();
   opened.file.displayUnit = unitNamed(stringAt(manifest, "display_unit"));
   opened.file.recordings = readRecordings(read->container, opened.file.damage);
   opened.file.assigned = assignedIn(manifest);
@@ -115,7 +111,7 @@ Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::pa
   if (!kind) return kind.error();
   if (*kind) {
     Result<OpenedFile> opened = (*kind)->import(path, options, progress);
-    if (opened) opened->file.id = newId();
+    if (opened) opened->file.id = newDocumentId();
     return opened;
   }
   const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.2));
@@ -161,6 +157,10 @@ Result<OpenedFile> catchOutOfMemory(const Open& open) {
 }
 
 }  // namespace
+
+std::string newDocumentId() {
+  return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+}
 
 SnapshotPointer DocumentKind::withCheckedLinks(SnapshotPointer content, const std::filesystem::path&,
                                                std::vector<Note>&, Progress) const {
@@ -220,7 +220,7 @@ OpenedFile DocumentKinds::blank(const DocumentKind& kind) {
   OpenedFile opened;
   opened.kind = &kind;
   opened.content = kind.blank();
-  opened.file.id = newId();
+  opened.file.id = newDocumentId();
   return opened;
 }
 

@@ -28,6 +28,9 @@ struct FileFormat {
   bool writes = true;
 };
 
+// The id of a document that is made anew: DocumentFile::id.
+std::string newDocumentId();
+
 // Result of writing a file.
 struct WrittenFile {
   std::size_t bytes = 0;

@@ -50,6 +50,9 @@ class SparseVolume {
     bool operator==(const Content&) const = default;
   };
 
+  // Voxels from the origin along an axis, either way, at most. What is larger would not fit into any memory.
+  static constexpr int kMostVoxels = 1 << 20;
+
   SparseVolume() = default;
   // The centre of voxel (0, 0, 0), and the edge of a voxel; mm, above 0.
   SparseVolume(const Vec3& origin, double voxel) : m_origin(origin), m_voxel(voxel) {}

@@ -10,11 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kTrianglesAtOnce = 256;
 constexpr std::size_t kRowsAtOnce = 1024;
 
 struct Found {
@@ -34,16 +35,38 @@ int sideOfRow(const Vec2& from, const Vec2& to, const Vec2& row) {
   return (to.x() > from.x()) - (to.x() < from.x());
 }
 
+// The extent along y of a triangle seen along x, at this z, and a little more.
+std::pair<double, double> extentAt(double z, const std::array<Vec2, 3>& seen) {
+  constexpr double kMargin = 1e-6;  // voxels
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 &a = seen[k], &b = seen[(k + 1) % 3];
+    if (std::max(a.y(), b.y()) < z - kMargin || std::min(a.y(), b.y()) > z + kMargin) continue;
+    const double rise = b.y() - a.y();
+    const bool isLevel = std::abs(rise) < kMargin;  // nearly: then all of the edge
+    const double at = isLevel ? 0.0 : std::clamp((z - a.y()) / rise, 0.0, 1.0);
+    const double from = isLevel ? std::min(a.x(), b.x()) : a.x() + at * (b.x() - a.x());
+    const double to = isLevel ? std::max(a.x(), b.x()) : from;
+    // What a margin of z moves the point by.
+    const double slack = isLevel ? kMargin : kMargin * (1.0 + std::abs((b.x() - a.x()) / rise));
+    low = std::min(low, from - slack);
+    high = std::max(high, to + slack);
+  }
+  return {low, high};
+}
+
 // Calls found(y, z, x, step) for each row that crosses the triangle.
 template <class Visit>
-void forEachCrossing(const std::array<Vec3, 3>& corners, Visit found) {
+void forEachCrossing(const std::array<Vec3, 3>& corners, const Progress& progress, Visit found) {
   const std::array<Vec2, 3> seen{seenAlongX(corners[0]), seenAlongX(corners[1]), seenAlongX(corners[2])};
   const Vec2 low = seen[0].cwiseMin(seen[1]).cwiseMin(seen[2]), high = seen[0].cwiseMax(seen[1]).cwiseMax(seen[2]);
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double lowX = std::min({corners[0].x(), corners[1].x(), corners[2].x()});
   const double highX = std::max({corners[0].x(), corners[1].x(), corners[2].x()});
-  for (int z = static_cast<int>(std::ceil(low.y())); z <= high.y(); ++z)
-    for (int y = static_cast<int>(std::ceil(low.x())); y <= high.x(); ++y) {
+  for (int z = static_cast<int>(std::ceil(low.y())); z <= high.y() && !progress.cancelled(); ++z) {
+    const auto [from, to] = extentAt(z, seen);
+    const double last = std::min(high.x(), to);
+    for (int y = static_cast<int>(std::ceil(std::max(low.x(), from))); y <= last; ++y) {
       const Vec2 row(y, z);
       const int side = sideOfRow(seen[0], seen[1], row);
       if (side == 0 || sideOfRow(seen[1], seen[2], row) != side || sideOfRow(seen[2], seen[0], row) != side) continue;
@@ -52,6 +75,7 @@ void forEachCrossing(const std::array<Vec3, 3>& corners, Visit found) {
       const double x = corners[0].x() - (normal.y() * away.x() + normal.z() * away.y()) / normal.x();
       found(y, z, std::isfinite(x) ? std::clamp(x, lowX, highX) : lowX, -side);
     }
+  }
 }
 
 }  // namespace
@@ -59,13 +83,12 @@ void forEachCrossing(const std::array<Vec3, 3>& corners, Visit found) {
 SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress)
     : m_bounding(closed.triangles.size(), false), m_crossed(closed.triangles.size(), false) {
   tbb::enumerable_thread_specific<std::vector<Found>> found;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed.triangles.size(), kTrianglesAtOnce),
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed.triangles.size()),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       std::vector<Found>& mine = found.local();
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        if ((i - range.begin()) % kTrianglesAtOnce == 0 && progress.cancelled()) return;
                         const Triangle& t = closed.triangles[i];
-                        forEachCrossing({closed.points[t[0]], closed.points[t[1]], closed.points[t[2]]},
+                        forEachCrossing({closed.points[t[0]], closed.points[t[1]], closed.points[t[2]]}, progress,
                                         [&](int y, int z, double x, int step) {
                                           mine.push_back({y, z, {x, step, static_cast<std::uint32_t>(i)}});
                                         });

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/Weld.h"
+#include "process/SystemMemory.h"
 #include "proximity/ClosestPoint.h"
 #include "volume/BoundaryCaps.h"
 #include "volume/SurfaceRows.h"
@@ -22,9 +23,11 @@
 namespace handwheel {
 namespace {
 
-constexpr double kBand = 3.0;            // voxels from the surface in which distances are exact
-constexpr int kTile = 32;                // voxels along an edge of what is sampled at once; four blocks
-constexpr double kMostVoxels = 1 << 24;  // along an axis
+constexpr double kBand = 3.0;  // voxels from the surface in which distances are exact
+constexpr int kTile = 32;      // voxels along an edge of what is sampled at once; four blocks
+// What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
+// measured.
+constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
 
 using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map
 using Tiles = std::vector<std::pair<Tile, std::vector<std::uint32_t>>>;
@@ -48,10 +51,10 @@ int floorOf(double v) {
 }
 
 // The triangles that come within the band of each tile; all in voxels.
-Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed) {
+Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const Progress& progress) {
   std::map<Tile, std::vector<std::uint32_t>> near;
   const double halfDiagonal = 0.5 * kTile * std::sqrt(3.0);
-  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+  for (std::size_t i = 0; i < soup.triangles.size() && !progress.cancelled(); ++i) {
     if (!isUsed[i]) continue;
     const Corners t(soup, soup.triangles[i]);
     const Vec3 low = (t.low().array() - kBand) / kTile, high = (t.high().array() + kBand) / kTile;
@@ -207,18 +210,25 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   }
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const double extent = bounds.sizes().maxCoeff();
-  if (!(extent / voxel < kMostVoxels))
+  constexpr double kMost = SparseVolume::kMostVoxels - 64;  // a region less, for what is around the part
+  if (!(extent / voxel < kMost))
     return Error{
-        VolumeErrors::TooFine, {shortestText(voxel), shortestText(extent), shortestText(extent / kMostVoxels)}, {}, {}};
+        VolumeErrors::TooFine, {shortestText(voxel), shortestText(extent), shortestText(extent / kMost)}, {}, {}};
 
-  // Four voxels of space around the part; from here on in voxels.
+  // Space for the band around the part, whose sides lie between voxels; from here on in voxels.
   SurfaceVolume made;
-  made.volume = SparseVolume(bounds.min().array() - 4.0 * voxel, voxel);
+  made.volume = SparseVolume(bounds.min().array() - 3.5 * voxel, voxel);
   for (Vec3& p : closed.points) p = (p - made.volume.origin()) / voxel;
   made.closedBoundaries = closeBoundaries(closed, progress);
+  const Vec3 across = bounds.sizes() / voxel;
+  const double bytes = predictedVolumeBytes(closed, 1.0) * (1.0 + kWhileMaking + kTriangles) +
+                       across.y() * across.z() * sizeof(std::size_t);  // the index of the rows
+  if (const auto left = static_cast<double>(systemMemory()); bytes > left)
+    return Error{
+        VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
   const SurfaceRows rows(closed, progress.part(0.05, 0.3));
   const std::vector<bool> bounding = boundingTriangles(closed, rows, progress.part(0.3, 0.4));
-  const Tiles tiles = tilesNear(closed, bounding);
+  const Tiles tiles = tilesNear(closed, bounding, progress);
 
   std::vector<std::vector<NumberedBlock>> blocks(tiles.size());
   std::atomic<std::size_t> done{0};
@@ -243,9 +253,13 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   const VoxelIndex extentInBlocks = ((bounds.sizes() / voxel).array() / 8.0 + 2.0).ceil().cast<int>();
   fillInside(made.volume, rows, extentInBlocks, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (!(made.volume.material() > 0.0)) return Error{VolumeErrors::NothingInside, {}, {}, {}};
-
   made.expected = voxel * voxel * voxel * volumeInside(closed);
+  if (!(made.volume.material() > 0.0)) {
+    // What rounding leaves of a flat sheet is no volume.
+    const bool isThin = made.expected > 1e-9 * extent * extent * extent;
+    return isThin ? Error{VolumeErrors::NoVoxelInside, {roundedText(voxel)}, {}, {}}
+                  : Error{VolumeErrors::NothingInside, {}, {}, {}};
+  }
   made.nearShare = nearShareOf(made.volume, closed, bounding);
   progress.set(1.0);
   return made;
@@ -266,17 +280,18 @@ SparseVolume ballOfVoxels(double radius, double voxel) {
     for (int y = -blocks; y < blocks; ++y)
       for (int x = -blocks; x < blocks; ++x) {
         const VoxelIndex at(x, y, z);
+        const Vec3 middle = VolumeBlock::kSize * at.cast<double>() + Vec3::Constant(3.5);
+        const double depth = radius / voxel - middle.norm();
+        if (std::abs(depth) > 3.5 * std::sqrt(3.0) + 4.0) {  // no sample of it is near the surface
+          if (depth > 0.0) ball.setContent(at, {nullptr, true});
+          continue;
+        }
         auto block = std::make_shared<VolumeBlock>();
-        bool isFull = true, isEmpty = true;
         for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
           const VoxelIndex sample = VolumeBlock::kSize * at + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
-          const std::int16_t depth = depthSample(radius / voxel - sample.cast<double>().norm());
-          block->depths[static_cast<std::size_t>(i)] = depth;
-          isFull = isFull && depth == VolumeBlock::kFull;
-          isEmpty = isEmpty && depth == VolumeBlock::kEmpty;
+          block->depths[static_cast<std::size_t>(i)] = depthSample(radius / voxel - sample.cast<double>().norm());
         }
-        if (isFull) ball.setContent(at, {nullptr, true});
-        if (!isFull && !isEmpty) ball.setContent(at, {std::move(block), false});
+        ball.setContent(at, {std::move(block), false});
       }
   return ball;
 }

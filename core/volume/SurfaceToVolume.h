@@ -24,8 +24,9 @@ struct SurfaceVolume {
 // bodies become one, and walls within them vanish; a surface that is inside out encloses nothing.
 //
 // voxel: edge of a voxel, mm. On all threads of the arena; O(area / voxel² + n log n).
-// Errors: volume.no-triangles, volume.not-finite, volume.too-fine (more than 2^24 voxels along an axis),
-// volume.nothing-inside, cancelled.
+// Errors: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine (more voxels
+// along an axis than a volume has), TooLarge (for the memory that the system has left), NoVoxelInside, NothingInside;
+// Cancelled.
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {});
 
 // The voxel for a surface where a person chooses none: a 256th of its largest extent; mm.

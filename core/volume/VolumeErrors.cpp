@@ -14,6 +14,16 @@ const ErrorDescription VolumeErrors::TooLarge{
     .sentences = {translatable("ErrorText", "voxels of %1 mm would take %2 MB, and %3 MB are left")},
     .advice = {translatable("ErrorText", "Choose larger voxels, or close other programs.")}};
 
+const ErrorDescription VolumeErrors::TooLargeToSave{
+    .id = "TooLargeToSave",
+    .sentences = {translatable("ErrorText", "voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB")},
+    .advice = {translatable("ErrorText", "Choose larger voxels, or work on a piece of the part.")}};
+
+const ErrorDescription VolumeErrors::NoVoxelInside{
+    .id = "NoVoxelInside",
+    .sentences = {translatable("ErrorText", "no voxel of %1 mm lies inside: the part is thinner than they are")},
+    .advice = {translatable("ErrorText", "Choose smaller voxels.")}};
+
 const ErrorDescription VolumeErrors::NothingInside{
     .id = "NothingInside",
     .sentences = {translatable("ErrorText", "the surface encloses nothing")},

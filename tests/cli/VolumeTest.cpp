@@ -71,8 +71,13 @@ class VolumeTest : public QObject {
     QTest::addColumn<QByteArray>("text");
     QTest::newRow("no output") << QStringList{"voxelize", "a.off"} << QByteArray("The option -o OUT is missing.");
     QTest::newRow("no document") << QStringList{"voxelize", "a.off", "-o", "b.stl"} << QByteArray(".handwheel");
-    QTest::newRow("too fine") << QStringList{"voxelize", "a.off", "-o", "b.handwheel", "--voxel", "1e-5"}
+    QTest::newRow("too fine") << QStringList{"voxelize", "a.off", "-o", "b.handwheel", "--voxel", "1e-4"}
                               << QByteArray("MB");
+    QTest::newRow("too fine a repair") << QStringList{"repair", "a.off",  "-o",      "b.stl",
+                                                      "--by",   "volume", "--voxel", "1e-4"}
+                                       << QByteArray("MB");
+    QTest::newRow("too coarse") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "1e4"}
+                                << QByteArray("Choose smaller voxels.");
     QTest::newRow("no volume") << QStringList{"remesh", "a.off", "-o", "b.stl"} << QByteArray("it is no volume");
     QTest::newRow("no way") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "hand"} << QByteArray("--by");
     QTest::newRow("voxel 0") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0"}

@@ -59,6 +59,7 @@ void CopyActions::start(const DocumentKind& kind) {
     if (!made) return [failed, error = made.error()] { failed(error); };
     OpenedFile opened;
     opened.kind = &kind;
+    opened.file.id = newDocumentId();
     opened.file.displayUnit = unit;
     opened.content = std::move(*made);
     return [this, opened = std::move(opened)]() mutable { m_open(std::move(opened)); };

@@ -61,9 +61,20 @@ void FileLoader::load(const QString& path, const ReadOptions& options) {
   m_jobs.start(std::move(job));
 }
 
+DocumentTab* FileLoader::open(OpenedFile opened) {
+  if (!opened.file.isContainer) opened.file.displayUnit = loadPreferences().lengthUnit;
+  return add(std::move(opened));
+}
+
+DocumentTab* FileLoader::openUnsaved(OpenedFile opened) {
+  DocumentTab* added = add(std::move(opened));
+  added->document.markRecovered({});
+  return added;
+}
+
 void FileLoader::create(const std::string& kind) {
   const DocumentKind& of = *m_kinds.withId(kind);
-  DocumentTab* added = add(DocumentKinds::blank(of));
+  DocumentTab* added = open(DocumentKinds::blank(of));
   added->inFile = of.make(DocumentKinds::blank(of))->properties();  // from which the command line starts
 }
 
@@ -74,7 +85,7 @@ void FileLoader::recover(const QString& autosave, const QString& path, std::func
     Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(autosave).toStdString(), {}, progress);
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
     return [this, path, then, opened = std::move(opened.value())] {
-      DocumentTab* recovered = add(opened);
+      DocumentTab* recovered = open(opened);
       recovered->document.markRecovered(path);
       m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
       then(recovered);
@@ -86,7 +97,6 @@ void FileLoader::recover(const QString& autosave, const QString& path, std::func
 
 DocumentTab* FileLoader::add(OpenedFile opened) {
   const DocumentKind& kind = *opened.kind;
-  if (!opened.file.isContainer) opened.file.displayUnit = loadPreferences().lengthUnit;
   auto open = m_uis.at(kind.id())->open(kind.make(std::move(opened)));
   DocumentTab* added = open.get();
   m_tabs.add(std::move(open));
@@ -95,7 +105,7 @@ DocumentTab* FileLoader::add(OpenedFile opened) {
 
 void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedFile opened) {
   if (const DocumentTab* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
-  DocumentTab* added = add(std::move(opened));
+  DocumentTab* added = this->open(std::move(opened));
   added->inFile = added->document.properties();
   m_log.add(added->ui.openedText(*added), inspectCommand(path, options));
   m_recent.add(path);

@@ -37,7 +37,9 @@ class FileLoader : public QObject {
   // Opens a file, or shows its document when it is already open.
   void load(const QString& path, const ReadOptions& options = {});
   // Shows what was made elsewhere as a document, and makes it current.
-  DocumentTab* open(OpenedFile opened) { return add(std::move(opened)); }
+  DocumentTab* open(OpenedFile opened);
+  // The same of what would be lost if it were closed without being saved. It keeps its unit.
+  DocumentTab* openUnsaved(OpenedFile opened);
   // Creates a document of default size, of a kind that supports it.
   void create(const std::string& kind);
   // Opens the autosave of a document. path: that of the document, may be empty. then: called with the document when it

@@ -5,43 +5,41 @@
 #include "base/NumberText.h"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace handwheel {
 namespace {
 
-constexpr std::int32_t kMostRegion = 1 << 17;  // from the origin along an axis
-constexpr std::size_t kMostRegions = 90'000;   // fewer than a container has entries
-constexpr int kBlocks = 512;                   // of a region
+constexpr std::int32_t kMostRegion = SparseVolume::kMostVoxels / 64;  // from the origin along an axis
+constexpr std::size_t kMostChunks = 90'000;                           // fewer than a container has entries
+constexpr std::size_t kChunk = std::size_t{1} << 19;  // numbers from which on a chunk takes no further region
+constexpr int kBlocks = 512;                          // of a region
 // Of a region: its number along x, y and z; for each of its blocks whether it is full, and whether it has samples; then
 // the samples of those. All of 16 bits, the numbers as two of them.
 constexpr std::size_t kHead = 6 + 2 * kBlocks / 16;
 
-std::string nameOf(std::size_t region) {
-  std::string digits = std::to_string(region);
+std::string nameOf(std::size_t chunk) {
+  std::string digits = std::to_string(chunk);
   digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
-  return "volume/regions/" + digits;
+  return "volume/chunks/" + digits;
 }
 
 VoxelIndex blockIn(const VoxelIndex& region, int i) {
   return 8 * region + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
 }
 
-struct RegionBits {
-  std::bitset<kBlocks> full, sampled;
-};
-
-std::vector<std::int16_t> regionNumbers(const SparseVolume& volume, const VoxelIndex& region) {
-  std::vector<std::int16_t> numbers(kHead, 0);
+void addRegion(const SparseVolume& volume, const VoxelIndex& region, std::vector<std::int16_t>& numbers) {
+  const std::size_t head = numbers.size();
+  numbers.resize(head + kHead, 0);
   for (int k = 0; k < 3; ++k) {
     const auto part = static_cast<std::uint32_t>(region[k]);
-    numbers[static_cast<std::size_t>(2 * k)] = static_cast<std::int16_t>(part & 0xffff);
-    numbers[static_cast<std::size_t>(2 * k + 1)] = static_cast<std::int16_t>(part >> 16);
+    numbers[head + static_cast<std::size_t>(2 * k)] = static_cast<std::int16_t>(part & 0xffff);
+    numbers[head + static_cast<std::size_t>(2 * k + 1)] = static_cast<std::int16_t>(part >> 16);
   }
   const auto set = [&](std::size_t first, int i) {
-    auto& word = numbers[first + static_cast<std::size_t>(i / 16)];
+    auto& word = numbers[head + first + static_cast<std::size_t>(i / 16)];
     word = static_cast<std::int16_t>(static_cast<std::uint16_t>(word) | 1u << i % 16);
   };
   for (int i = 0; i < kBlocks; ++i) {
@@ -51,7 +49,6 @@ std::vector<std::int16_t> regionNumbers(const SparseVolume& volume, const VoxelI
     set(6 + kBlocks / 16, i);
     numbers.insert(numbers.end(), content.block->depths.begin(), content.block->depths.end());
   }
-  return numbers;
 }
 
 // A sample as the program writes them.
@@ -60,40 +57,43 @@ std::int16_t validSample(std::int16_t sample) {
   return std::max(sample, VolumeBlock::kEmpty);
 }
 
-// Adds a region to the volume; false when it makes no sense.
-bool readRegion(const std::vector<std::int16_t>& numbers, SparseVolume& volume) {
-  if (numbers.size() < kHead || (numbers.size() - kHead) % VolumeBlock::kCount != 0) return false;
+// Adds the regions of a chunk to the volume; false when what follows in it makes no sense.
+bool readChunk(std::span<const std::int16_t> numbers, SparseVolume& volume) {
   const auto unsignedAt = [&](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<std::uint16_t>(numbers[i]));
   };
-  VoxelIndex region;
-  for (int k = 0; k < 3; ++k) {
-    const auto at = static_cast<std::size_t>(2 * k);
-    region[k] = static_cast<std::int32_t>(unsignedAt(at) | unsignedAt(at + 1) << 16);
-    if (region[k] < -kMostRegion || region[k] > kMostRegion) return false;
-  }
   const auto bit = [&](std::size_t first, int i) {
     return (unsignedAt(first + static_cast<std::size_t>(i / 16)) >> i % 16 & 1) != 0;
   };
-  std::size_t next = kHead;
-  for (int i = 0; i < kBlocks; ++i) {
-    SparseVolume::Content content{nullptr, bit(6, i)};
-    if (bit(6 + kBlocks / 16, i)) {
-      if (next + VolumeBlock::kCount > numbers.size()) return false;
-      auto block = std::make_shared<VolumeBlock>();
-      std::transform(numbers.begin() + static_cast<std::ptrdiff_t>(next),
-                     numbers.begin() + static_cast<std::ptrdiff_t>(next + VolumeBlock::kCount), block->depths.begin(),
-                     validSample);
-      next += VolumeBlock::kCount;
-      content = {std::move(block), false};
+  while (!numbers.empty()) {
+    if (numbers.size() < kHead) return false;
+    VoxelIndex region;
+    for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(2 * k);
+      region[k] = static_cast<std::int32_t>(unsignedAt(at) | unsignedAt(at + 1) << 16);
+      if (region[k] < -kMostRegion || region[k] >= kMostRegion) return false;
     }
-    if (content.block || content.isFull) volume.setContent(blockIn(region, i), std::move(content));
+    std::size_t next = kHead;
+    for (int i = 0; i < kBlocks; ++i) {
+      SparseVolume::Content content{nullptr, bit(6, i)};
+      if (bit(6 + kBlocks / 16, i)) {
+        if (next + VolumeBlock::kCount > numbers.size()) return false;
+        auto block = std::make_shared<VolumeBlock>();
+        const auto samples = numbers.subspan(next, VolumeBlock::kCount);
+        std::transform(samples.begin(), samples.end(), block->depths.begin(), validSample);
+        next += VolumeBlock::kCount;
+        content = {std::move(block), false};
+      }
+      if (content.block || content.isFull) volume.setContent(blockIn(region, i), std::move(content));
+    }
+    numbers = numbers.subspan(next);
   }
-  return next == numbers.size();
+  return true;
 }
 
-// Gives full blocks beside empty ones samples, so that a surface lies between them.
-void closeOff(SparseVolume& volume) {
+// Gives full blocks beside empty ones samples, so that a surface lies between them. False where that would be more than
+// so many.
+bool closeOff(SparseVolume& volume, std::size_t most) {
   std::vector<VoxelIndex> open;
   volume.forEach([&](const VoxelIndex& at, const SparseVolume::Content& content) {
     if (content.block) return;
@@ -104,11 +104,13 @@ void closeOff(SparseVolume& volume) {
       return;
     }
   });
+  if (open.size() > most) return false;
   for (const VoxelIndex& at : open) {
     auto block = std::make_shared<VolumeBlock>();
     block->depths.fill(VolumeBlock::kFull);
     volume.setContent(at, {std::move(block), false});
   }
+  return true;
 }
 
 }  // namespace
@@ -123,9 +125,15 @@ void writeVolume(const SparseVolume& volume, Container& container) {
   });
   document["voxel"] = volume.voxel();
   document["origin"] = {volume.origin().x(), volume.origin().y(), volume.origin().z()};
-  document["regions"] = regions.size();
-  for (std::size_t i = 0; i < regions.size(); ++i)
-    container.blobs[nameOf(i)] = toBlob(regionNumbers(volume, regions[i]));
+  std::size_t chunks = 0;
+  std::vector<std::int16_t> numbers;
+  for (const VoxelIndex& region : regions) {
+    addRegion(volume, region, numbers);
+    if (numbers.size() < kChunk && region != regions.back()) continue;
+    container.blobs[nameOf(chunks++)] = toBlob(numbers);
+    numbers.clear();
+  }
+  document["chunks"] = chunks;
 }
 
 Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& damage, Progress progress) {
@@ -145,23 +153,28 @@ Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& 
   if (!isPlace) return Error{ErrorCode::ElementMalformed, {"document.origin", "it is no place"}, {}, {}};
 
   SparseVolume volume(corner, voxel.get<double>());
-  const nlohmann::json count = found->value("regions", nlohmann::json());
-  const bool isCount = count.is_number_unsigned() && count.get<std::uint64_t>() <= kMostRegions;
+  const nlohmann::json count = found->value("chunks", nlohmann::json());
+  const bool isCount = count.is_number_unsigned() && count.get<std::uint64_t>() <= kMostChunks;
   if (!isCount)
-    damage.push_back({ErrorCode::ElementMalformed, {"document.regions", "it is no number of regions"}, {}, {}});
-  const std::size_t regions = isCount ? count.get<std::size_t>() : kMostRegions;
-  std::size_t lost = 0;
-  for (std::size_t i = 0; i < regions; ++i) {
+    damage.push_back({ErrorCode::ElementMalformed, {"document.chunks", "it is no number of chunks"}, {}, {}});
+  const std::size_t chunks = isCount ? count.get<std::size_t>() : kMostChunks;
+  std::size_t lost = 0, bytes = 0;
+  for (std::size_t i = 0; i < chunks; ++i) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    progress.set(static_cast<double>(i) / static_cast<double>(regions));
+    progress.set(static_cast<double>(i) / static_cast<double>(chunks));
     const auto blob = container.blobs.find(nameOf(i));
     if (blob == container.blobs.end() && !isCount) break;
-    if (blob == container.blobs.end() || !readRegion(fromBlob<std::int16_t>(blob->second), volume)) ++lost;
+    if (blob != container.blobs.end()) bytes += blob->second.size();
+    if (blob == container.blobs.end() || !readChunk(fromBlob<std::int16_t>(blob->second), volume)) ++lost;
   }
   if (lost > 0)
-    damage.push_back(
-        {ErrorCode::ElementMalformed, {"volume", std::to_string(lost) + " of its regions are lost"}, {}, {}});
-  closeOff(volume);
+    damage.push_back({ErrorCode::ElementMalformed,
+                      {"volume", std::to_string(lost) + " of its chunks are lost, or end early"},
+                      {},
+                      {}});
+  // As other arrays of a container: at most 64 times its bytes.
+  if (!closeOff(volume, 64 * bytes / sizeof(VolumeBlock)))
+    return Error{ErrorCode::ElementMalformed, {"volume", "full and empty blocks have nothing between them"}, {}, {}};
   return volume;
 }
 

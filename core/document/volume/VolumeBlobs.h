@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// Writes a volume into a container: voxel and origin into the object manifest["document"], and a blob for each region
-// of 64³ voxels ("volume/regions/0000").
+// Writes a volume into a container: voxel and origin into the object manifest["document"], and the regions of 64³
+// voxels in chunks of about a megabyte ("volume/chunks/0000").
 void writeVolume(const SparseVolume& volume, Container& container);
 
-// Reads it from any input. Regions that are missing or make no sense are empty, and are added to the damage; where
+// Reads it from any input. What is missing or makes no sense is empty, and is added to the damage; where
 // material would then end between samples it is closed off. Errors: ElementMalformed, Cancelled.
 Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& damage, Progress progress);
 

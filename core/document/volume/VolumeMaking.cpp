@@ -3,27 +3,21 @@
 #include "document/volume/VolumeMaking.h"
 
 #include "base/NumberText.h"
-#include "process/SystemMemory.h"
+#include "document/Container.h"
 #include "volume/VolumeErrors.h"
 
 namespace handwheel {
-namespace {
-
-// The triangles of its display, and what making it takes for a while, as shares of the volume; measured.
-constexpr double kDisplay = 4.0, kWhileMaking = 1.5;
-
-}  // namespace
-
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress) {
   const double edge = voxel.value_or(usualVoxel(surface));
-  const double bytes = predictedVolumeBytes(surface, edge) * (1.0 + kDisplay + kWhileMaking);
-  const auto left = static_cast<double>(systemMemory());
-  if (bytes > left)
-    return Error{
-        VolumeErrors::TooLarge, {roundedText(edge), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
   Result<SurfaceVolume> made = volumeOfSurface(surface, edge, progress.part(0.0, 0.7));
   if (!made) return made.error();
+  constexpr double kMost = 0.95 * static_cast<double>(kLargestContainer);
+  if (const auto bytes = static_cast<double>(made->volume.bytes()); bytes > kMost)
+    return Error{VolumeErrors::TooLargeToSave,
+                 {roundedText(edge), roundedText(bytes / 1e6, 3), roundedText(kMost / 1e6, 3)},
+                 {},
+                 {}};
   auto snapshot = std::make_shared<VolumeSnapshot>();
   snapshot->volume = made->volume;
   snapshot->surface = VolumeSurface(made->volume, progress.part(0.7, 1.0));

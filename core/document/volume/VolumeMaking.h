@@ -18,7 +18,7 @@ struct MadeVolume {
 };
 
 // The content of a document of what a surface encloses. voxel: mm; none: the usual one. Errors: those of
-// volumeOfSurface(), and VolumeErrors::TooLarge where it would take more memory than the system has left.
+// volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress);
 

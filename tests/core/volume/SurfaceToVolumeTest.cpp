@@ -120,6 +120,12 @@ class SurfaceToVolumeTest : public QObject {
     QVERIFY(!volumeOfSurface(cube(), 0.0).hasValue());
     QVERIFY(!volumeOfSurface(cube(), std::nan("")).hasValue());
     QVERIFY(volumeOfSurface(cube(), 1e-9).error().code == VolumeErrors::TooFine);
+    QVERIFY(volumeOfSurface(cube(), 2e-6).error().code == VolumeErrors::TooLarge);
+    QVERIFY(volumeOfSurface(cube(1.0, Vec3::Constant(0.1)), 30.0).error().code == VolumeErrors::NoVoxelInside);
+    // What two small cubes far apart would take for an index of the rows between them.
+    TriangleSoup apart = cube();
+    append(apart, cube(1.0, Vec3::Constant(1e5)));
+    QVERIFY(volumeOfSurface(apart, 0.25).error().code == VolumeErrors::TooLarge);
     TriangleSoup broken = cube();
     broken.points[3].x() = std::numeric_limits<double>::infinity();
     QVERIFY(!volumeOfSurface(broken, 0.1).hasValue());
@@ -140,6 +146,18 @@ class SurfaceToVolumeTest : public QObject {
       const Result<SurfaceVolume> made = volumeOfSurface(ball, voxel);
       const double ratio = static_cast<double>(made->volume.bytes()) / predictedVolumeBytes(ball, voxel);
       QVERIFY2(ratio > 0.75 && ratio < 1.5, qPrintable(QString::number(ratio)));
+    }
+  }
+
+  void aBallOfClay() {
+    const SparseVolume ball = ballOfVoxels(10.0, 0.25);
+    const double expected = 4.0 / 3.0 * M_PI * 1000.0;
+    QVERIFY(std::abs(ball.material() / expected - 1.0) < 2e-3);
+    for (int i = 0; i < 20000; ++i) {
+      const VoxelIndex at(i % 43 - 21, i / 43 % 43 * 2 - 43, i / 43 / 43 * 8 - 43);
+      const double depth = 40.0 - at.cast<double>().norm();
+      const double sample = ball.sample(at) / VolumeBlock::kUnit;
+      QVERIFY(std::abs(sample - std::clamp(depth, -4.0, 4.0)) < 2e-4);
     }
   }
 

@@ -5,6 +5,7 @@
 #include "WindowTestMain.h"
 
 #include <QDockWidget>
+#include <QMessageBox>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -34,6 +35,12 @@ class VolumeWindowTest : public QObject {
     QVERIFY(!isEnabled(driver, "copyAs/volume") && isEnabled(driver, "copyAs/mesh"));
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Volume"));
     QVERIFY(driver.find<QWidget>("property/material")->isVisible());
+    // It is in no file yet: closing it asks.
+    driver.choose("closeDocument");
+    QVERIFY(QTest::qWaitFor([&] { return driver.window().findChild<QMessageBox*>() != nullptr; }, kPatienceMs));
+    driver.window().findChild<QMessageBox*>()->reject();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 2);
 
     driver.choose("saveAs");
     const QString saved = m_folder.filePath(QStringLiteral("hole.handwheel"));

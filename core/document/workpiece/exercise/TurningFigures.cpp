@@ -136,9 +136,11 @@ Figure peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& lo
 
 // What a drill left is that of the passes: programs before it had a figure of its own kept the cusps of a round nose.
 SurfaceFinish withDrilledAsRepeated(SurfaceFinish kept, const SurfaceFinish& repeated) {
+  constexpr double kSame = 1e-4;  // share: marks keep feed and roughness rounded to single precision
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const FinishMark again = repeated.at(TurningSide::Bore, i), mark = kept.at(TurningSide::Bore, i);
-    const bool isDrilled = again.isKnown() && again.roughness == static_cast<float>(drilledRoughness(again.feed));
+    const double drilled = drilledRoughness(again.feed);
+    const bool isDrilled = again.isKnown() && std::abs(again.roughness - drilled) <= kSame * drilled;
     if (isDrilled && mark.isKnown() && mark.pass == again.pass) kept.set(TurningSide::Bore, i, again);
   }
   return kept;

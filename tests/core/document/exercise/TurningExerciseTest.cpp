@@ -199,9 +199,15 @@ class TurningExerciseTest : public QObject {
   }
 
   // What was handed in before drills had a figure of their own is marked as what is handed in now.
+  void drilledByAnOlderProgram_data() {
+    QTest::addColumn<double>("feed");  // some are kept exactly in single precision, some are not
+    for (const double feed : {0.1, 0.125, 0.15, 0.2, 0.35}) QTest::addRow("%g", feed) << feed;
+  }
   void drilledByAnOlderProgram() {
+    QFETCH(double, feed);
     Json drilled = shoulderWork();
-    drilled["passes"].push_back({{"nose_radius", 5}, {"side", "bore"}, {"feed", 0.1}, {"points", {{0, 110}, {0, 70}}}});
+    drilled["passes"].push_back(
+        {{"nose_radius", 5}, {"side", "bore"}, {"feed", feed}, {"points", {{0, 110}, {0, 70}}}});
     const auto work = workFrom(*shoulder(), drilled);
     WorkpieceSnapshot old = static_cast<const WorkpieceSnapshot&>(*work);
     TurnedPart part = *old.part;
