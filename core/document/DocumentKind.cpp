@@ -174,7 +174,7 @@ GeometryPointer DocumentKind::bodyGeometry(const Snapshot& content, std::vector<
 }
 
 Result<SnapshotPointer> DocumentKind::ofSurface(const TriangleSoup&, const std::string&, Progress) const {
-  return Error{ErrorCode::Unsupported, {"a surface as " + id()}, {}, {}};
+  return Error{ErrorCode::Unsupported, {id()}, {}, {}};
 }
 
 DocumentKinds::DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds) : m_kinds(std::move(kinds)) {}

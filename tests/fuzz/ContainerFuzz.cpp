@@ -8,6 +8,8 @@
 #include "document/exercise/ExerciseKind.h"
 #include "document/mesh/MeshKind.h"
 #include "document/mesh/SubdivisionLevelStore.h"
+#include "document/volume/VolumeKind.h"
+#include "document/volume/VolumeSnapshot.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/exercise/TurningSubject.h"
@@ -90,6 +92,7 @@ const std::vector<std::unique_ptr<DocumentKind>>& kinds() {
     all.push_back(std::make_unique<WorkpieceKind>());
     all.push_back(std::make_unique<RobotCellKind>());
     all.push_back(exerciseKind());
+    all.push_back(std::make_unique<VolumeKind>());
     return all;
   }();
   return kKinds;
@@ -167,6 +170,18 @@ RobotCellSnapshot smallCell() {
   return content;
 }
 
+// A voxel, beside a full block.
+VolumeSnapshot smallVolume() {
+  VolumeSnapshot content;
+  content.volume = SparseVolume(Vec3::Zero(), 0.5);
+  auto block = std::make_shared<VolumeBlock>();
+  block->depths.fill(VolumeBlock::kEmpty);
+  block->depths[100] = VolumeBlock::kFull;
+  content.volume.setContent(VoxelIndex(0, 0, 0), {std::move(block), false});
+  content.volume.setContent(VoxelIndex(1, 0, 0), {nullptr, true});
+  return content;
+}
+
 // A new exercise with that bar as model solution and as work.
 ExerciseSnapshot smallExercise(const ExerciseKind& kind) {
   ExerciseSnapshot content = static_cast<const ExerciseSnapshot&>(*kind.blank());
@@ -182,6 +197,7 @@ const std::map<std::string, std::string>& smallBlobs() {
     MeshKind().save(smallMesh(), container);
     WorkpieceKind().save(smallWorkpiece(), container);
     RobotCellKind().save(smallCell(), container);
+    VolumeKind().save(smallVolume(), container);
     const auto exercises = exerciseKind();
     exercises->save(smallExercise(*exercises), container);
     return container.blobs;

@@ -7,9 +7,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
-#include "cli/mesh/MeshOutput.h"
 #include "document/formats/MeshExport.h"
-#include "document/mesh/MeshSnapshot.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/VolumeOperations.h"
@@ -57,20 +55,14 @@ std::vector<OptionSpec> withShared(std::vector<OptionSpec> options) {
   return options;
 }
 
-// The triangles of a mesh, of a file unwelded.
-TriangleSoup trianglesOf(const Input& input) {
-  const MeshSnapshot* document = input.meshDocument();
-  return document ? document->mesh.mesh.compact().soup : input.mesh->soup;
-}
-
 Result<Answer> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
                             Progress progress) {
   if (!isContainerName(request.output)) return unknownEnding(request.output, {std::string(kContainerEnding)});
-  const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
-  if (!input) return input.error();
-  Answer done{input->opened.file, refusalToReplace(request.output, input->opened.file), {}, {}};
+  const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
+  if (!opened) return opened.error();
+  Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
   if (!done.refusal.empty()) return done;
-  const Result<MadeVolume> made = makeVolume(trianglesOf(*input), values.given("voxel"),
+  const Result<MadeVolume> made = makeVolume(placedSoup(opened->kind->display(*opened->content)), values.given("voxel"),
                                              request.input.filename().string(), progress.part(0.1, 0.8));
   if (!made) {
     Error error = made.error();
@@ -79,7 +71,7 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   }
   const DocumentKind& kind = *kinds.withId("volume");
   DocumentFile file;
-  file.displayUnit = input->opened.file.displayUnit;
+  file.displayUnit = opened->file.displayUnit;
   const Result<WrittenFile> written = saveDocument(kind, file, *made->volume, request.output, progress.part(0.8, 1.0));
   if (!written) return written.error();
   const SparseVolume& volume = made->volume->volume;
@@ -127,7 +119,8 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
 CommandSpec voxelizeSpec() {
   CommandSpec spec = {"voxelize",
                       "FILE",
-                      "Makes a volume of what a mesh encloses. Holes and gaps are closed, bodies that overlap become "
+                      "Makes a volume of what the surface of a document encloses. Holes and gaps are closed, bodies "
+                      "that overlap become "
                       "one, and walls\n"
                       "within them vanish. Exit code 0: done; 1: error.",
                       {{"output", 'o', "OUT", "The volume, a .handwheel"}}};
@@ -142,7 +135,7 @@ CommandSpec remeshSpec() {
                       "Makes a mesh of the surface of a volume: closed, manifold, oriented and free of "
                       "self-intersections.\n"
                       "Exit code 0: done; 1: error.",
-                      {{"output", 'o', "OUT", "The mesh: " + meshFormatWords(false)}}};
+                      {{"output", 'o', "OUT", "The mesh, in any format of meshes"}}};
   for (OptionSpec& option : optionsOf(remeshOperation())) spec.options.push_back(std::move(option));
   spec.options = withShared(std::move(spec.options));
   return spec;

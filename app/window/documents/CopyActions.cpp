@@ -15,8 +15,8 @@
 
 namespace handwheel {
 
-CopyActions::CopyActions(const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open)
-    : m_tabs(tabs), m_jobs(jobs), m_open(std::move(open)) {
+CopyActions::CopyActions(QWidget* window, const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open)
+    : QObject(window), m_tabs(tabs), m_jobs(jobs), m_open(std::move(open)) {
   for (const auto& kind : kinds.all()) {
     if (!kind->isMadeOfSurfaces()) continue;
     const QString title = QCoreApplication::translate("DocumentKind", kind->title().c_str());

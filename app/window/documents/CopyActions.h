@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QObject>
+#include <QWidget>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -24,7 +25,7 @@ class CopyActions : public QObject {
  public:
   using Open = std::function<DocumentTab*(OpenedFile opened)>;
 
-  CopyActions(const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open);
+  CopyActions(QWidget* window, const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open);
 
   // One for each kind that is made of surfaces.
   QList<QAction*> actions() const;
