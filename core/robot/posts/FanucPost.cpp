@@ -212,6 +212,9 @@ class FanucReading {
     line.take(":");
     line.skipSpace();
     if (line.rest().empty() || line.rest()[0] == '!') return Done{};
+    // A time-out leads elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
+    if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
+      return unread(line.rest(), statement.line);
     for (const char* const still : kFanucStill) {
       if (LineReader(line).take(still)) return Done{};
     }

@@ -212,7 +212,8 @@ class ProgramReadersTest : public QObject {
     for (const char* const each :
          {"2:  CALL OTHER ;", "2:  IF R[1]=1,JMP LBL[1] ;", "2:  JMP LBL[2] ;", "2:  FOR R[1]=1 TO 3 ;",
           "2:  PR[1]=LPOS ;", "2:  OFFSET CONDITION PR[1] ;", "2:  UFRAME[1]=PR[1] ;", "2:  SELECT R[1]=1,CALL A ;",
-          "2:J P[1:go!] 50% FINE Offset,PR[1] ;", "2:  R[1]=5 ! ; CALL A ;"})
+          "2:J P[1:go!] 50% FINE Offset,PR[1] ;", "2:  R[1]=5 ! ; CALL A ;", "2:  WAIT DI[1]=ON TIMEOUT,LBL[2] ;",
+          "2:  WAIT DI[1]=ON Timeout, LBL[2] ;"})
       QTest::newRow(each) << QByteArray("fanuc") << QByteArray(each);
     for (const char* const each :
          {"if x == 1:", "while True:", "for i in [1,2]:", "force_mode(p[0,0,0,0,0,0])", "other()",
