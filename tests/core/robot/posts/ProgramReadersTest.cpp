@@ -85,6 +85,11 @@ class ProgramReadersTest : public QObject {
       }
       QVERIFY(!postCalled("rapid")->read(doubling + "ENDMODULE\n", program).hasValue());
     }
+    // A few calls, each of which is a long text to look at.
+    const std::string calculation = "n:=" + std::string(100'000, '1') + ";\n";
+    std::string often = "MODULE m\nPROC long()\n" + calculation + "ENDPROC\nPROC main()\n";
+    for (int i = 0; i < 10'000; ++i) often += "long;\n";
+    QVERIFY(!postCalled("rapid")->read(often + joints(0) + "ENDPROC\nENDMODULE\n", program).hasValue());
   }
 
   // Where a place is, by the definition of each language: the frame, then the place, then back along the tool that the
