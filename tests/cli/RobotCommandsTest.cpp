@@ -100,6 +100,11 @@ class RobotCommandsTest : public QObject {
     QVERIFY2(noLink.code == 1 && noLink.err.contains("l9"), noLink.err);
     QCOMPARE(bench.run({"ik", "irb120"}).code, 1);
     QCOMPARE(bench.run({"ik", "irb120", "--pose=0,0,0,0,0,0,0"}).code, 1);
+    // Of a robot that is no cell there are no others.
+    for (const char* robot : {"irb120", "arm.urdf", "scara.json"}) {
+      const Ran chosen = bench.run({"ik", robot, "--pose=300,0,300,1,0,0,0", "--arm", "nonsense"});
+      QVERIFY2(chosen.code == 1 && chosen.err.contains("--arm") && chosen.err.contains(robot), chosen.err);
+    }
     QCOMPARE(bench.run({"ik", "no-robot", "--pose=0,0,0,1,0,0,0"}).code, 1);
     bench.put("bad.json", R"({"joints": [{"a": "x"}]})");
     QCOMPARE(bench.run({"ik", "bad.json", "--pose=0,0,0,1,0,0,0"}).code, 1);

@@ -105,6 +105,13 @@ Result<SerialArm> armCalled(const Arguments& arguments, const std::string& tip, 
   return table ? Result<SerialArm>(ofTable(*table)) : withSubject(table.error(), name);
 }
 
+// False also where there is no such file, which is an error of its own.
+bool isRobotOutsideOfCells(const std::string& name) {
+  if (libraryTable(name)) return true;
+  const Result<std::string> bytes = readFileBytes(name);
+  return bytes && !looksLikeContainer(*bytes);
+}
+
 struct FoundValues {
   ArmValues values;
   double distance = 0.0, angle = 0.0;  // mm, rad: that the flange is off
@@ -174,6 +181,9 @@ int runIk(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!(turn.norm() > 1e-6)) return failUsage("The quaternion of --pose is zero.", "ik");
   Pose pose(turn.normalized());
   pose.translation() = Vec3(numbers[0], numbers[1], numbers[2]);
+  const std::string& robot = arguments.operands[0];
+  if (arguments.has("arm") && isRobotOutsideOfCells(robot))
+    return failUsage("The option --arm is for robot cells, and " + robot + " is none.", "ik");
   const std::string tip = values.isSet("tip") ? values.text("tip") : std::string();
   const Result<SerialArm> arm = armCalled(arguments, tip, kinds);
   if (!arm) return fail(arm.error());

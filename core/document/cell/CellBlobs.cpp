@@ -99,27 +99,32 @@ class Loading {
     const auto stored = m_document.find("robots");
     if (stored == m_document.end()) return {wholeArm(model)};
     std::vector<RobotArm> arms;
-    for (const nlohmann::json& entry : stored->is_array() ? *stored : nlohmann::json::array()) {
+    const bool isList = stored->is_array() && stored->size() <= model.links.size();
+    for (const nlohmann::json& entry : isList ? *stored : nlohmann::json::array()) {
       const RobotArm arm{stringAt(entry, "name"), stringAt(entry, "title"), linkNamed(model, stringAt(entry, "base")),
                          linkNamed(model, stringAt(entry, "flange"))};
       const auto isSame = [&](const RobotArm& each) { return each.name == arm.name || each.base == arm.base; };
       if (isArm(model, arm) && std::none_of(arms.begin(), arms.end(), isSame)) arms.push_back(arm);
     }
-    if (!arms.empty() && arms.size() == stored->size()) return arms;
+    if (!arms.empty() && arms.size() == stored->size() && haveOwnFlanges(model, arms)) return arms;
     m_damage.push_back({ErrorCode::ElementMalformed, {"robots", "a robot is not in the description"}, {}, {}});
     return {wholeArm(model)};
   }
 
-  // Its base is the root or fixed to it, and its flange hangs on the base.
+  // Its base is the root or fixed to it.
   static bool isArm(const RobotModel& model, const RobotArm& arm) {
     if (arm.name.empty() || arm.base == kNone || arm.flange == kNone) return false;
     const std::uint32_t mount = model.links[arm.base].parentJoint;
-    const bool isPlaced =
-        mount == kNone || (model.joints[mount].kind == JointKind::Fixed && model.joints[mount].parent == model.root);
-    std::uint32_t link = arm.flange;
-    while (link != arm.base && model.links[link].parentJoint != kNone)
-      link = model.joints[model.links[link].parentJoint].parent;
-    return isPlaced && link == arm.base;
+    return mount == kNone || (model.joints[mount].kind == JointKind::Fixed && model.joints[mount].parent == model.root);
+  }
+
+  // The flange of each hangs on its base, and not on that of another one between.
+  static bool haveOwnFlanges(const RobotModel& model, const std::vector<RobotArm>& arms) {
+    const std::vector<std::uint32_t> owners = armsOfLinks(model, arms);
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+      if (owners[arms[i].flange] != i) return false;
+    }
+    return true;
   }
 
   JointValues readJoints(const RobotModel& model) const {

@@ -211,7 +211,10 @@ class FanucReading {
     line.number();  // of the line
     line.take(":");
     line.skipSpace();
-    if (line.rest().empty()) return Done{};
+    if (line.rest().empty() || line.rest()[0] == '!') return Done{};
+    // A time-out leads elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
+    if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
+      return unread(line.rest(), statement.line);
     for (const char* const still : kFanucStill) {
       if (LineReader(line).take(still)) return Done{};
     }
@@ -274,7 +277,8 @@ std::string FanucPost::write(const RobotProgram& program) const {
 }
 
 Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {
-  const Result<std::vector<std::string_view>> lines = programLines(text, "!");
+  const Result<std::vector<std::string_view>> lines =
+      programLines(text, {});  // "!" begins remarks at the begin of lines only
   if (!lines) return lines.error();
   FanucReading reading(frame);
   for (const ProgramStatement& each : statementsOf(*lines)) {

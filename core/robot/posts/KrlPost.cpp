@@ -48,7 +48,7 @@ std::string statusText(const SerialArm& arm, const ArmValues& values) {
 struct KrlSettings {
   std::array<std::optional<double>, 6> axes = {};  // shares of the largest
   std::optional<double> lineSpeed = {};            // mm/s
-  double blend = 0.0;                              // mm
+  std::optional<double> blend = {};                // mm; none: it is that of the controller
 
   // Of the slowest axis: all axes of a motion end together.
   std::optional<double> share() const {
@@ -60,7 +60,7 @@ struct KrlSettings {
   }
 
   // $VEL_AXIS[2]=50, in a loop $VEL_AXIS[I]=50; BAS(#VEL_PTP,50); $VEL.CP=0.1; BAS(#VEL_CP,0.1); $APO.CDIS=5. False: it
-  // is none of these.
+  // is none of these. Zones that a technology package sets, as BAS(#CP_PARAMS,0.1) does, are on the controller.
   bool take(LineReader line) {
     if (line.take("$VEL_AXIS[")) {
       const auto axis = line.number();
@@ -74,12 +74,15 @@ struct KrlSettings {
       line.take("=");
       lineSpeed = positive(line, kMillimetresOfMetre);
     } else if (line.take("$APO.CDIS")) {
-      line.take("=");
-      blend = line.number().value_or(0.0);
+      blend = line.take("=") ? numberAlone(line.rest()) : std::nullopt;
+    } else if (line.takeWord("$APO")) {
+      if (!line.take(".")) blend = std::nullopt;
     } else if (line.takeWord("BAS")) {
       line.take("(");
+      const bool isVelocity = LineReader(line).take("#VEL_"), isAcceleration = LineReader(line).take("#ACC_");
       const bool isShare = line.take("#VEL_PTP") || line.take("#PTP_PARAMS");
       const bool isSpeed = !isShare && (line.take("#VEL_CP") || line.take("#CP_PARAMS"));
+      if (!isVelocity && !isAcceleration) blend = std::nullopt;
       line.take(",");
       if (isShare) axes.fill(positive(line, 0.01));
       if (isSpeed) lineSpeed = positive(line, kMillimetresOfMetre);
@@ -130,9 +133,14 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
 }
 
 // Words of what neither moves the robot nor changes where others lead. What is in no list is refused.
-constexpr std::array kKrlStill = {"DEF",  "DECL",      "INT",     "REAL",   "BOOL",     "CHAR",    "EXT",
-                                  "INI",  "INTERRUPT", "GLOBAL",  "WAIT",   "CONTINUE", "HALT",    "PULSE",
-                                  "ELSE", "CASE",      "DEFAULT", "SIGNAL", "PDAT_ACT", "LDAT_ACT"};
+constexpr std::array kKrlStill = {"DEF",  "DECL", "INT",     "REAL",     "BOOL",     "CHAR",
+                                  "EXT",  "INI",  "WAIT",    "CONTINUE", "HALT",     "PULSE",
+                                  "ELSE", "CASE", "DEFAULT", "SIGNAL",   "PDAT_ACT", "LDAT_ACT"};
+// Functions that only compute or look, and words before brackets. Others may be routines that move the robot.
+constexpr const char* kKrlFunctions[] = {"abs",     "acos", "and",  "atan2", "b_and",    "b_exor", "b_not",
+                                         "b_or",    "bas",  "case", "cos",   "exor",     "for",    "if",
+                                         "inv_pos", "not",  "or",   "pulse", "sec",      "sin",    "sqrt",
+                                         "switch",  "tan",  "to",   "until", "varstate", "wait",   "while"};
 constexpr std::array kKrlBlocks = {"IF", "FOR", "WHILE", "LOOP", "REPEAT", "SWITCH"};
 constexpr std::array kKrlBlockEnds = {"ENDIF", "ENDFOR", "ENDWHILE", "ENDLOOP", "UNTIL", "ENDSWITCH"};
 
@@ -151,6 +159,10 @@ class KrlReading {
     LineReader line(text, number);
     line.skipSpace();
     if (line.rest().empty() || line.take("&")) return Done{};
+    line.takeWord("GLOBAL");
+    if (line.takeWord("INTERRUPT")) return isHarmlessInterrupt(line) ? Status(Done{}) : unread(text, number);
+    const bool isDeclared = LineReader(line).takeWord("DEF") || LineReader(line).takeWord("EXT");
+    if (!isDeclared && callsOther(line.rest(), kKrlFunctions)) return unread(text, number);
     if (takesOneOf(line, kKrlBlocks)) {
       m_blocks.push_back({text, number});
       return Done{};
@@ -173,13 +185,30 @@ class KrlReading {
   }
 
  private:
+  // "OFF", or the handler of faults that the maker's own programs begin with: "DECL 3 WHEN $STOPMESS==TRUE DO
+  // IR_STOPM()" and "ON 3". What others call may move the robot at any time.
+  bool isHarmlessInterrupt(LineReader line) {
+    if (line.takeWord("OFF")) return true;
+    if (line.takeWord("ON")) return m_faultInterrupt && line.number() == m_faultInterrupt;
+    const auto number = line.takeWord("DECL") ? line.number() : std::nullopt;
+    if (!number || !line.takeWord("WHEN") || !line.take("$STOPMESS") || !line.take("==") || !line.takeWord("TRUE") ||
+        !line.takeWord("DO") || !line.takeWord("IR_STOPM") || !line.take("(") || !line.take(")"))
+      return false;
+    m_faultInterrupt = number;
+    return true;
+  }
+
   // True for what leaves places as they are: speeds, outputs, declarations, waiting.
   bool readsOver(LineReader line) {
     const bool isBas = LineReader(line).takeWord("BAS");
     for (const char* const frames : {"#TOOL", "#BASE", "#FRAMES"}) {
       if (isBas && line.rest().find(frames) != std::string_view::npos) m_tool = std::nullopt;  // by a number
     }
-    if (m_settings.take(line)) return true;
+    const auto blend = m_settings.blend;
+    if (m_settings.take(line)) {
+      if (!m_blocks.empty() && m_settings.blend != blend) m_settings.blend = std::nullopt;  // or not
+      return true;
+    }
     if (line.takeWord("FDAT_ACT")) {
       m_tool = std::nullopt;
       return true;
@@ -223,13 +252,15 @@ class KrlReading {
       if (!m_base || !m_tool) return line.malformed("target", "its tool or base is on the controller, not in the file");
       motion.pose = placeIn(m_program, *m_base, poseOf(*frame), *m_tool);
       line = other;
-      if (line.takeWord("C_DIS")) motion.blend = m_settings.blend;
     } else {
       return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
     }
-    for (const char* const zone : {"C_DIS", "C_PTP", "C_DIS", "C_ORI", "C_VEL"}) line.takeWord(zone);
     line.skipSpace();
-    if (!line.rest().empty()) return unread(line.rest(), number);
+    // Other zones, as C_PTP, have no size in mm.
+    const std::string_view zone = line.rest();
+    if (!isPtp && m_settings.blend.value_or(-1.0) >= 0.0 && line.takeWord("C_DIS")) motion.blend = *m_settings.blend;
+    line.skipSpace();
+    if (!line.rest().empty()) return unread(zone, number);
     motions.push_back(std::move(motion));
     return Done{};
   }
@@ -244,6 +275,7 @@ class KrlReading {
   KrlSettings m_settings;
   std::optional<Pose> m_base, m_tool;      // in the base, in the flange; none: not known
   std::vector<ProgramStatement> m_blocks;  // of control flow, that are open
+  std::optional<double> m_faultInterrupt;  // its number
   bool m_isOver = false;
 };
 

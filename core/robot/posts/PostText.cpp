@@ -128,6 +128,45 @@ Error unread(std::string_view statement, std::size_t line) {
       PostError::StatementUnread, {std::string(statement.substr(begin, end - begin))}, InputPosition::line(line), {}};
 }
 
+bool callsOther(std::string_view text, std::span<const char* const> harmless) {
+  bool isQuoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') isQuoted = !isQuoted;
+    if (isQuoted || !isNameCharacter(text[i])) continue;
+    LineReader line(text.substr(i), 0);
+    const std::string name = lowerCase(std::string(line.name()));
+    i += name.size() - 1;
+    if (line.take("(") &&
+        std::none_of(harmless.begin(), harmless.end(), [&](const char* known) { return name == known; }))
+      return true;
+  }
+  return false;
+}
+
+std::vector<std::string_view> argumentsOf(std::string_view text) {
+  std::vector<std::string_view> parts;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i == text.size() || (text[i] == ',' && depth == 0)) {
+      parts.push_back(text.substr(begin, i - begin));
+      begin = i + 1;
+    } else if (text[i] == '[' || text[i] == '(') {
+      ++depth;
+    } else if (text[i] == ']' || text[i] == ')') {
+      --depth;
+    }
+  }
+  return parts;
+}
+
+std::optional<double> numberAlone(std::string_view text) {
+  LineReader line(text, 0);
+  const auto value = line.number();
+  line.skipSpace();
+  return line.rest().empty() ? value : std::nullopt;
+}
+
 void LineReader::skipSpace() {
   const std::size_t begin = m_rest.find_first_not_of(" \t\r");
   m_rest.remove_prefix(std::min(begin, m_rest.size()));
@@ -207,7 +246,7 @@ Result<std::vector<std::string_view>> programLines(std::string_view text, std::s
     bool isQuoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (line[i] == '"') isQuoted = !isQuoted;
-      if (!isQuoted && line.substr(i).starts_with(comment)) line = line.substr(0, i);
+      if (!isQuoted && !comment.empty() && line.substr(i).starts_with(comment)) line = line.substr(0, i);
     }
     lines.push_back(line);
     begin = end + 1;

@@ -49,6 +49,16 @@ Pose placeIn(const RobotProgram& program, const Pose& frame, const Pose& place, 
 // That a statement is not read, which may move the robot: StatementUnread {its beginning}.
 Error unread(std::string_view statement, std::size_t line);
 
+// Whether NAME( outside of quotes calls anything but these functions, which do nothing but compute, or words of the
+// language before brackets; these in lower case.
+bool callsOther(std::string_view text, std::span<const char* const> harmless);
+
+// The parts between the commas that are in no brackets.
+std::vector<std::string_view> argumentsOf(std::string_view text);
+
+// The number that a text is; none: it is more than a number, as "2*n", or none.
+std::optional<double> numberAlone(std::string_view text);
+
 // Takes apart a line of a program. Words are compared without case.
 class LineReader {
  public:
@@ -70,7 +80,8 @@ class LineReader {
   std::size_t m_line;
 };
 
-// The lines of a text without what follows a comment sign outside of quotes. Error: FileTooLarge.
+// The lines of a text without what follows a comment sign outside of quotes; empty: there is no such sign. Error:
+// FileTooLarge.
 Result<std::vector<std::string_view>> programLines(std::string_view text, std::string_view comment);
 
 }  // namespace handwheel

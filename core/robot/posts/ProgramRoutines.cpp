@@ -11,6 +11,8 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostStatements = 10 * Post::kMostMotions;
+// As a long statement that is called again and again is looked at each time.
+constexpr std::size_t kMostCharacters = 10 * Post::kLargestText;
 constexpr std::size_t kDeepestCall = 64;
 
 using Called = std::function<std::string(std::string_view)>;
@@ -69,7 +71,7 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
           .malformed("program", "it is not told which routine is first");
     open.push_back({&m_routines.at(*free.begin()).statements});
   }
-  std::size_t steps = 0;  // also of calls that lead to nothing
+  std::size_t steps = 0, characters = 0;  // also of calls that lead to nothing
   while (!open.empty()) {
     Frame& frame = open.back();
     if (frame.next == frame.statements->size()) {
@@ -87,7 +89,8 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
         return LineReader({}, statement.line).malformed("program", "routines call each other endlessly");
       open.push_back({&routine->second.statements});
     }
-    if (++steps > kMostStatements)
+    characters += statement.text.size();
+    if (++steps > kMostStatements || characters > kMostCharacters)
       return LineReader({}, statement.line).malformed("program", "there are too many motions");
   }
   return all;

@@ -12,29 +12,30 @@ namespace handwheel {
 
 namespace {
 
-// The parts between the commas that are in no brackets.
-std::vector<std::string_view> argumentsOf(std::string_view text) {
-  std::vector<std::string_view> parts;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    if (i == text.size() || (text[i] == ',' && depth == 0)) {
-      parts.push_back(text.substr(begin, i - begin));
-      begin = i + 1;
-    } else if (text[i] == '[' || text[i] == '(') {
-      ++depth;
-    } else if (text[i] == ']' || text[i] == ')') {
-      --depth;
-    }
-  }
-  return parts;
-}
-
 // Instructions that neither move the robot nor change where others lead. Those that are in no list are refused.
 constexpr std::array kRapidStill = {"AccSet",  "ConfL",    "ConfJ",    "SingArea", "GripLoad",  "TPWrite",
                                     "TPErase", "SetDO",    "SetGO",    "SetAO",    "PulseDO",   "Set",
                                     "Reset",   "InvertDO", "WaitTime", "WaitDI",   "WaitUntil", "WaitRob",
                                     "Stop",    "ClkReset", "ClkStart", "ClkStop",  "Incr",      "Decr"};
+
+// Functions that only compute or look, and operators before brackets. Others may be routines that move the robot.
+constexpr const char* kRapidFunctions[] = {
+    "abs",      "acos",    "and",       "asin",     "atan",     "atan2",    "calcjointt", "calcrobt", "clkread",
+    "cos",      "crobt",   "cjointt",   "cpos",     "ctool",    "cwobj",    "dim",        "distance", "div",
+    "dotprod",  "doutput", "dnumtonum", "eulerzyx", "exp",      "gettime",  "goutput",    "max",      "min",
+    "mod",      "not",     "numtodnum", "numtostr", "offs",     "or",       "orientzyx",  "poseinv",  "posemult",
+    "posevect", "pow",     "present",   "reltool",  "round",    "sin",      "sqrt",       "strfind",  "strlen",
+    "strpart",  "tan",     "testdi",    "trunc",    "valtostr", "vectmagn", "xor"};
+
+// mm, of the zone data that every controller has; none: there are no such ones.
+std::optional<double> standardZone(const std::string& name) {
+  if (name == "fine") return 0.0;
+  if (name == "z0") return 0.3;
+  for (const int size : {1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200}) {
+    if (name == "z" + std::to_string(size)) return size;
+  }
+  return std::nullopt;
+}
 
 class RapidReading {
  public:
@@ -45,6 +46,8 @@ class RapidReading {
 
   Status readData(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
+    if (callsOther(line.rest(), kRapidFunctions)) return unread(line.rest(), statement.line);
+    if (line.takeWord("zonedata")) return readZone(line);
     if (line.takeWord("tooldata")) return readTool(line);
     if (line.takeWord("wobjdata")) return readFrame(line);
     Table* const table = line.takeWord("jointtarget") ? &m_jointTargets
@@ -66,20 +69,23 @@ class RapidReading {
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
+    if (line.takeWord("MoveAbsJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
+    if (line.takeWord("MoveJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, false);
+    if (line.takeWord("MoveL")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
+    LineReader other = line;
+    other.name();
+    if (callsOther(other.rest(), kRapidFunctions)) return unread(statement.text, statement.line);
     if (line.takeWord("VelSet")) {
       readOverride(line);
       return Done{};
     }
-    if (line.takeWord("MoveAbsJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
-    if (line.takeWord("MoveJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, false);
-    if (line.takeWord("MoveL")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
     for (const char* const still : kRapidStill) {
       if (line.takeWord(still)) return Done{};
     }
     const std::string_view word = line.name();
     const std::string name = folded(word);
     const bool isKnown = m_jointTargets.contains(name) || m_robTargets.contains(name) || m_speeds.contains(name) ||
-                         m_tools.contains(name) || m_frames.contains(name);
+                         m_tools.contains(name) || m_frames.contains(name) || m_zones.contains(name);
     if (!word.empty() && !isKnown && isAssignment(line)) return Done{};
     return unread(statement.text, statement.line);
   }
@@ -89,11 +95,36 @@ class RapidReading {
   using Numbers = std::vector<double>;
   using Table = std::map<std::string, Numbers>;  // by names in lower case
 
-  // "n:=1", "p.trans.x:=1", "a{2}:=1", after the name.
+  // "n:=1", "p.trans.x:=1", "a{2}:=1", after the name. Words between are those of another statement: IF a THEN n:=1.
   static bool isAssignment(LineReader line) {
-    const std::size_t sign = line.rest().find(":=");
-    return sign != std::string_view::npos &&
-           line.rest().substr(0, sign).find_first_of(",\\(") == std::string_view::npos;
+    while (true) {
+      if (line.take("{"))
+        line.skip(line.rest().find('}') + 1);
+      else if (line.take("."))
+        line.name();
+      else
+        return line.take(":=");
+    }
+  }
+
+  // Of [FALSE,10,…] in mm, of [TRUE,…], which is an exact stop, 0; none: it is not understood.
+  static std::optional<double> zoneFrom(LineReader& line) {
+    if (!line.take("[")) return std::nullopt;
+    const bool isStop = line.takeWord("TRUE");
+    if ((!isStop && !line.takeWord("FALSE")) || !line.take(",")) return std::nullopt;
+    const auto size = line.number();
+    if (!size || !line.take(",")) return std::nullopt;
+    line.skip(line.rest().find(']') + 1);
+    return isStop ? 0.0 : *size;
+  }
+
+  // Routines may have zones of their own under one name: then it is not known which one is meant.
+  Status readZone(LineReader& line) {
+    const std::string name = folded(line.name());
+    const auto zone = line.take(":=") ? zoneFrom(line) : std::nullopt;
+    const auto [known, isNew] = m_zones.emplace(name, zone);
+    if (!isNew && known->second != zone) known->second = std::nullopt;
+    return Done{};
   }
 
   // What a tool of [TRUE,[pose],[load]] is in the flange; none, where the robot does not hold it.
@@ -170,9 +201,14 @@ class RapidReading {
       motion.pose = *pose;
     else
       return line.malformed("target", "its quaternion has no direction");
+    if (callsOther(line.rest(), kRapidFunctions)) return unread(line.rest(), number);
     const std::vector<std::string_view> arguments = argumentsOf(line.rest());
     if (arguments.size() > 1) setSpeed(arguments[1], motion);
-    if (arguments.size() > 2) motion.blend = blendFrom(arguments[2]);
+    if (arguments.size() > 2) {
+      const Result<double> blend = blendFrom(arguments[2], number);
+      if (!blend) return blend.error();
+      motion.blend = *blend;
+    }
     if (m_calculatedWith && *m_calculatedWith != toolText(arguments, 3))
       return line.malformed("target", "CalcRobT has another tool or frame than the motion");
     if (motion.pose) {
@@ -238,11 +274,19 @@ class RapidReading {
     return pose;
   }
 
-  // Of "z10" or "[FALSE,10,…]"; 0 for fine.
-  static double blendFrom(std::string_view text) {
-    LineReader line(text, 0);
-    if (!line.take("z") && !(line.take("[") && line.takeWord("FALSE") && line.take(","))) return 0.0;
-    return line.number().value_or(0.0);
+  // Of "z10", "[FALSE,10,…]", a name of the file; "z10\Z:=8". 0 for fine.
+  Result<double> blendFrom(std::string_view text, std::size_t number) const {
+    LineReader line(text, number);
+    auto zone = zoneFrom(line);
+    if (!zone) {
+      const std::string name = folded(line.name());
+      const auto own = m_zones.find(name);
+      zone = own != m_zones.end() ? own->second : standardZone(name);
+    }
+    if (line.take("\\Z") && line.take(":=")) zone = line.number();
+    line.skipSpace();
+    if (!zone || !(*zone >= 0.0) || !line.rest().empty()) return unread(text, number);
+    return *zone;
   }
 
   const RobotProgram& m_program;
@@ -251,6 +295,7 @@ class RapidReading {
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
   Table m_jointTargets, m_robTargets, m_speeds;
   std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: not to be used
+  std::map<std::string, std::optional<double>> m_zones;          // likewise; mm
 };
 
 }  // namespace

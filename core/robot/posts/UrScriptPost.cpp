@@ -47,20 +47,79 @@ double zoneOf(const RobotProgram& program, std::size_t i) {
   return std::min(program.motions[i].blend, 0.49 * near);
 }
 
-// The value of "v=0.5" among the arguments after the target.
-std::optional<double> namedArgument(std::string_view rest, char name) {
-  for (std::size_t at = rest.find(','); at != rest.npos; at = rest.find(',', at + 1)) {
-    LineReader word(rest.substr(at + 1), 0);
-    if (word.take({&name, 1}) && word.take("=")) return word.number();
-  }
-  return std::nullopt;
-}
+// Functions that only compute or look, and operators before brackets. Others may be routines that move the robot.
+constexpr const char* kUrFunctions[] = {"acos",
+                                        "and",
+                                        "asin",
+                                        "atan",
+                                        "atan2",
+                                        "ceil",
+                                        "cos",
+                                        "d2r",
+                                        "floor",
+                                        "get_actual_joint_positions",
+                                        "get_actual_tcp_pose",
+                                        "get_analog_in",
+                                        "get_digital_in",
+                                        "get_forward_kin",
+                                        "get_inverse_kin",
+                                        "get_standard_analog_in",
+                                        "get_standard_digital_in",
+                                        "get_target_joint_positions",
+                                        "get_target_tcp_pose",
+                                        "get_tool_digital_in",
+                                        "interpolate_pose",
+                                        "length",
+                                        "log",
+                                        "mod",
+                                        "norm",
+                                        "not",
+                                        "or",
+                                        "point_dist",
+                                        "pose_add",
+                                        "pose_dist",
+                                        "pose_inv",
+                                        "pose_sub",
+                                        "pose_trans",
+                                        "pow",
+                                        "r2d",
+                                        "rotvec2rpy",
+                                        "rpy2rotvec",
+                                        "sin",
+                                        "sqrt",
+                                        "tan",
+                                        "to_num",
+                                        "to_str",
+                                        "xor"};
 
-// The second of the numbers that follow the target without names, a, v, t, r: as people write them.
-std::optional<double> unnamedSpeed(LineReader rest) {
-  const bool hasBoth = rest.take(",") && rest.number() && rest.take(",");
-  return hasBoth ? rest.number() : std::nullopt;
-}
+// What a motion is given after its target: "v=0.5", or without names in the order of the language.
+class UrArguments {
+ public:
+  // The rest of a call behind its target, with the bracket that ends it. isWhole() is false where something follows.
+  explicit UrArguments(std::string_view rest) {
+    while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.remove_suffix(1);
+    m_isWhole = rest.ends_with(')') &&
+                std::count(rest.begin(), rest.end(), ')') == 1 + std::count(rest.begin(), rest.end(), '(');
+    if (m_isWhole) rest.remove_suffix(1);
+    m_parts = argumentsOf(rest);
+  }
+  bool isWhole() const { return m_isWhole; }
+
+  // place: among those behind the target, from 1. none: it is not given.
+  std::optional<std::string_view> text(std::string_view name, std::size_t place) const {
+    for (std::size_t i = 1; i < m_parts.size(); ++i) {
+      LineReader part(m_parts[i], 0);
+      const std::string_view own = part.name();
+      const bool isNamed = !own.empty() && part.take("=") && !part.rest().starts_with('=');
+      if (isNamed ? own == name : i == place) return isNamed ? part.rest() : m_parts[i];
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::vector<std::string_view> m_parts;
+  bool m_isWhole = false;
+};
 
 // Six numbers: metres, and a turn as an axis of its angle's length.
 Pose urPoseOf(std::span<const double> n) {
@@ -70,8 +129,10 @@ Pose urPoseOf(std::span<const double> n) {
   return pose;
 }
 
-Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind) {
+// movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r).
+Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
   ReadMotion motion{kind, {}, {}, 0.0, number};
+  const std::string_view call = line.rest();
   if (!line.take("(")) return line.malformed("target", "numbers in brackets were expected");
   const bool isPose = line.take("p");
   const auto numbers = line.numbersWithin('[', ']', 6);
@@ -82,10 +143,14 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
   } else {
     motion.joints = Eigen::Map<const Eigen::VectorXd>(n.data(), 6);
   }
-  motion.blend = namedArgument(line.rest(), 'r').value_or(0.0) / kMetresOfMillimetre;
-  motion.speed = namedArgument(line.rest(), 'v');
-  if (!motion.speed) motion.speed = unnamedSpeed(line);
-  const bool isByTime = namedArgument(line.rest(), 't').value_or(0.0) > 0.0;
+  const UrArguments arguments(line.rest());
+  if (!arguments.isWhole() || callsOther(line.rest(), kUrFunctions)) return unread(call, number);
+  const std::string_view zone = arguments.text("r", hasTime ? 4 : 3).value_or("0");
+  const auto radius = numberAlone(zone);
+  if (!radius || !(*radius >= 0.0)) return unread(zone, number);
+  motion.blend = *radius / kMetresOfMillimetre;
+  motion.speed = numberAlone(arguments.text("v", 2).value_or(""));
+  const bool isByTime = hasTime && numberAlone(arguments.text("t", 3).value_or("0")) != 0.0;
   if (isByTime || !(motion.speed.value_or(0.0) > 0.0)) motion.speed = std::nullopt;
   return motion;
 }
@@ -130,18 +195,19 @@ class UrScriptReading {
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
-    const bool isJoint = line.takeWord("movej"),
-               isLinear = !isJoint && (line.takeWord("movel") || line.takeWord("movep"));
-    if (isJoint || isLinear)
-      return readMotion(line, statement.line, isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear);
+    if (line.takeWord("movej")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
+    if (line.takeWord("movel")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, true);
+    if (line.takeWord("movep")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
     if (line.takeWord("set_tcp")) return setTool(line);
     for (const char* const still : kUrStill) {
-      if (line.takeWord(still)) return Done{};
+      if (!line.takeWord(still)) continue;
+      return callsOther(line.rest(), kUrFunctions) ? Status(unread(statement.text, statement.line)) : Done{};
     }
     line.takeWord("global");
     line.takeWord("local");
     const bool isAssignment = !line.name().empty() && line.take("=") && !line.take("=");
-    return isAssignment ? Status(Done{}) : unread(statement.text, statement.line);
+    const bool isCalculation = isAssignment && !callsOther(line.rest(), kUrFunctions);
+    return isCalculation ? Status(Done{}) : unread(statement.text, statement.line);
   }
 
  private:
@@ -152,9 +218,9 @@ class UrScriptReading {
     return Done{};
   }
 
-  Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind) {
+  Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
     if (motions.size() >= Post::kMostMotions) return line.malformed("movej", "there are too many motions");
-    Result<ReadMotion> motion = urTarget(line, number, kind);
+    Result<ReadMotion> motion = urTarget(line, number, kind, hasTime);
     if (!motion) return motion.error();
     if (motion->speed && kind == ProgramMotion::Kind::Joint)
       motion->speed = std::min(1.0, *motion->speed / urFullSpeed(m_program));

@@ -250,6 +250,12 @@ class CellRobotsTest : public QObject {
     QTest::newRow("upside down") << QByteArray(R"([{"name": "a", "base": "arm_2_foot", "flange": "tool0"}])");
     QTest::newRow("twice") << QByteArray(R"([{"name": "a", "base": "foot", "flange": "tool0"},
                                              {"name": "a", "base": "arm_2_foot", "flange": "arm_2_tool0"}])");
+    QTest::newRow("flange of another") << QByteArray(R"([{"name": "a", "base": "foot", "flange": "arm_2_tool0"},
+                                                        {"name": "b", "base": "arm_2_foot", "flange": "arm_2_tool0"}])");
+    nlohmann::json many = nlohmann::json::array();
+    for (int i = 0; i < 1'000; ++i)
+      many.push_back({{"name", "a" + std::to_string(i)}, {"base", "foot"}, {"flange", "tool0"}});
+    QTest::newRow("more than links") << QByteArray::fromStdString(many.dump());
     QTest::newRow("without a name") << QByteArray(R"([{"base": "foot", "flange": "tool0"}])");
   }
   void damagedFiles() {

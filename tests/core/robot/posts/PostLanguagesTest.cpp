@@ -226,6 +226,8 @@ class PostLanguagesTest : public QObject {
     row("urscript", "", "movel(p[0.1,0.2,0.3,0,0,0], a=1.2, v=0.05, r=0.01)", 50.0);
     row("urscript", "", "movel([0,0,0,0,0,0],1.2,0.05)", 50.0);
     row("urscript", "", "movel([0,0,0,0,0,0],a=1.2,v=0.05,t=2)", 0.0);
+    row("urscript", "", "movel([0,0,0,0,0,0],1.2,0.05,2)", 0.0);
+    row("urscript", "", "movep(p[0.1,0.2,0.3,0,0,0],1.2,0.05,0.01)", 50.0);
     row("urscript", "", "movej([0,0,0,0,0,0],v=1.5707963267948966)", 0.5);  // of 180°/s
     row("urscript", "", "movej([0,0,0,0,0,0])", 0.0);
   }

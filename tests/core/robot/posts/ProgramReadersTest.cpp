@@ -85,6 +85,11 @@ class ProgramReadersTest : public QObject {
       }
       QVERIFY(!postCalled("rapid")->read(doubling + "ENDMODULE\n", program).hasValue());
     }
+    // A few calls, each of which is a long text to look at.
+    const std::string calculation = "n:=" + std::string(100'000, '1') + ";\n";
+    std::string often = "MODULE m\nPROC long()\n" + calculation + "ENDPROC\nPROC main()\n";
+    for (int i = 0; i < 10'000; ++i) often += "long;\n";
+    QVERIFY(!postCalled("rapid")->read(often + joints(0) + "ENDPROC\nENDMODULE\n", program).hasValue());
   }
 
   // Where a place is, by the definition of each language: the frame, then the place, then back along the tool that the
@@ -151,17 +156,20 @@ class ProgramReadersTest : public QObject {
   void passedOver_data() {
     addColumns();
     for (const char* const each : {"AccSet 50,50;", "SetDO do1,1;", "WaitTime 0.5;", "ConfL\\Off;", "count:=count+1;",
-                                   "TPWrite \"a; MoveL b\";", "VAR num count:=0;"})
+                                   "TPWrite \"a; MoveL b\";", "VAR num count:=0;", "n:=(Abs(x)+1)*Round(y\\Dec:=1);",
+                                   "part.n{2}.x:=1;", "WaitUntil (a AND (NOT b));", "TPWrite \"pick()\";"})
       QTest::newRow(each) << QByteArray("rapid") << QByteArray(each);
     for (const char* const each :
          {"INI", "$OUT[3]=TRUE", "WAIT SEC 0.5", "DECL INT I", "FOR I=1 TO 6\n$VEL_AXIS[I]=60\nENDFOR", "COUNT=COUNT+1",
-          "IF TRUE THEN\nHALT\nENDIF", "$ADVANCE=3"})
+          "IF TRUE THEN\nHALT\nENDIF", "$ADVANCE=3", "N=(ABS(A)+1)*2", "IF (A==1) AND (B==2) THEN\nHALT\nENDIF",
+          "INTERRUPT OFF 3", "GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )\nINTERRUPT ON 3"})
       QTest::newRow(each) << QByteArray("krl") << QByteArray(each);
     for (const char* const each : {"2:  WAIT   1.00(sec) ;", "2:  DO[1]=ON ;", "2:  R[1]=5 ;", "2:  ! CALL nothing ;",
-                                   "2:  UTOOL_NUM=1 ;", "2: ;"})
+                                   "2:  UTOOL_NUM=1 ;", "2: ;", "2:  !J P[9] 50% FINE ;"})
       QTest::newRow(each) << QByteArray("fanuc") << QByteArray(each);
-    for (const char* const each : {"sleep(0.5)", "set_standard_digital_out(1, True)", "x = 5", "global y = [1, 2]",
-                                   "textmsg(\"movel(\")", "set_payload(1.5)"})
+    for (const char* const each :
+         {"sleep(0.5)", "set_standard_digital_out(1, True)", "x = 5", "global y = [1, 2]", "textmsg(\"movel(\")",
+          "set_payload(1.5)", "x = (sin(y) + 1) * 2", "p = get_actual_tcp_pose()"})
       QTest::newRow(each) << QByteArray("urscript") << QByteArray(each);
   }
   void passedOver() {
@@ -176,19 +184,46 @@ class ProgramReadersTest : public QObject {
   void refused_data() {
     addColumns();
     for (const char* const each :
-         {"TriggL p1,v100,trig1,z10,tool0;", "SearchL di1,sp,p1,v100,tool0;", "IF di1=1 THEN", "FOR i FROM 1 TO 3 DO",
-          "WHILE TRUE DO", "GOTO again;", "TEST n", "other_procedure;", "move_it p1;", "PDispSet frame1;",
-          "home.robax.rax_1:=5;", "RETURN;", "%\"late\"%;", "CallByVar \"p\",1;"})
+         {"TriggL p1,v100,trig1,z10,tool0;",
+          "SearchL di1,sp,p1,v100,tool0;",
+          "IF di1=1 THEN",
+          "FOR i FROM 1 TO 3 DO",
+          "WHILE TRUE DO",
+          "GOTO again;",
+          "TEST n",
+          "other_procedure;",
+          "move_it p1;",
+          "PDispSet frame1;",
+          "home.robax.rax_1:=5;",
+          "RETURN;",
+          "%\"late\"%;",
+          "CallByVar \"p\",1;",
+          "IF flag THEN n:=1; MoveAbsJ home,v100,fine,tool0; ELSE n:=2; MoveAbsJ home,v100,fine,tool0; ENDIF n:=3;",
+          "WHILE n<5 DO n:=n+1; MoveAbsJ home,v100,fine,tool0; ENDWHILE n:=0;",
+          "IF .5<n THEN n:=1;",
+          "ok:=pick();",
+          "n:=2*Pick (x);",
+          "SetDO do1,pick();",
+          "WaitUntil pick();",
+          "VAR num n:=pick();",
+          "MoveAbsJ home,v100,fine,tool0\\WObj:=wobj0,pick();"})
       QTest::newRow(each) << QByteArray("rapid") << QByteArray(each);
-    for (const char* const each : {"GOTO M1", "SUB1()", "TRIGGER WHEN DISTANCE=0 DELAY=0 DO $OUT[1]=TRUE", "LOOP",
-                                   "IF $IN[1]==TRUE THEN", "WHILE A==B", "SWITCH N", "REPEAT", "RETURN"})
+    for (const char* const each :
+         {"GOTO M1", "SUB1()", "TRIGGER WHEN DISTANCE=0 DELAY=0 DO $OUT[1]=TRUE", "LOOP", "IF $IN[1]==TRUE THEN",
+          "WHILE A==B", "SWITCH N", "REPEAT", "RETURN", "N=GO()", "N=1+GO (2)", "$OUT[1]=GO()", "WAIT FOR GO()",
+          "IF GO() THEN\nENDIF", "GLOBAL INTERRUPT DECL 4 WHEN $IN[1]==TRUE DO away()", "INTERRUPT ON 4",
+          "INTERRUPT DECL 3 WHEN $IN[1]==TRUE DO IR_STOPM()"})
       QTest::newRow(each) << QByteArray("krl") << QByteArray(each);
     for (const char* const each :
          {"2:  CALL OTHER ;", "2:  IF R[1]=1,JMP LBL[1] ;", "2:  JMP LBL[2] ;", "2:  FOR R[1]=1 TO 3 ;",
-          "2:  PR[1]=LPOS ;", "2:  OFFSET CONDITION PR[1] ;", "2:  UFRAME[1]=PR[1] ;", "2:  SELECT R[1]=1,CALL A ;"})
+          "2:  PR[1]=LPOS ;", "2:  OFFSET CONDITION PR[1] ;", "2:  UFRAME[1]=PR[1] ;", "2:  SELECT R[1]=1,CALL A ;",
+          "2:J P[1:go!] 50% FINE Offset,PR[1] ;", "2:  R[1]=5 ! ; CALL A ;", "2:  WAIT DI[1]=ON TIMEOUT,LBL[2] ;",
+          "2:  WAIT DI[1]=ON Timeout, LBL[2] ;"})
       QTest::newRow(each) << QByteArray("fanuc") << QByteArray(each);
-    for (const char* const each : {"if x == 1:", "while True:", "for i in [1,2]:", "force_mode(p[0,0,0,0,0,0])",
-                                   "other()", "thread t():", "halt", "return 1", "freedrive_mode()"})
+    for (const char* const each :
+         {"if x == 1:", "while True:", "for i in [1,2]:", "force_mode(p[0,0,0,0,0,0])", "other()",
+          "thread t():", "halt", "return 1", "freedrive_mode()", "ok = pick()", "global ok = 1 + pick ()",
+          "sleep(pick())", "movej([0,0,0,0,0,0],a=pick())", "movel([0,0,0,0,0,0],\n a=1.2, r=0.05)"})
       QTest::newRow(each) << QByteArray("urscript") << QByteArray(each);
   }
   void refused() {
@@ -198,6 +233,89 @@ class ProgramReadersTest : public QObject {
     QVERIFY(!read.hasValue());
     QVERIFY(read.error().code == PostError::StatementUnread);
     QCOMPARE(read.error().position.value, std::uint64_t{2});
+  }
+
+  // Zones by the manuals of the languages, in mm; below 0: refused with its line, as an exact stop would be a guess.
+  void zones_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<QByteArray>("text");  // with a motion in its second line, the first one
+    QTest::addColumn<double>("zone");
+    const auto rapid = [](const char* zone, double size, const char* data = "") {
+      QTest::addRow("rapid %s %s", zone, data)
+          << QByteArray("rapid") << QByteArray(kHome) + data + "\nMoveAbsJ home,v100," + zone + ",tool0;" << size;
+    };
+    rapid("fine", 0.0);
+    rapid("z0", 0.3);
+    rapid("Z10", 10.0);
+    rapid("z200", 200.0);
+    rapid("[FALSE,80,120,120,12,120,12]", 80.0);
+    rapid("[TRUE,0,0,0,0,0,0]", 0.0);
+    rapid("z10\\Z:=8", 8.0);
+    constexpr const char* kBig = "CONST zonedata big:=[FALSE,80,120,120,12,120,12];";
+    rapid("big", 80.0, kBig);
+    rapid("BIG", 80.0, kBig);
+    rapid("z10", 80.0, "PERS zonedata z10:=[FALSE,80,120,120,12,120,12];");
+    rapid("stop", 0.0, "LOCAL CONST zonedata stop:=[TRUE,0,0,0,0,0,0];");
+    rapid("big", -1.0);
+    rapid("z11", -1.0);
+    rapid("z10+5", -1.0);
+    rapid("fine\\Inpos:=inpos50", -1.0);
+    rapid("big", -1.0, "CONST zonedata big:=other;");
+    rapid("big", -1.0, "CONST zonedata big:=[FALSE,2*size,1,1,1,1,1];");
+    rapid("big", -1.0, "CONST zonedata big:=[FALSE,8,1,1,1,1,1]; CONST zonedata big:=[FALSE,9,1,1,1,1,1];");
+    const auto script = [](const char* motion, double size) {
+      QTest::addRow("%s", motion) << QByteArray("urscript") << QByteArray("\n") + motion << size;
+    };
+    script("movej([0,0,0,0,0,0])", 0.0);
+    script("movej([0,0,0,0,0,0],1.2,0.5,0,0.05)", 50.0);
+    script("movej([0,0,0,0,0,0],1.2,0.5,0,r=0.05)", 50.0);
+    script("movel(p[0.3,0,0.5,0,0,0], a=1.2, r=0.05, v=0.5)", 50.0);
+    script("movep(p[0.3,0,0.5,0,0,0], 1.2, 0.5, 0.05)", 50.0);
+    script("movej([0,0,0,0,0,0],1.2,0.5,0)", 0.0);
+    script("movej([0,0,0,0,0,0],r=zone)", -1.0);
+    script("movej([0,0,0,0,0,0],1.2,0.5,0,zone)", -1.0);
+    script("movej([0,0,0,0,0,0],r=0.05*2)", -1.0);
+    script("movej([0,0,0,0,0,0],r=-0.05)", -1.0);
+    const auto krl = [](const char* before, const char* motion, double size) {
+      QTest::addRow("%s %s", before, motion) << QByteArray("krl") << QByteArray(before) + "\n" + motion << size;
+    };
+    constexpr const char* kLine = "LIN {X 300,Y 0,Z 500,A 0,B 0,C 0}";
+    constexpr const char* kRounded = "LIN {X 300,Y 0,Z 500,A 0,B 0,C 0} C_DIS";
+    krl("$APO.CDIS=5", kLine, 0.0);
+    krl("$APO.CDIS=5", kRounded, 5.0);
+    krl("$APO.CPTP=50", kLine, 0.0);
+    for (const char* const before : {"", "$APO.CDIS=SIZE", "$APO.CDIS=2*3", "$APO.CDIS=-5", "BAS(#CP_PARAMS,0.1)"})
+      krl(before, kRounded, -1.0);
+    krl("$APO.CDIS=5", "PTP {A1 0,A2 -90,A3 90,A4 0,A5 0,A6 0} C_PTP", -1.0);
+    krl("$APO.CDIS=5", "PTP {X 300,Y 0,Z 500,A 0,B 0,C 0} C_DIS", -1.0);
+    krl("$APO.CDIS=5", "LIN {X 300,Y 0,Z 500,A 0,B 0,C 0} C_VEL", -1.0);
+    krl("$APO.CDIS=5", "LIN {X 300,Y 0,Z 500,A 0,B 0,C 0} C_DIS C_ORI", -1.0);
+  }
+  void zones() {
+    QFETCH(const QByteArray, post);
+    QFETCH(const QByteArray, text);
+    QFETCH(const double, zone);
+    const auto read = postCalled(post.toStdString())->read(text.toStdString(), programOf("irb120"));
+    QCOMPARE(read.hasValue(), zone >= 0.0);
+    if (read) {
+      QCOMPARE(read->size(), std::size_t{1});
+      QCOMPARE((*read)[0].blend, zone);
+    } else {
+      QVERIFY(read.error().code == PostError::StatementUnread);
+      QCOMPARE(read.error().position.value, std::uint64_t{2});
+    }
+  }
+
+  // What is in effect when a zone is driven is not what was set first: a branch or the controller may have set another.
+  void zonesThatMayChange() {
+    for (const char* const between : {"IF $IN[1] THEN\n$APO.CDIS=50\nENDIF", "$APO={CDIS 50.0}", "BAS(#INITMOV,0)"}) {
+      const std::string text = std::string("$APO.CDIS=5\n") + between + "\nLIN {X 300,Y 0,Z 500,A 0,B 0,C 0} C_DIS\n";
+      QVERIFY2(!postCalled("krl")->read(text, programOf("irb120")).hasValue(), between);
+    }
+    const std::string assigned = std::string(kHome) +
+                                 "PERS zonedata big:=[FALSE,80,120,120,12,120,12];\nbig.pzone_tcp:=200;\n"
+                                 "MoveAbsJ home,v100,big,tool0;";
+    QVERIFY(!postCalled("rapid")->read(assigned, programOf("irb120")).hasValue());
   }
 
  private:
