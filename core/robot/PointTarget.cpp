@@ -67,7 +67,7 @@ class Step {
     for (Eigen::Index dof = 0; dof < wanted.size(); ++dof) {
       const Joint& joint = m_robot.jointOfDof(static_cast<std::size_t>(dof));
       if (joint.kind == JointKind::Continuous || columns.col(dof).isZero(0.0)) continue;
-      const double kept = joint.limits.nearest(wanted[dof]);
+      const double kept = joint.nearest(wanted[dof]);
       if (kept == wanted[dof]) continue;
       error -= columns.col(dof) * ((kept - values[dof]) / m_units[dof]);
       values[dof] = kept;

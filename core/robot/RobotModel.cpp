@@ -68,11 +68,14 @@ std::vector<bool> turnFreely(const RobotModel& robot) {
 JointValues withinLimits(const RobotModel& robot, JointValues values) {
   const std::vector<bool> isFree = turnFreely(robot);
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    const Joint& joint = robot.jointOfDof(dof);
     double& value = values[static_cast<Eigen::Index>(dof)];
     if (isFree[dof] && std::abs(value) > kMostTurn)
       value = std::remainder(value, 2.0 * std::numbers::pi);
+    else if (joint.kind == JointKind::Continuous)
+      value = std::clamp(value, -kMostTurn, kMostTurn);
     else
-      value = robot.jointOfDof(dof).limits.nearest(value);
+      value = joint.nearest(value);
   }
   return values;
 }

@@ -37,10 +37,6 @@ struct JointLimits {
   std::optional<double> velocity = {};  // rad/s, mm/s; none where the file gives none, or 0
   std::optional<double> effort = {};    // N m, N; the same
 
-  // The nearest allowed value. At least one within kFarthestTravel must be allowed.
-  double nearest(double value) const {
-    return std::clamp(value, std::max(lower, -kFarthestTravel), std::min(upper, kFarthestTravel));
-  }
   bool areClosed() const { return lower == upper; }  // the joint cannot move
 };
 
@@ -57,6 +53,13 @@ struct Joint {
   std::uint32_t dof = kNone;  // none: the joint stays at offset
   double factor = 1.0;        // from the unit of the degree of freedom to the joint's
   double offset = 0.0;        // rad, mm
+
+  // The nearest allowed value: none beyond kFarthestTravel, of a hinge with limits none beyond kMostTurn. The reader
+  // lets only joints through that have one.
+  double nearest(double value) const {
+    const double most = kind == JointKind::Revolute ? kMostTurn : kFarthestTravel;
+    return std::min(std::max({std::min(value, limits.upper), limits.lower, -most}), most);
+  }
 };
 
 // A box as the shape of a link.
@@ -127,8 +130,9 @@ std::uint32_t toolLink(const RobotModel& robot);
 // Finds the degree of freedom nearest to a link in its chain of joints. kNone for links that cannot move.
 std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link);
 
-// Clamps joint values to their limits. Continuous joints keep their turns, as a path may be wound up; those that no
-// other follows lose them beyond kMostTurn, which leaves them within -π…π.
+// Clamps joint values to their limits, hinges to ±kMostTurn, too: what paths and their files take. Continuous joints
+// keep their turns, as a path may be wound up; those that no other follows lose them beyond kMostTurn, which leaves
+// them within -π…π.
 // Values must be finite. O(joints).
 JointValues withinLimits(const RobotModel& robot, JointValues values);
 

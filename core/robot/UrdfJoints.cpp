@@ -110,8 +110,8 @@ Result<JointLimits> UrdfJoints::readLimits(const XmlElement& element, const Join
     limits.lower = *lower * unit;
     limits.upper = *upper * unit;
     if (limits.lower > limits.upper) return malformed(element, "its lower limit is above the upper one");
-    if (limits.lower > kFarthestTravel || limits.upper < -kFarthestTravel)
-      return malformed(element, "its limits are too far away");
+    const double most = joint.kind == JointKind::Prismatic ? kFarthestTravel : kMostTurn;
+    if (limits.lower > most || limits.upper < -most) return malformed(element, "its limits are too far away");
   } else {
     m_shapes.note(malformed(element, "it has no limits, so it moves without limits"));
   }

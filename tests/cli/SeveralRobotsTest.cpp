@@ -64,7 +64,10 @@ class SeveralRobotsTest : public QObject {
     QVERIFY(once.out.contains("right_2: "));
     const Ran file = cell.run({"robot", "cell.handwheel", "--add", "no.urdf", "-o", "t.handwheel"});
     QVERIFY(file.code != 0 && !file.err.isEmpty());
-    QVERIFY(cell.run({"robot", "cell.handwheel", "--add", "cell.handwheel", "-o", "t.handwheel"}).code != 0);
+    // A document would lose its tool and its configurations.
+    cell.done({"robot", "cell.handwheel", "--remove", "right"});
+    const Ran saved = cell.run({"robot", "irb120", "--add", "cell.handwheel", "-o", "t.handwheel"});
+    QVERIFY(saved.code != 0 && saved.err.contains("a saved document as a robot"));
     QVERIFY(cell.run({"robot", "cell.handwheel", "--remove", "left", "-o", "t.handwheel"}).code != 0);
   }
 
@@ -112,7 +115,7 @@ class SeveralRobotsTest : public QObject {
     run({"configuration", "one.handwheel", "--add", "b", "--joints", "joint_1=-0.4,joint_5=0.5", "-o",
          "one.handwheel"});
     run({"plan", "one.handwheel", "--from", "a", "--to", "b", "--name", "p", "-o", "one.handwheel"});
-    run({"robot", "ur5", "--add", "one.handwheel", "--name", "r", "--at", "3000,500,0", "--turn", "0,0,70", "-o",
+    run({"robot", "ur5", "--add", "irb120", "--name", "r", "--at", "3000,500,0", "--turn", "0,0,70", "-o",
          "two.handwheel"});
     for (const char* const name : {"a", "b"}) {
       run({"configuration", "two.handwheel", "--arm", "r", "--joints",

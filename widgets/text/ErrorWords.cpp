@@ -233,6 +233,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "a robot is not in the description"),
     QT_TRANSLATE_NOOP("ErrorWord", "the robot"),
     QT_TRANSLATE_NOOP("ErrorWord", "a cell with several robots as one robot"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a saved document as a robot"),
     // of lathes, programs and exercises
     QT_TRANSLATE_NOOP("ErrorWord", "a list was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a nose radius is impossible"),

@@ -37,6 +37,8 @@ int runRobot(const Arguments& arguments, const DocumentKinds& kinds) {
   if (values.isSet("add")) {
     const Result<CellFile> other = openCell(values.text("add"), kinds);
     if (!other) return fail(other.error());
+    if (other->opened.file.isContainer)
+      return fail({ErrorCode::Unsupported, {"a saved document as a robot"}, {}, values.text("add")});
     added = other->cell;
   }
   const Result<RobotCellSnapshot> changed = withRobotsChanged(values, *file->cell, added);

@@ -196,7 +196,7 @@ Result<double> jointValueFrom(const RobotModel& robot, std::uint32_t dof, const 
   const auto* number = std::get_if<double>(&value);
   if (!number || !std::isfinite(*number))
     return Error{ErrorCode::ElementMalformed, {joint.name, "a number was expected"}, {}, {}};
-  const double least = joint.limits.nearest(-HUGE_VAL), largest = joint.limits.nearest(HUGE_VAL);
+  const double least = joint.nearest(-HUGE_VAL), largest = joint.nearest(HUGE_VAL);
   if (const auto kept = withinShownLimits(*number, least, largest)) return *kept;
   return Error{ErrorCode::ValueOutOfRange,
                {joint.name, shown(*number, joint), shown(least, joint), shown(largest, joint)},

@@ -167,10 +167,19 @@ bool CellScene::ownStandAs(const JointValues& joints) const {
   return withJointsOf(*robot, armNumber, wanted, joints) == wanted;
 }
 
-std::vector<std::string> CellScene::robotsElsewhere(const JointValues& joints) const {
-  std::vector<std::string> names;
+std::set<std::string> CellScene::robotsElsewhere(const RobotPath& path) const {
+  constexpr double kRounded = 1e-9;  // a share: a description is written and read again whenever a base is moved
+  std::set<std::string> names;
   for (std::size_t i = 0; i < robot->arms.size(); ++i) {
-    if (i != armNumber && withJointsOf(*robot, i, others, joints) != others) names.push_back(robot->arms[i].name);
+    if (i == armNumber) continue;
+    const auto base = path.bases.find(robot->arms[i].name);
+    const bool isMoved =
+        base != path.bases.end() && !basePose(robot->model, robot->arms[i]).isApprox(base->second, kRounded);
+    const auto standsElsewhere = [&](const PathPlace& place) {
+      return withJointsOf(*robot, i, others, place.joints) != others;
+    };
+    if (isMoved || std::any_of(path.places.begin(), path.places.end(), standsElsewhere))
+      names.insert(robot->arms[i].name);
   }
   return names;
 }

@@ -60,8 +60,8 @@ struct CellScene {
   bool standsAs(const JointValues& joints) const;
   // The same of those of the robot that is planned for, as of a gripper.
   bool ownStandAs(const JointValues& joints) const;
-  // The names of the other robots that stand elsewhere at these values.
-  std::vector<std::string> robotsElsewhere(const JointValues& joints) const;
+  // The names of the other robots that stand elsewhere at some place of the path, or whose bases were moved since.
+  std::set<std::string> robotsElsewhere(const RobotPath& path) const;
   const RobotArm& plannedArm() const { return robot->arms[armNumber]; }
   // The same arm from its own base on, as its controller counts.
   SerialArm armFromBase() const;

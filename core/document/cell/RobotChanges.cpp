@@ -6,6 +6,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/PlansEdit.h"
 #include "document/cell/SurfaceBudget.h"
 #include "document/scene/BodyChanges.h"
 #include "robot/Kinematics.h"
@@ -109,12 +110,28 @@ CellPlans plansWithout(const RobotCellSnapshot& cell, std::size_t arm, const Cel
   const bool isPlanned = activeArmNumber(*cell.robot, plans) == arm;
   if (isPlanned) plans.choose(rest.arms.front().name, name);
   plans.otherTools.erase(name);
+  for (RobotPath& path : plans.paths) path.bases.erase(name);
   std::erase_if(plans.allowed, [&](const auto& pair) {
     const auto isGone = [&](const std::string& part) {
       return linkNamed(cell.robot->model, part) != kNone && linkNamed(rest.model, part) == kNone;
     };
     return isGone(pair.first) || isGone(pair.second);
   });
+  return plans;
+}
+
+// The plans in which the paths of other robots tell where this one stands, or stood when it was first moved.
+std::shared_ptr<const CellPlans> withBaseKept(const RobotCellSnapshot& cell, std::size_t arm) {
+  const RobotArm& moved = cell.robot->arms[arm];
+  const auto isToTell = [&](const RobotPath& path) {
+    return !isSameArm(*cell.robot, path.arm, moved.name) && !path.bases.contains(moved.name);
+  };
+  if (std::none_of(cell.plans->paths.begin(), cell.plans->paths.end(), isToTell)) return cell.plans;
+  auto plans = std::make_shared<CellPlans>(*cell.plans);
+  const Pose base = basePose(cell.robot->model, moved);
+  for (RobotPath& path : plans->paths) {
+    if (isToTell(path)) path.bases.emplace(moved.name, base);
+  }
   return plans;
 }
 
@@ -158,6 +175,7 @@ Result<RobotCellSnapshot> withRobotAdded(const RobotCellSnapshot& cell, const Ad
   CellPlans plans = *cell.plans;
   joints.apply(plans);
   for (const auto& [a, b] : added.from->plans->allowed) plans.allowed.insert({arm.name + '_' + a, arm.name + '_' + b});
+  if (const Status fits = checkCounts(plans); !fits) return fits.error();
   changed.plans = std::make_shared<const CellPlans>(std::move(plans));
   changed.robot = std::move(robot).value();
   return changed;
@@ -205,6 +223,7 @@ Result<RobotCellSnapshot> withRobotMoved(const RobotCellSnapshot& cell, std::siz
   auto robot = kept(withBaseAt(present.model, present.arms[arm], base), present.arms, present.surfaces);
   if (!robot) return robot.error();
   RobotCellSnapshot changed = cell;
+  changed.plans = withBaseKept(cell, arm);
   changed.robot = std::move(robot).value();
   return changed;
 }

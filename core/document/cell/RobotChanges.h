@@ -18,8 +18,8 @@ struct AddedRobot {
 
 // The cell with one robot more, at rest; pairs that its description allows to touch go with it. A name that is taken
 // gets a number. Costs about as much as reading the description of all robots. Errors: ArmNameUnusable {name};
-// Unsupported where there are several to add; ValueOutOfRange of the base; FileTooLarge {"triangles", …}; those of
-// readUrdf().
+// Unsupported where there are several to add; ValueOutOfRange of the base; FileTooLarge {"triangles", …}; PlansFull;
+// those of readUrdf().
 Result<RobotCellSnapshot> withRobotAdded(const RobotCellSnapshot& cell, const AddedRobot& added);
 
 // The cell without one of its robots: also without its configurations and paths, and what it carries stands where it

@@ -96,21 +96,29 @@ Json processJson(const PathProcess& process) {
   return {{"values", values}, {"part", numbersOfPose(process.part)}};
 }
 
+// As numbersOfPose() writes it; none where that is no rigid one.
+std::optional<Pose> poseAt(const Json& json, const char* key) {
+  const std::vector<double> numbers = numbersAt(json, key, 12);
+  if (numbers.size() != 12) return std::nullopt;
+  Pose pose = Pose::Identity();
+  for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = numbers[static_cast<std::size_t>(i)];
+  const Eigen::Matrix3d turn = pose.linear();
+  constexpr double kSkew = 1e-6;
+  const bool isTurn =
+      (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < kSkew && turn.determinant() > 0.0;
+  return isTurn ? std::optional(pose) : std::nullopt;
+}
+
 // None where it cannot be used: the path is as good without it.
 std::optional<PathProcess> processFrom(const Json& json) {
   constexpr std::size_t kMostValues = 100;
   const auto values = json.is_object() ? json.find("values") : json.end();
-  const std::vector<double> part = numbersAt(json, "part", 12);
-  if (!json.is_object() || values == json.end() || !values->is_object() || values->size() > kMostValues ||
-      part.size() != 12)
+  if (!json.is_object() || values == json.end() || !values->is_object() || values->size() > kMostValues)
     return std::nullopt;
+  const auto part = poseAt(json, "part");
+  if (!part) return std::nullopt;
   PathProcess process;
-  for (Eigen::Index i = 0; i < 12; ++i) process.part.matrix()(i / 4, i % 4) = part[static_cast<std::size_t>(i)];
-  const Eigen::Matrix3d turn = process.part.linear();
-  constexpr double kSkew = 1e-6;
-  const bool isTurn =
-      (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < kSkew && turn.determinant() > 0.0;
-  if (!isTurn) return std::nullopt;
+  process.part = *part;
   for (const auto& [name, value] : values->items()) {
     if (value.is_boolean()) process.values[name] = value.get<bool>();
     if (value.is_number()) process.values[name] = value.get<double>();
@@ -176,6 +184,7 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
   Json json = {{"name", path.name}, {"places", places}};
   if (!path.arm.empty()) json["arm"] = path.arm;
   if (path.process) json["process"] = processJson(*path.process);
+  for (const auto& [name, base] : path.bases) json["bases"][name] = numbersOfPose(base);
   return json;
 }
 
@@ -186,6 +195,11 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
   path.name = stringAt(json, "name", "path");
   path.arm = stringAt(json, "arm");
   if (const auto process = json.find("process"); process != json.end()) path.process = processFrom(*process);
+  if (const auto bases = json.find("bases"); bases != json.end() && bases->is_object()) {
+    for (const auto& [name, numbers] : bases->items()) {
+      if (const auto base = poseAt(*bases, name.c_str())) path.bases[name] = *base;
+    }
+  }
   const auto places = json.find("places"), waypoints = json.find("waypoints");
   const bool isDetailed = places != json.end();
   const auto& list = isDetailed ? places : waypoints;

@@ -14,6 +14,13 @@ const Named* withName(const std::vector<Named>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool areSame(const std::map<std::string, Pose, std::less<>>& one,
+             const std::map<std::string, Pose, std::less<>>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
+    return a.first == b.first && a.second.matrix() == b.second.matrix();
+  });
+}
+
 }  // namespace
 
 std::string FreeNames::take(const std::string& wish) {
@@ -28,6 +35,11 @@ std::string FreeNames::take(const std::string& wish) {
 
 bool PathProcess::operator==(const PathProcess& other) const {
   return values == other.values && part.matrix() == other.part.matrix();
+}
+
+bool RobotPath::operator==(const RobotPath& other) const {
+  return name == other.name && places == other.places && arm == other.arm && process == other.process &&
+         areSame(bases, other.bases);
 }
 
 bool NamedTarget::operator==(const NamedTarget& other) const {
@@ -93,11 +105,7 @@ void CellPlans::choose(const std::string& other, const std::string& present) {
 bool CellPlans::operator==(const CellPlans& other) const {
   return configurations == other.configurations && targets == other.targets && paths == other.paths &&
          allowed == other.allowed && arm == other.arm && tool.matrix() == other.tool.matrix() &&
-         std::equal(otherTools.begin(), otherTools.end(), other.otherTools.begin(), other.otherTools.end(),
-                    [](const auto& a, const auto& b) {
-                      return a.first == b.first && a.second.matrix() == b.second.matrix();
-                    }) &&
-         clearance == other.clearance;
+         areSame(otherTools, other.otherTools) && clearance == other.clearance;
 }
 
 }  // namespace handwheel

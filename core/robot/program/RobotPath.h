@@ -47,8 +47,10 @@ struct RobotPath {
   std::vector<PathPlace> places;
   std::string arm = {};                     // whose path it is, as CellPlans::arm
   std::optional<PathProcess> process = {};  // none: it was planned between places, or by hand
+  // By the names of other robots whose bases were moved since: where these stood, in the frame of the root.
+  std::map<std::string, Pose, std::less<>> bases = {};
 
-  bool operator==(const RobotPath&) const = default;
+  bool operator==(const RobotPath& other) const;
 };
 
 // Joint values under a name.

@@ -121,7 +121,7 @@ void JointDragTool::followWithJoint(const PointerEvent& event) {
                                                       : rotationUnder(m_drag->hold.at, event.pickRay(), m_drag->way);
   if (!way) return;
   m_drag->way = *way;
-  m_drag->values[joint.dof] = joint.limits.nearest(m_drag->start[joint.dof] + *way);
+  m_drag->values[joint.dof] = joint.nearest(m_drag->start[joint.dof] + *way);
 }
 
 void JointDragTool::followWithPull(const Ray& ray, std::uint32_t onlyDof) {

@@ -64,9 +64,7 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
     return Error{CellError::OthersMoved, {place.name.empty() ? std::to_string(i + 1) : place.name}, {}, {}};
   }
   CheckedPath checked;
-  for (const PathPlace& place : path.places) {
-    for (std::string& name : scene.robotsElsewhere(place.joints)) checked.robotsMoved.insert(std::move(name));
-  }
+  checked.robotsMoved = scene.robotsElsewhere(path);
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;

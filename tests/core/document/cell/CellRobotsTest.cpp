@@ -381,9 +381,55 @@ class CellRobotsTest : public QObject {
     const RobotCellSnapshot cell = twoBars();
     CollisionMeshes meshes;
     const Result<CellScene> scene = sceneOf(cell, meshes);
-    QVERIFY(scene->robotsElsewhere(values({2.0, 0.0})).empty());
-    QCOMPARE(scene->robotsElsewhere(values({0.0, 0.1})).at(0), std::string("bar_2"));
+    RobotPath path{"way", {{.joints = values({2.0, 0.0})}}};
+    QVERIFY(scene->robotsElsewhere(path).empty());
+    path.places.push_back({.joints = values({0.0, 0.1})});
+    QVERIFY(scene->robotsElsewhere(path) == std::set<std::string>{"bar_2"});
     QVERIFY(scene->ownStandAs(values({2.0, 0.1})));
+  }
+
+  // A path of another robot knows that a base was moved, also in its file, until that is back, or the robot gone.
+  void baseElsewhere() {
+    RobotCellDocument document(openedAs(twoBars()));
+    const auto now = [&] { return std::static_pointer_cast<const RobotCellSnapshot>(document.snapshot()); };
+    CellPlans plans = *document.plans();
+    plans.paths = {{"mine", {{.joints = document.joints()}}, ""}, {"its", {{.joints = document.joints()}}, "bar_2"}};
+    document.commit("paths", document.plansEdit(plans));
+    const auto elsewhere = [&](const RobotCellSnapshot& cell, const char* path) {
+      CollisionMeshes meshes;
+      const RobotPath& asked = *cell.plans->path(path);
+      return sceneOf(cell, meshes, *armNumber(*cell.robot, asked.arm))->robotsElsewhere(asked);
+    };
+    QVERIFY(document.setProperty("robot.bar_2.x", 900.0).hasValue());
+    QVERIFY(document.setProperty("robot.bar_2.rz", 0.3).hasValue());
+    QVERIFY(elsewhere(*now(), "mine") == std::set<std::string>{"bar_2"});
+    QVERIFY(elsewhere(*now(), "its").empty());
+    std::vector<Error> damage;
+    const auto again = loaded(saved(*now()), damage);
+    QVERIFY(again && damage.empty() && elsewhere(*again, "mine") == std::set<std::string>{"bar_2"});
+    const RobotCellSnapshot alone = changedOrThrow(withRobotRemoved(*now(), 1));
+    QVERIFY(alone.plans->path("mine")->bases.empty());
+    QVERIFY(document.setProperty("robot.bar_2.x", 700.0).hasValue());
+    QVERIFY(document.setProperty("robot.bar_2.rz", M_PI).hasValue());
+    QVERIFY(elsewhere(*now(), "mine").empty());
+    while (document.history()->canUndo()) document.history()->undo();
+    document.history()->redo();
+    QVERIFY(document.plans()->path("mine")->bases.empty());
+  }
+
+  // No more than is read of a file again.
+  void tooManyPairs() {
+    RobotCellSnapshot cell = bar();
+    CellPlans plans;
+    for (std::size_t i = 0; i < CellPlans::kMost; ++i) plans.allowed.insert({"bar", "body." + std::to_string(i + 1)});
+    cell.plans = std::make_shared<const CellPlans>(plans);
+    QVERIFY(withRobotAdded(cell, {shared(bar())}).hasValue());
+    RobotCellSnapshot touching = bar();
+    CellPlans pair;
+    pair.allowed.insert({"foot", "tip"});
+    touching.plans = std::make_shared<const CellPlans>(pair);
+    const Result<RobotCellSnapshot> full = withRobotAdded(cell, {shared(touching)});
+    QVERIFY(!full && full.error().code == CellError::PlansFull);
   }
 
  private:

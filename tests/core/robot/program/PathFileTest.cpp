@@ -45,6 +45,7 @@ class PathFileTest : public QObject {
         place.blend = anyNumber(0, 50);
         path.places.push_back(place);
       }
+      if (*rc::gen::arbitrary<bool>()) path.bases["left"] = Pose(Eigen::Translation3d(anyNumber(-900, 900), 0.1, -3.0));
       if (*rc::gen::arbitrary<bool>()) {
         path.process = PathProcess{{{"along", anyNumber(0, 4)}, {"free", true}, {"part", "a \"block\""}}, {}};
         path.process->part =
@@ -141,6 +142,26 @@ class PathFileTest : public QObject {
     const RobotModel slide =
         readOrThrow(robotOf(link("a") + link("b") + joint("j", "prismatic", "a", "b", limit(0, 9)))).robot;
     QVERIFY(valuesWithinLimits(slide, JointValues::Constant(1, 8e3)).hasValue());
+  }
+
+  // What a cell lets its joints stand at, a path takes: a row holds those of all robots.
+  void whatJointsMayStandAt() {
+    const std::string follower = joint("k", "revolute", "a", "c", limit(-1e6, 1e6) + "<mimic joint='j'/>");
+    const std::string three = link("a") + link("b") + link("c");
+    const RobotModel robots[] = {
+        readOrThrow(planarArm({0.5}, limit(-1e6, 1e6))).robot, readOrThrow(planarArm({0.5}, limit(900, 1e6))).robot,
+        readOrThrow(robotOf(three + joint("j", "continuous", "a", "b") + follower)).robot,
+        readOrThrow(robotOf(link("a") + link("b") + joint("j", "continuous", "a", "b"))).robot,
+        readOrThrow(robotOf(link("a") + link("b") + joint("j", "prismatic", "a", "b", limit(-1e9, 1e9)))).robot};
+    QVERIFY(rc::check("taken as it is", [&] {
+      const RobotModel& robot = robots[*rc::gen::inRange(0, 5)];
+      const JointValues stands = withinLimits(robot, JointValues::Constant(1, anyNumber(-3e6, 3e6)));
+      const auto read = jointsFrom(toJson(robot, stands), robot, JointValues::Zero(1));
+      RC_ASSERT(read.hasValue() && *read == stands);
+    }));
+    QCOMPARE(withinLimits(robots[0], JointValues::Constant(1, -1e5))[0], -kMostTurn);
+    QCOMPARE(withinLimits(robots[1], JointValues::Constant(1, 0))[0], 900.0);
+    QVERIFY(!readUrdf(planarArm({0.5}, limit(1001, 1e6))));
   }
 
   // As one by one, and of many names alike each once.
