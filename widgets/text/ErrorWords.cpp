@@ -126,6 +126,11 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the system ended it; it may have run out of memory"),
     // the element is malformed:
     QT_TRANSLATE_NOOP("ErrorWord", "%1 of its polygons cannot be read"),
+    QT_TRANSLATE_NOOP("ErrorWord", "%1 of its chunks are lost, or end early"),
+    QT_TRANSLATE_NOOP("ErrorWord", "full and empty blocks have nothing between them"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no number of chunks"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no place"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no size of a voxel"),
     QT_TRANSLATE_NOOP("ErrorWord", "a choice was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a colour such as #b8bcc7 was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a comment is too long"),
