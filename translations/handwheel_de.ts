@@ -1374,6 +1374,22 @@
         <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
         <translation>Kehren Sie ihre Flächen nach außen, wenn sie umgestülpt ist; eine offene Fläche hat kein Inneres.</translation>
     </message>
+    <message>
+        <source>voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB</source>
+        <translation>Voxel von %1 mm ergeben ein Volumen von %2 MB, und ein Dokument fasst %3 MB</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or work on a piece of the part.</source>
+        <translation>Wählen Sie größere Voxel, oder arbeiten Sie an einem Stück des Teils.</translation>
+    </message>
+    <message>
+        <source>no voxel of %1 mm lies inside: the part is thinner than they are</source>
+        <translation>kein Voxel von %1 mm liegt innen: Das Teil ist dünner als sie</translation>
+    </message>
+    <message>
+        <source>Choose smaller voxels.</source>
+        <translation>Wählen Sie kleinere Voxel.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2588,6 +2604,30 @@
     <message>
         <source>routines call each other endlessly</source>
         <translation>Routinen rufen einander endlos auf</translation>
+    </message>
+    <message>
+        <source>%1 of its chunks are lost, or end early</source>
+        <translation>%1 seiner Blöcke sind verloren oder enden zu früh</translation>
+    </message>
+    <message>
+        <source>full and empty blocks have nothing between them</source>
+        <translation>zwischen vollen und leeren Blöcken liegt nichts</translation>
+    </message>
+    <message>
+        <source>it is no number of chunks</source>
+        <translation>es ist keine Anzahl von Blöcken</translation>
+    </message>
+    <message>
+        <source>it is no place</source>
+        <translation>es ist kein Ort</translation>
+    </message>
+    <message>
+        <source>it is no size of a voxel</source>
+        <translation>es ist keine Größe eines Voxels</translation>
+    </message>
+    <message>
+        <source>a saved document as a robot</source>
+        <translation>ein gespeichertes Dokument als Roboter</translation>
     </message>
 </context>
 <context>

@@ -1373,6 +1373,22 @@
         <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
         <translation>如果内外颠倒，请使其各面朝外；平的片体没有内部。</translation>
     </message>
+    <message>
+        <source>voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB</source>
+        <translation>边长 %1 mm 的体素会得到 %2 MB 的体素模型，而一个文档最多容纳 %3 MB</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or work on a piece of the part.</source>
+        <translation>请选择更大的体素，或只处理零件的一部分。</translation>
+    </message>
+    <message>
+        <source>no voxel of %1 mm lies inside: the part is thinner than they are</source>
+        <translation>没有边长 %1 mm 的体素位于内部：零件比体素还薄</translation>
+    </message>
+    <message>
+        <source>Choose smaller voxels.</source>
+        <translation>请选择更小的体素。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2587,6 +2603,30 @@
     <message>
         <source>routines call each other endlessly</source>
         <translation>例行程序之间无限地相互调用</translation>
+    </message>
+    <message>
+        <source>%1 of its chunks are lost, or end early</source>
+        <translation>其中 %1 个数据块丢失或提前结束</translation>
+    </message>
+    <message>
+        <source>full and empty blocks have nothing between them</source>
+        <translation>实块与空块之间没有任何内容</translation>
+    </message>
+    <message>
+        <source>it is no number of chunks</source>
+        <translation>不是数据块的数目</translation>
+    </message>
+    <message>
+        <source>it is no place</source>
+        <translation>不是位置</translation>
+    </message>
+    <message>
+        <source>it is no size of a voxel</source>
+        <translation>不是体素的尺寸</translation>
+    </message>
+    <message>
+        <source>a saved document as a robot</source>
+        <translation>把已保存的文档当作机器人</translation>
     </message>
 </context>
 <context>
