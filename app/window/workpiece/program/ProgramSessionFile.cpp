@@ -102,22 +102,28 @@ void ProgramSession::write(const QString& path, std::function<void(bool)> ended)
   ProgramFile file = m_file;
   file.text = m_panel->editor().toPlainText();
   const int revision = m_panel->editor().document()->revision();
+  // Later: the document may be closed then, and this session with the runner of the job, which is not over yet.
+  const auto after = [window = m_parts.window, ended = std::move(ended)](bool isSaved) {
+    if (ended)
+      QMetaObject::invokeMethod(
+          window, [ended, isSaved] { ended(isSaved); }, Qt::QueuedConnection);
+  };
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
   job.lane = Job::Lane::Saving;
-  job.failed = [this, path, ended](const Error& error) {
+  job.failed = [this, path, after](const Error& error) {
     fail(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
-    if (ended) ended(false);
+    after(false);
   };
-  job.work = [this, path, file, revision, ended, failed = job.failed](Progress progress) -> Job::Finish {
+  job.work = [this, path, file, revision, after, failed = job.failed](Progress progress) -> Job::Finish {
     const Status written = writeProgramFile(path.toStdString(), file, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path, revision, ended] {
+    return [this, path, revision, after] {
       m_path = path;
       if (m_panel->editor().document()->revision() == revision) m_panel->editor().document()->setModified(false);
       showName();
       m_parts.log.add(tr("Program saved as %1").arg(QFileInfo(path).fileName()));
-      if (ended) ended(true);
+      after(true);
     };
   };
   m_files.start(std::move(job));
