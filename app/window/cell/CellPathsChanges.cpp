@@ -55,6 +55,7 @@ void CellPaths::report(const Error& error) {
 }
 
 void CellPaths::reportUnprepared() {
+  m_collisions.prepareIfIdle();
   emit message({Message::Weight::Info,
                 tr("The cell is still being prepared"),
                 tr("Try again in a moment."),
