@@ -58,14 +58,17 @@ bool CellCollisions::areOthersPrepared() const {
 void CellCollisions::prepare() {
   const bool isMain = !isPrepared();
   if (!isMain && areOthersPrepared()) return;
-  if (isMain) m_scene.reset();
-  m_others.clear();
+  if (isMain) {
+    m_scene.reset();
+    m_others.clear();
+  }
   m_parts.jobs.cancelOf(this);
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
   Job job;
   job.name = tr("Preparing the cell for collisions");
   job.owner = this;
-  job.work = [this, content, known = m_scene, meshes = m_meshes](Progress) -> Job::Finish {
+  job.failed = [this](const Error&) { m_isUnderWay = false; };
+  job.work = [this, content, known = m_scene, meshes = m_meshes](Progress progress) -> Job::Finish {
     const auto sceneFor = [&](std::size_t arm) {
       Result<CellScene> made = sceneOf(*content, *meshes, arm);
       return made ? std::make_shared<const CellScene>(std::move(made).value()) : nullptr;
@@ -74,9 +77,11 @@ void CellCollisions::prepare() {
     const auto scene = known ? known : sceneFor(active);
     std::vector<std::shared_ptr<const CellScene>> others;
     for (std::size_t arm = 0; arm < content->robot->arms.size(); ++arm) {
+      if (progress.cancelled()) return {};
       if (arm != active) others.push_back(sceneFor(arm));
     }
     return [this, content, scene, others = std::move(others)] {
+      m_isUnderWay = false;
       if (!m_document || content->robot.get() != &cell().robot()) return;
       m_scene = scene;
       m_others = others;
@@ -85,7 +90,12 @@ void CellCollisions::prepare() {
       emit prepared();
     };
   };
+  m_isUnderWay = true;
   m_parts.jobs.start(std::move(job));
+}
+
+void CellCollisions::prepareIfIdle() {
+  if (m_document && !m_isUnderWay) prepare();
 }
 
 // One of another robot, if only that is where it was not.
@@ -116,7 +126,7 @@ void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const 
   };
   markOf(*m_scene);
   for (const auto& other : m_others) {
-    if (other) markOf(*other);
+    if (other && other->standsAs(joints)) markOf(*other);
   }
 }
 

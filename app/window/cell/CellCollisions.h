@@ -24,6 +24,8 @@ class CellCollisions : public QObject {
   // impossible.
   std::shared_ptr<const CellScene> scene() const;
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
+  // Prepares the cell if that was cancelled. Whoever needs scene() and has none calls it.
+  void prepareIfIdle();
 
   // Colours what collides in a cell that is shown: the robot at these joint values, where a body is being moved (null:
   // none is) with that alone. Nothing, while the cell is not prepared.
@@ -44,7 +46,9 @@ class CellCollisions : public QObject {
   std::shared_ptr<CollisionMeshes> m_meshes;
   DocumentTab* m_document = nullptr;
   std::shared_ptr<const CellScene> m_scene;
+  bool m_isUnderWay = false;
   // The same for the other robots, in order: what collides while these are dragged. Null where that is impossible.
+  // Until new ones come they may be of former joint values.
   std::vector<std::shared_ptr<const CellScene>> m_others;
   std::set<std::pair<std::string, std::string>> m_allowed;  // that m_scene was made with
 };

@@ -16,7 +16,8 @@ namespace handwheel {
 void CellPaths::optimise() {
   const RobotPath* const present = path();
   const auto scene = m_collisions.scene();
-  if (!present || !scene) return;
+  if (!present) return;
+  if (!scene) return reportUnprepared();
   OperationValues values(optimisationOperation());
   setFidelity(values, m_parts.fidelity.values());
   Job job;

@@ -28,7 +28,7 @@ void CellPaths::askForPath() {
 
 void CellPaths::plan(const OperationValues& values) {
   const auto scene = m_collisions.scene();
-  if (!scene) return;
+  if (!scene) return reportUnprepared();
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
   const Result<std::vector<PathPlace>> places = placesOf(values, *scene, *content);
   if (!places) return report(places.error());

@@ -99,6 +99,7 @@ void CellPaths::connectActions() {
   connect(&m_straight, &QAction::triggered, this, &CellPaths::setStraight);
   connect(&m_verify, &QAction::triggered, this, [this] {
     m_checks.clear();
+    if (!scene()) return reportUnprepared();
     verify();
   });
   connect(&m_export, &QAction::triggered, this, &CellPaths::askForProgram);

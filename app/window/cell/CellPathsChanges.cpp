@@ -32,6 +32,13 @@ RobotPath* pathOf(CellPlans& plans, const std::string& name) {
   return found == plans.paths.end() ? nullptr : &*found;
 }
 
+// The path whose places a person changes: it is no longer planned along a curve, so that planning it again keeps them.
+RobotPath* pathByHand(CellPlans& plans, const std::string& name) {
+  RobotPath* const path = pathOf(plans, name);
+  if (path) path->process.reset();
+  return path;
+}
+
 }  // namespace
 
 void CellPaths::report(const Error& error) {
@@ -48,6 +55,7 @@ void CellPaths::report(const Error& error) {
 }
 
 void CellPaths::reportUnprepared() {
+  m_collisions.prepareIfIdle();
   emit message({Message::Weight::Info,
                 tr("The cell is still being prepared"),
                 tr("Try again in a moment."),
@@ -136,7 +144,7 @@ void CellPaths::insertHere() {
   const RobotPath* const present = path();
   if (!present) return;
   CellPlans changed = plans();
-  RobotPath& of = *pathOf(changed, present->name);
+  RobotPath& of = *pathByHand(changed, present->name);
   const std::size_t behind = entry.kind == Kind::Place ? std::min(entry.place + 1, of.places.size()) : of.places.size();
   PathPlace place{.joints = cell().joints()};
   if (behind > 0)
@@ -162,7 +170,7 @@ void CellPaths::setPlaceHere() {
   const PlanTree::Entry entry = m_tree->current();
   if (entry.kind == Kind::Target) return setTargetHere(entry.name);
   CellPlans changed = plans();
-  RobotPath* const of = pathOf(changed, entry.name);
+  RobotPath* const of = pathByHand(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
   of->places[entry.place].joints = cell().joints();
   of->places[entry.place].isCritical = true;
@@ -172,7 +180,7 @@ void CellPaths::setPlaceHere() {
 void CellPaths::movePlace(int by) {
   const PlanTree::Entry entry = m_tree->current();
   CellPlans changed = plans();
-  RobotPath* const of = pathOf(changed, entry.name);
+  RobotPath* const of = pathByHand(changed, entry.name);
   const std::size_t to = entry.place + static_cast<std::size_t>(by);  // below 0: larger than all
   if (entry.kind != Kind::Place || !of || std::max(entry.place, to) >= of->places.size()) return;
   std::swap(of->places[entry.place], of->places[to]);
@@ -183,7 +191,7 @@ void CellPaths::movePlace(int by) {
 void CellPaths::setStraight(bool isStraight) {
   const PlanTree::Entry entry = m_tree->current();
   CellPlans changed = plans();
-  RobotPath* const of = pathOf(changed, entry.name);
+  RobotPath* const of = pathByHand(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
   setMotion(*of, entry.place, isStraight ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
   commit(isStraight ? tr("Straight line to place %1").arg(entry.place + 1)
@@ -205,7 +213,7 @@ void CellPaths::removeCurrent() {
   } else if (entry.kind == Kind::Path) {
     std::erase_if(changed.paths, [&](const RobotPath& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
-  } else if (RobotPath* const of = pathOf(changed, entry.name);
+  } else if (RobotPath* const of = pathByHand(changed, entry.name);
              entry.kind == Kind::Place && of && entry.place < of->places.size()) {
     of->places.erase(of->places.begin() + static_cast<std::ptrdiff_t>(entry.place));
     commit(tr("Remove place %1 of %2").arg(entry.place + 1).arg(name), std::move(changed));

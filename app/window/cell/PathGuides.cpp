@@ -35,6 +35,7 @@ std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
   Job job;
   job.name = tr("Finding the way along %1").arg(QString::fromStdString(path));
   job.owner = this;
+  job.failed = [this](const Error&) { forget(); };  // it is found when it is next asked for
   job.work = [this, scene, plans, path](Progress progress) -> Job::Finish {
     auto curve = std::make_shared<const GuideCurve>(toolCurve(*scene, *plans, *plans->path(path), progress));
     return [this, plans, path, curve] {
@@ -50,6 +51,10 @@ std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
 
 void PathGuides::clear() {
   m_jobs.cancelOf(this);
+  forget();
+}
+
+void PathGuides::forget() {
   m_plans.reset();
   m_robot.reset();
   m_curve.reset();

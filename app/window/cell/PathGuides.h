@@ -24,6 +24,7 @@ class PathGuides : public QObject {
 
  private:
   bool isKnown(const std::string& path, const std::shared_ptr<const CellPlans>& plans) const;
+  void forget();
 
   JobRunner& m_jobs;
   const CellCollisions& m_collisions;

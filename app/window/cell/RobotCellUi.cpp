@@ -81,6 +81,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_bodies, &CellBodies::chosen, this, [this](BodyId body) { reveal(body, false); });
   connect(&m_bodies, &CellBodies::added, this, [this](BodyId body, bool) { reveal(body, true); });
   connect(&m_surfaces, &PartSurfaces::prepared, this, [&tools = window.tools] { tools.refresh(); });
+  connect(&m_guides, &PathGuides::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
   connect(m_paths.tree(), &PlanTree::currentChanged, this, [this] {
     if (!this->document()) return;

@@ -91,14 +91,18 @@ Result<CellPlans> changedPlace(const CellPlans& plans, const PlaceField& field, 
     if (!each.id.ends_with("." + field.field)) continue;
     if (!each.choices.empty()) {
       setMotion(*found, field.place, *number >= 0.5 ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
-      return changed;
+    } else {
+      const auto kept = withinShownLimits(*number, each.least, each.largest);
+      if (!kept)
+        return Error{ErrorCode::ValueOutOfRange,
+                     {id, shownText(*number), shownText(each.least), shownText(each.largest)},
+                     {},
+                     {}};
+      if (field.field == "blend") place.blend = *kept;
+      if (field.field == "speed") place.speed = isLine(place) ? *kept : *kept / kPercent;
     }
-    const auto kept = withinShownLimits(*number, each.least, each.largest);
-    if (!kept)
-      return Error{
-          ErrorCode::ValueOutOfRange, {id, shownText(*number), shownText(each.least), shownText(each.largest)}, {}, {}};
-    if (field.field == "blend") place.blend = *kept;
-    if (field.field == "speed") place.speed = isLine(place) ? *kept : *kept / kPercent;
+    // Planning along the curve again would bring the former values back.
+    if (!(place == plans.path(field.path)->places[field.place])) found->process.reset();
     return changed;
   }
   return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};

@@ -102,6 +102,12 @@ void LeadTool::begin(const PointerEvent& event) {
                                        ApproachForce(scene->scene, scene->arm, centre, approach), start, *tool,
                                        event.device, event.ray, event.pixel, !event.device && event.modifiers.shift});
   m_lead->step.tool = *tool;
+  takeGuide();
+}
+
+// Also while the hand leads: the curve may have been found since the press.
+void LeadTool::takeGuide() {
+  if (m_lead->guide) return;
   m_lead->guide = guide();
   if (m_lead->guide) m_lead->following.emplace(*m_lead->guide);
 }
@@ -153,6 +159,7 @@ void LeadTool::follow(const PointerEvent& event) {
                           : event.ray.origin == lead.grip.origin && event.ray.direction == lead.grip.direction;
   lead.hasMoved |= !isSame;
   if (!lead.hasMoved || (lead.hand && !event.device)) return;
+  takeGuide();
   if (m_way == Way::Joints && lead.hand) {
     leadJoints(*event.device);
   } else {

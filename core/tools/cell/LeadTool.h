@@ -71,6 +71,7 @@ class LeadTool : public Tool {
 
   ToolReply press(const PointerEvent& event);
   void begin(const PointerEvent& event);
+  void takeGuide();
   void follow(const PointerEvent& event);
   void leadJoints(const Pose& hand);
   Pose wantedPose(const PointerEvent& event) const;

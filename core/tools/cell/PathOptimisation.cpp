@@ -234,6 +234,9 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
   if (!planned) return planned.error();
   result.planned = std::move(planned).value();
   result.planned.path.name = path.name;
+  // Along the same curve as before, as long as it comes by the same places.
+  if (result.reconfigured == 0 && std::is_sorted(result.order.begin(), result.order.end()))
+    result.planned.path.process = path.process;
   const ResolvedPath way = resolved(scene, plans, result.planned.path, progress.part(1.0, 1.0));
   const std::vector<double> blends = certifiedBlends(scene, plans, result.planned.path, way, check.clearance, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

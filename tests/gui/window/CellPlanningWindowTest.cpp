@@ -124,6 +124,16 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(driver.paths()->child(0)->childCount(), 4);  // approach, both ends of the edge, retract
     driver.click("quickActions/undo");
     QCOMPARE(driver.paths()->childCount(), 0);
+    // What is changed by hand stays when it is planned again.
+    driver.click("quickActions/redo");
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
+    driver.choose("removePlan");
+    QCOMPARE(driver.paths()->child(0)->childCount(), 3);
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    driver.choose("planPathAgain");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.paths()->child(0)->childCount(), 3);
   }
 
   void aPathIsPlayed() {

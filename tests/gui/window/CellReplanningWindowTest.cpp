@@ -53,6 +53,21 @@ class CellReplanningWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
   }
 
+  // Who cancels the preparation and then asks for something that needs it begins it again.
+  void aCancelledPreparation() {
+    TwoPlaces driver(false);
+    driver.hold();
+    driver.choose("add-box");
+    driver.click("jobCancel");
+    driver.release();
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("being prepared"), kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+  }
+
   // What was changed by hand while the path is planned again stays; the plan is another path.
   void changesByHandStay() {
     TwoPlaces driver(true);

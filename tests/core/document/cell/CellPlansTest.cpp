@@ -3,6 +3,7 @@
 #include "Cells.h"
 #include "TestClass.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
 #include "scene/RigidPose.h"
 
@@ -74,6 +75,23 @@ class CellPlansTest : public QObject {
     QVERIFY(*document.plans() == CellPlans());
     document.history()->redo();
     QVERIFY(*document.plans() == plans);
+  }
+
+  // A path along a curve whose speed is typed is no longer planned along it, or the speed would be lost; one that stays
+  // as it was is.
+  void speedsByHand() {
+    CellPlans plans;
+    PathPlace place{.joints = values({0.0, 1.0}), .motion = ProgramMotion::Kind::Linear, .speed = 50.0};
+    plans.paths = {{"way", {place, place}, "", PathProcess{{{"lead", 5.0}}, {}}}};
+    for (const auto& [id, same, other] : {std::tuple{"path.way.2.speed", 50.0, 60.0},
+                                          {"path.way.2.blend", 0.0, 3.0},
+                                          {"path.way.2.motion", 1.0, 0.0}}) {
+      const auto field = placeOfProperty(plans, id);
+      QVERIFY(field);
+      QVERIFY(*changedPlace(plans, *field, same) == plans);
+      const Result<CellPlans> changed = changedPlace(plans, *field, other);
+      QVERIFY(changed && !changed->paths[0].process && !(changed->paths[0].places == plans.paths[0].places));
+    }
   }
 
   // What is more than a cell can hold is refused when it is added, and noted when a file has it.

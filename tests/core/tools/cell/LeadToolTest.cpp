@@ -51,7 +51,7 @@ class LeadBench {
     services.time = [this] { return time; };
     services.tries = &tries;
     services.guide = [this](const std::string& name) {
-      const RobotPath* const path = isUnderWay ? nullptr : document().plans()->path(name);
+      const RobotPath* const path = isUnderWay || guideComesAt > time ? nullptr : document().plans()->path(name);
       return path ? std::make_shared<const GuideCurve>(toolCurve(*m_scene, *document().plans(), *path)) : nullptr;
     };
     return {document(), std::move(services)};
@@ -71,7 +71,7 @@ class LeadBench {
 
   int places = 0;
   bool isUnderWay = false;  // the cell is being prepared
-  double time = 0.0;
+  double time = 0.0, guideComesAt = 0.0;
   std::vector<LeadTry> tries;
 
  private:
@@ -310,6 +310,20 @@ class LeadToolTest : public QObject {
     bench.isUnderWay = false;
     followTurn(bench, tool, -0.6, 6.0);
     QCOMPARE(bench.tries.size(), std::size_t{1});
+  }
+
+  // A hand that presses before the way along the path has been found is drawn to it from then on.
+  void theGuideComesWhileLeading() {
+    LeadBench bench;
+    bench.addTurn(-0.6);
+    LeadTool tool = bench.tool();
+    tool.setSetting("path", PropertyValue(1.0));
+    tool.setSetting("snap", PropertyValue(12.0));
+    bench.guideComesAt = 0.01;  // after the press, which is at 0
+    followTurn(bench, tool, -0.6, 6.0);
+    QCOMPARE(bench.tries.size(), std::size_t{1});
+    QVERIFY(bench.tries[0].figures.isComplete());
+    QVERIFY(std::abs(bench.tries[0].figures.most - 12.0 * std::pow(0.5 * std::sin(0.4 * M_PI), 3.0)) < 0.2);
   }
 
   // NaN and leaps from a device.

@@ -80,8 +80,10 @@ class PathOptimisationTest : public QObject {
     RobotPath path{"p", {}};
     for (const double turn : {1.2, -0.8, 0.6, 1.0, -0.4, -1.2})
       path.places.push_back(robot.place({turn, 0.3, 0, 0, 0.5, 0}));
+    path.process = PathProcess{{{"lead", 10.0}}, {}};
     const Result<OptimisedPath> found = robot.optimised(path, {.route = {}, .mayReconfigure = false});
     QVERIFY(found);
+    QVERIFY(!found->planned.path.process);  // no longer along its curve
     QVERIFY(found->order == (std::vector<std::size_t>{0, 3, 2, 4, 1, 5}));
     QVERIFY(found->isChanged && found->reconfigured == 0);
     double before = 0.0, after = 0.0;
@@ -147,6 +149,11 @@ class PathOptimisationTest : public QObject {
     const Result<CheckedPath> after = checkPath(*robot.scene, robot.plans, found->planned.path, {});
     QVERIFY(after && after->isCertified());
     QVERIFY(std::abs(after->seconds - found->after) < 1e-9);
+    // Only ways between the places change: it is along its curve as before.
+    path.process = PathProcess{{{"lead", 10.0}}, {}};
+    const Result<OptimisedPath> kept =
+        robot.optimised(path, {.route = {}, .mayReorder = false, .mayReconfigure = false});
+    QVERIFY(kept && kept->isChanged && kept->planned.path.process == path.process);
     path.places[1] = robot.place({0.0, 0.6, 0, 0, 0, 0});  // in the box
     QVERIFY(robot.optimised(path).error().code == CellError::PlaceCollides);
     JobState state;
