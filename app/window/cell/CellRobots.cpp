@@ -63,9 +63,10 @@ void askForLibraryRobot(QWidget* window, const QString& title, QObject* receiver
   dialog->open();
 }
 
-CellRobots::CellRobots(const WindowContext& parts, QObject* parent)
+CellRobots::CellRobots(const WindowContext& parts, std::function<std::string()> selected, QObject* parent)
     : QObject(parent),
       m_parts(parts),
+      m_selected(std::move(selected)),
       m_add(tr("Add a robot from a &file…"), this),
       m_addBuiltIn(tr("Add a bu&ilt-in robot…"), this),
       m_remove(tr("Remo&ve the robot"), this),
@@ -74,13 +75,17 @@ CellRobots::CellRobots(const WindowContext& parts, QObject* parent)
           tr("Add another robot to the cell, by its URDF or a table after Denavit and Hartenberg"));
   prepare(m_addBuiltIn, "addBuiltInRobot", nullptr, tr("Add another robot to the cell from the library"));
   prepare(m_remove, "removeRobot", nullptr,
-          tr("Remove the robot that is planned for, with its configurations and paths"));
+          tr("Remove the robot that is selected, or else the one that is planned for, with its configurations and "
+             "paths"));
   m_box->setObjectName(QStringLiteral("armBox"));
   m_box->setAccessibleName(tr("Robot that is planned for"));
   m_box->setToolTip(tr("The robot that is planned for; the others stand where they are"));
   connect(&m_add, &QAction::triggered, this, &CellRobots::askForFile);
   connect(&m_addBuiltIn, &QAction::triggered, this, &CellRobots::askForBuiltIn);
-  connect(&m_remove, &QAction::triggered, this, [this] { remove(activeArm(cell().robot(), *cell().plans()).name); });
+  connect(&m_remove, &QAction::triggered, this, [this] {
+    const std::string name = m_selected();
+    remove(armNumber(cell().robot(), name) && !name.empty() ? name : activeArm(cell().robot(), *cell().plans()).name);
+  });
   connect(m_box, &QComboBox::activated, this, [this](int index) { choose(m_box->itemText(index).toStdString()); });
   update();
 }
@@ -124,8 +129,20 @@ void CellRobots::remove(const std::string& name) {
   if (!number) return;
   Result<RobotCellSnapshot> changed = withRobotRemoved(*contentOf(cell()), *number);
   if (!changed) return report(cell(), changed.error());
+  const auto before = cell().plans();
+  const std::size_t configurations = before->configurations.size() - changed->plans->configurations.size();
+  const std::size_t paths = before->paths.size() - changed->plans->paths.size();
   cell().commit(tr("Remove the robot %1").arg(QString::fromStdString(name)),
                 cell().robotsEdit(std::move(changed).value()));
+  emit message({Message::Weight::Info,
+                tr("%1 was removed").arg(QString::fromStdString(name)),
+                tr("With it went %1 configurations and %2 paths. Undo brings all back.").arg(configurations).arg(paths),
+                {},
+                {},
+                {},
+                {},
+                {},
+                &m_document->document});
 }
 
 void CellRobots::askForFile() {

@@ -22,7 +22,8 @@ class CellRobots : public QObject {
   Q_OBJECT
 
  public:
-  CellRobots(const WindowContext& parts, QObject* parent);
+  // selected: the name of the robot that is selected in the list; empty: none is.
+  CellRobots(const WindowContext& parts, std::function<std::string()> selected, QObject* parent);
 
   void setDocument(DocumentTab* document);
   QList<QAction*> all() { return {&m_add, &m_addBuiltIn, &m_remove}; }
@@ -47,6 +48,7 @@ class CellRobots : public QObject {
   void update();
 
   WindowContext m_parts;
+  std::function<std::string()> m_selected;
   DocumentTab* m_document = nullptr;
   QAction m_add, m_addBuiltIn, m_remove;
   QComboBox* m_box;

@@ -43,7 +43,13 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
       m_bodies(window, this),
       m_collisions(window, this),
       m_targets(window, m_collisions, this),
-      m_robots(window, this),
+      m_robots(
+          window,
+          [this] {
+            const PlanTree::Entry entry = m_paths.tree()->current();
+            return entry.kind == PlanTree::Entry::Kind::Robot ? entry.name : std::string();
+          },
+          this),
       m_reach(window, m_collisions, this),
       m_toolCamera(window, this),
       m_paths(

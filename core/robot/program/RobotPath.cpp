@@ -33,6 +33,15 @@ std::string FreeNames::take(const std::string& wish) {
   return name;
 }
 
+bool PathPlace::operator==(const PathPlace& other) const {
+  return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
+         isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend;
+}
+
+bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
+  return name == other.name && joints.size() == other.joints.size() && joints == other.joints && arm == other.arm;
+}
+
 bool PathProcess::operator==(const PathProcess& other) const {
   return values == other.values && part.matrix() == other.part.matrix();
 }

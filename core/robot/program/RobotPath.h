@@ -26,7 +26,7 @@ struct PathPlace {
   double speed = 0.25;  // as in ProgramMotion
   double blend = 0.0;   // mm
 
-  bool operator==(const PathPlace&) const = default;
+  bool operator==(const PathPlace& other) const;  // also of cells with other robots
 };
 
 // How a path along a curve on a part was chosen, so that it can be planned again.
@@ -59,7 +59,7 @@ struct NamedConfiguration {
   JointValues joints;    // of the whole cell; rad, mm
   std::string arm = {};  // whose joints it sets, as CellPlans::arm
 
-  bool operator==(const NamedConfiguration&) const = default;
+  bool operator==(const NamedConfiguration& other) const;
 };
 
 // A frame that the tool's centre point can be brought to.

@@ -79,6 +79,28 @@ class CellRobotsWindowTest : public QObject {
     QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
   }
 
+  // The robot that is selected goes, not the one that is planned for.
+  void removeWhatIsSelected() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.robot(0));
+    driver.choose("chooseRobot");
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.robot(1));
+    const QString removed = driver.box()->itemText(1);
+    driver.choose("removeRobot");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.box()->count(), 1);
+    QVERIFY(driver.box()->itemText(0) != removed);
+    for (const char* const step : {"undo", "redo", "undo"}) {
+      driver.find<QAction>(step)->trigger();
+      QVERIFY(driver.settle());
+    }
+    QCOMPARE(driver.box()->count(), 2);
+  }
+
   // Tools that work with the prepared cell hear of another number of joints before the cell is prepared anew.
   void whileAToolRuns() {
     for (const char* const tool : {"armWaysTool", "leadTool"}) {

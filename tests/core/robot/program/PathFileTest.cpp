@@ -57,6 +57,15 @@ class PathFileTest : public QObject {
     }));
   }
 
+  // What was known of a path is compared with it after a robot came or went: other numbers of joints are not equal.
+  void ofAnotherNumberOfJoints() {
+    PathPlace one{.joints = JointValues::Zero(6)}, two{.joints = JointValues::Zero(12)};
+    QVERIFY(!(one == two) && !(two == one) && one == one);
+    QVERIFY(!(RobotPath{"a", {one}} == RobotPath{"a", {two}}));
+    QVERIFY(!(NamedConfiguration{"a", one.joints} == NamedConfiguration{"a", two.joints}));
+    QVERIFY((NamedConfiguration{"a", one.joints} == NamedConfiguration{"a", JointValues::Zero(6)}));
+  }
+
   void waypointsAlone() {
     const auto path = readPath(R"({"waypoints": [[0.1, 0.2], [1, -1]]})", arm(), pair(0, 0));
     QVERIFY(path.hasValue());
