@@ -8717,10 +8717,6 @@
         <translation>Einen weiteren Roboter aus der Bibliothek zur Zelle hinzufügen</translation>
     </message>
     <message>
-        <source>Remove the robot that is planned for, with its configurations and paths</source>
-        <translation>Den Roboter, für den geplant wird, mit seinen Stellungen und Bahnen entfernen</translation>
-    </message>
-    <message>
         <source>Robot that is planned for</source>
         <translation>Roboter, für den geplant wird</translation>
     </message>
@@ -8763,6 +8759,18 @@
     <message>
         <source>The robots stay as they are</source>
         <translation>Die Roboter bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Remove the robot that is selected, or else the one that is planned for, with its configurations and paths</source>
+        <translation>Den ausgewählten Roboter entfernen, sonst den, für den geplant wird, mit seinen Stellungen und Bahnen</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 wurde entfernt</translation>
+    </message>
+    <message>
+        <source>With it went %1 configurations and %2 paths. Undo brings all back.</source>
+        <translation>Mit ihm gingen %1 Stellungen und %2 Bahnen. Rückgängig bringt alles zurück.</translation>
     </message>
 </context>
 <context>

@@ -8664,10 +8664,6 @@
         <translation>从库中向单元再添加一个机器人</translation>
     </message>
     <message>
-        <source>Remove the robot that is planned for, with its configurations and paths</source>
-        <translation>移除当前规划的机器人及其位形和路径</translation>
-    </message>
-    <message>
         <source>Robot that is planned for</source>
         <translation>当前规划的机器人</translation>
     </message>
@@ -8710,6 +8706,18 @@
     <message>
         <source>The robots stay as they are</source>
         <translation>机器人保持不变</translation>
+    </message>
+    <message>
+        <source>Remove the robot that is selected, or else the one that is planned for, with its configurations and paths</source>
+        <translation>移除所选的机器人；未选时移除当前规划的机器人，连同其位形和路径</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>已移除 %1</translation>
+    </message>
+    <message>
+        <source>With it went %1 configurations and %2 paths. Undo brings all back.</source>
+        <translation>一并移除的还有 %1 个位形和 %2 条路径。撤销可全部恢复。</translation>
     </message>
 </context>
 <context>
