@@ -39,7 +39,7 @@ class VolumeTest : public QObject {
     QVERIFY(std::abs(figures["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
     QVERIFY(std::abs(figures["enclosed_mm3"].get<double>() / 8000.0 - 1.0) < 1e-6);
     const auto inspected = volumeJson(bench.run({"inspect", "a.handwheel", "--json"}).out);
-    QCOMPARE(inspected["voxel"].get<double>(), 0.25);
+    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
 
     QCOMPARE(bench.run({"remesh", "a.handwheel", "-o", "b.stl"}).code, 0);
     const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
@@ -63,7 +63,7 @@ class VolumeTest : public QObject {
     QVERIFY(figures["scan_distance_mm"].get<double>() < 0.5);
     const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
-    QCOMPARE(mesh["self_intersections"].get<int>(), 0);
+    QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
   }
 
   void refusals_data() {
