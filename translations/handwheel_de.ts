@@ -13664,14 +13664,6 @@
 <context>
     <name>handwheel::VolumeUi</name>
     <message>
-        <source>New &amp;clay</source>
-        <translation>Neue &amp;Tonkugel</translation>
-    </message>
-    <message>
-        <source>Start with a ball of clay</source>
-        <translation>Mit einer Kugel aus Ton beginnen</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>

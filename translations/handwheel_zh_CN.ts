@@ -13571,14 +13571,6 @@
 <context>
     <name>handwheel::VolumeUi</name>
     <message>
-        <source>New &amp;clay</source>
-        <translation>新建黏土(&amp;Y)</translation>
-    </message>
-    <message>
-        <source>Start with a ball of clay</source>
-        <translation>从一个黏土球开始</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>体素模型</translation>
     </message>

@@ -273,29 +273,6 @@ double usualVoxel(const TriangleSoup& surface) {
   return extent > 0.0 ? extent / kVoxelsAcross : 1.0;
 }
 
-SparseVolume ballOfVoxels(double radius, double voxel) {
-  SparseVolume ball(Vec3::Zero(), voxel);
-  const int blocks = static_cast<int>(std::ceil((radius / voxel + kBand) / VolumeBlock::kSize));
-  for (int z = -blocks; z < blocks; ++z)
-    for (int y = -blocks; y < blocks; ++y)
-      for (int x = -blocks; x < blocks; ++x) {
-        const VoxelIndex at(x, y, z);
-        const Vec3 middle = VolumeBlock::kSize * at.cast<double>() + Vec3::Constant(3.5);
-        const double depth = radius / voxel - middle.norm();
-        if (std::abs(depth) > 3.5 * std::sqrt(3.0) + 4.0) {  // no sample of it is near the surface
-          if (depth > 0.0) ball.setContent(at, {nullptr, true});
-          continue;
-        }
-        auto block = std::make_shared<VolumeBlock>();
-        for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
-          const VoxelIndex sample = VolumeBlock::kSize * at + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
-          block->depths[static_cast<std::size_t>(i)] = depthSample(radius / voxel - sample.cast<double>().norm());
-        }
-        ball.setContent(at, {std::move(block), false});
-      }
-  return ball;
-}
-
 double predictedVolumeBytes(const TriangleSoup& soup, double voxel) {
   double area = 0.0;
   for (const Triangle& t : soup.triangles)

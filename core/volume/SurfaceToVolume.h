@@ -32,9 +32,6 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
 // The voxel for a surface where a person chooses none: a 256th of its largest extent; mm.
 double usualVoxel(const TriangleSoup& surface);
 
-// A ball around the origin; mm.
-SparseVolume ballOfVoxels(double radius, double voxel);
-
 // The memory that it is going to take at least; bytes. Within a third for surfaces that are smooth at the scale of a
 // few voxels. O(n).
 double predictedVolumeBytes(const TriangleSoup& soup, double voxel);

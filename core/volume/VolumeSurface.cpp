@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
-#include <set>
 #include <vector>
 
 namespace handwheel {
@@ -22,23 +21,6 @@ VolumeSurface::Key pieceOf(const VoxelIndex& block) {
 VolumeSurface::VolumeSurface(const SparseVolume& volume, Progress progress) {
   std::map<Key, std::vector<VoxelIndex>> blocks;
   for (const VoxelIndex& block : blocksWithCells(volume)) blocks[pieceOf(block)].push_back(block);
-  make(volume, blocks, progress);
-}
-
-void VolumeSurface::update(const SparseVolume& volume, std::span<const VoxelIndex> changedBlocks, Progress progress) {
-  // A block's samples are corners of its own cells and of those of the blocks below.
-  std::set<Key> touched;
-  for (const VoxelIndex& block : changedBlocks)
-    for (int k = 0; k < 8; ++k) touched.insert(pieceOf(block - VoxelIndex(k & 1, k >> 1 & 1, k >> 2)));
-  std::map<Key, std::vector<VoxelIndex>> blocks;
-  for (const Key& key : touched)
-    for (int i = 0; i < 512; ++i)
-      blocks[key].push_back(8 * VoxelIndex(key[2], key[1], key[0]) + VoxelIndex(i & 7, i >> 3 & 7, i >> 6));
-  make(volume, blocks, progress);
-}
-
-void VolumeSurface::make(const SparseVolume& volume, const std::map<Key, std::vector<VoxelIndex>>& blocks,
-                         Progress progress) {
   using Entry = std::pair<const Key, std::vector<VoxelIndex>>;
   std::vector<const Entry*> entries;
   for (const Entry& entry : blocks) entries.push_back(&entry);
@@ -49,13 +31,8 @@ void VolumeSurface::make(const SparseVolume& volume, const std::map<Key, std::ve
     made[i] = std::make_shared<const TriangleSoup>(surfaceOf(volume, entries[i]->second));
     progress.set(static_cast<double>(++done) / static_cast<double>(entries.size()));
   });
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (made[i] && !made[i]->triangles.empty()) {
-      m_pieces[entries[i]->first] = std::move(made[i]);
-    } else {
-      m_pieces.erase(entries[i]->first);
-    }
-  }
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (made[i] && !made[i]->triangles.empty()) m_pieces[entries[i]->first] = std::move(made[i]);
 }
 
 std::size_t VolumeSurface::triangleCount() const {

@@ -8,12 +8,10 @@
 
 #include <map>
 #include <memory>
-#include <span>
 
 namespace handwheel {
 
-// The surface of a volume for its display, in pieces of 64³ voxels, so that only those are made anew that an edit
-// touches. A value; copies share the pieces.
+// The surface of a volume for its display, in pieces of 64³ voxels. A value; copies share the pieces.
 class VolumeSurface {
  public:
   using Piece = std::shared_ptr<const TriangleSoup>;  // mm; not empty
@@ -26,12 +24,7 @@ class VolumeSurface {
   const std::map<Key, Piece>& pieces() const { return m_pieces; }
   std::size_t triangleCount() const;
 
-  // Makes the pieces anew that have to do with these blocks.
-  void update(const SparseVolume& volume, std::span<const VoxelIndex> changedBlocks, Progress progress = {});
-
  private:
-  void make(const SparseVolume& volume, const std::map<Key, std::vector<VoxelIndex>>& blocks, Progress progress);
-
   std::map<Key, Piece> m_pieces;
 };
 

@@ -100,7 +100,7 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o", ""}, "The option -o needs a value: OUT.", " repair");
     row({"repair", "a.stl", "--output="}, "The option --output needs a value: OUT.", " repair");
     row({"set", "a.stl"}, "The option -o OUT is missing.", " set");
-    row({"new", "castle", "-o", "b.handwheel"}, "KIND is exercise, volume or workpiece, not 'castle'.", " new");
+    row({"new", "castle", "-o", "b.handwheel"}, "KIND is exercise or workpiece, not 'castle'.", " new");
     row({"convert", "a.stl"}, "The command convert needs IN OUT.", " convert");
   }
   void mistakes() {

@@ -51,14 +51,12 @@ int assignAndSave(OpenedFile opened, std::span<const std::string> words, const s
   return kExitDone;
 }
 
-// The kinds of which there are new documents: "exercise, volume or workpiece".
+// The kinds of which there are new documents: "workpiece".
 std::string kindsToMake(const DocumentKinds& kinds) {
-  std::vector<std::string> ids;
-  for (const auto& kind : kinds.all()) {
-    if (kind->blank()) ids.push_back(kind->id());
-  }
   std::string all;
-  for (std::size_t i = 0; i < ids.size(); ++i) all += (i == 0 ? "" : i + 1 < ids.size() ? ", " : " or ") + ids[i];
+  for (const auto& kind : kinds.all()) {
+    if (kind->blank()) all += (all.empty() ? "" : " or ") + kind->id();
+  }
   return all;
 }
 

@@ -12,10 +12,6 @@ namespace handwheel {
 
 VolumeUi::VolumeUi(const WindowContext& window) : RigidPartsUi(window, {"Volume"}) {}
 
-std::vector<StartAction> VolumeUi::startActions() const {
-  return {{QStringLiteral("newVolume"), tr("New &clay"), tr("Start with a ball of clay"), panelIcon()}};
-}
-
 NextStep VolumeUi::nextStep() {
   if (!document()) return {};
   const auto& volume = static_cast<const VolumeDocument&>(document()->document).volume()->volume;

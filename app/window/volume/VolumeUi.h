@@ -13,7 +13,6 @@ class VolumeUi : public RigidPartsUi {
  public:
   explicit VolumeUi(const WindowContext& window);
 
-  std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Volume"); }
   QString panelIcon() const override { return QStringLiteral("kind-volume"); }
   QString menuTitle() const override { return tr("&Volume"); }

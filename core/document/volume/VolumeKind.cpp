@@ -72,18 +72,6 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   return SnapshotPointer(std::move(snapshot));
 }
 
-SnapshotPointer VolumeKind::blank() const {
-  constexpr double kRadius = 20.0, kVoxel = 0.4;  // mm
-  // Made once: the window asks for it twice.
-  static const SnapshotPointer made = [] {
-    auto ball = std::make_shared<VolumeSnapshot>();
-    ball->volume = ballOfVoxels(kRadius, kVoxel);
-    ball->surface = VolumeSurface(ball->volume);
-    return ball;
-  }();
-  return made;
-}
-
 Result<SnapshotPointer> VolumeKind::ofSurface(const TriangleSoup& surface, const std::string& source,
                                               Progress progress) const {
   Result<MadeVolume> made = makeVolume(surface, std::nullopt, source, progress);

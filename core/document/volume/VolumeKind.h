@@ -20,8 +20,6 @@ class VolumeKind : public DocumentKind {
   void save(const Snapshot& content, Container& container) const override;
   Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                Progress progress) const override;
-  // A ball of clay.
-  SnapshotPointer blank() const override;
   bool isMadeOfSurfaces() const override { return true; }
   Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
                                     Progress progress) const override;

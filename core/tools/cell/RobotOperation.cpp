@@ -6,6 +6,7 @@
 #include "document/cell/CellErrors.h"
 #include "document/cell/RobotChanges.h"
 #include "scene/RigidPose.h"
+#include "tools/scene/PlaceParameters.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -17,26 +18,6 @@ namespace {
 
 constexpr const char* kVerbs[] = {"add", "remove", "choose"};
 constexpr const char* kOfAdding[] = {"name", "at", "turn"};
-
-Parameter wordParameter(const char* id, const char* word, std::string meaning) {
-  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
-          .meaning = std::move(meaning),
-          .word = word,
-          .hasDefault = false};
-}
-
-Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest) {
-  return {.property = {.id = id,
-                       .group = {},
-                       .label = {},
-                       .value = "0,0,0",
-                       .quantity = quantity,
-                       .least = -largest,
-                       .largest = largest},
-          .meaning = std::move(meaning),
-          .word = word,
-          .parts = {{"x"}, {"y"}, {"z"}}};
-}
 
 Vec3 vectorOf(const OperationValues& values, const char* id) {
   const std::vector<double> numbers = values.numbers(id);

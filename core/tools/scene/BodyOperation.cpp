@@ -9,6 +9,7 @@
 #include "document/scene/BodyLinks.h"
 #include "scene/PrimitiveGeometry.h"
 #include "scene/RigidPose.h"
+#include "tools/scene/PlaceParameters.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -20,26 +21,6 @@ namespace {
 
 constexpr const char* kVerbs[] = {"add", "remove", "update", "unlink"};
 constexpr const char* kOfAdding[] = {"link", "name", "at", "turn"};
-
-Parameter wordParameter(const char* id, const char* word, std::string meaning) {
-  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
-          .meaning = std::move(meaning),
-          .word = word,
-          .hasDefault = false};
-}
-
-Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest) {
-  return {.property = {.id = id,
-                       .group = {},
-                       .label = {},
-                       .value = "0,0,0",
-                       .quantity = quantity,
-                       .least = -largest,
-                       .largest = largest},
-          .meaning = std::move(meaning),
-          .word = word,
-          .parts = {{"x"}, {"y"}, {"z"}}};
-}
 
 // The primitive that a text names, "box:10,20,30"; null for other texts, which are file names.
 const PrimitiveDescription* primitiveNamed(std::string_view text) {

@@ -149,18 +149,6 @@ class SurfaceToVolumeTest : public QObject {
     }
   }
 
-  void aBallOfClay() {
-    const SparseVolume ball = ballOfVoxels(10.0, 0.25);
-    const double expected = 4.0 / 3.0 * M_PI * 1000.0;
-    QVERIFY(std::abs(ball.material() / expected - 1.0) < 2e-3);
-    for (int i = 0; i < 20000; ++i) {
-      const VoxelIndex at(i % 43 - 21, i / 43 % 43 * 2 - 43, i / 43 / 43 * 8 - 43);
-      const double depth = 40.0 - at.cast<double>().norm();
-      const double sample = ball.sample(at) / VolumeBlock::kUnit;
-      QVERIFY(std::abs(sample - std::clamp(depth, -4.0, 4.0)) < 2e-4);
-    }
-  }
-
   void cancelled() {
     JobState state;
     state.cancelled = true;

@@ -11,7 +11,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Volumes in the window: made of a mesh, saved, opened again, made a mesh; a ball of clay to begin with.
+// Volumes in the window: made of a mesh, saved, opened again, made a mesh.
 class VolumeWindowTest : public QObject {
   Q_OBJECT
 
@@ -55,13 +55,6 @@ class VolumeWindowTest : public QObject {
     QCOMPARE(driver.tabs(), 3);
     QCOMPARE(driver.count(DefectKind::Hole), 0);
     QVERIFY(driver.open(saved));
-    QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Volume"));
-  }
-
-  void newClay() {
-    WindowDriver driver;
-    driver.choose("newVolume");
-    QVERIFY(driver.settle());
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Volume"));
   }
 

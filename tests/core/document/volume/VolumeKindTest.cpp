@@ -8,7 +8,6 @@
 #include "document/formats/MeshFormat.h"
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
-#include "document/volume/VolumeEdit.h"
 #include "mesh/structure/Weld.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeToSurface.h"
@@ -184,19 +183,14 @@ class VolumeKindTest : public QObject {
     QVERIFY(!m_kind.exportTo(*value, folder.filePath("ball.txt").toStdString(), {}).hasValue());
   }
 
-  void editsAreExchanged() {
-    const auto before = snapshotOf(cube(5.0), 0.5), after = snapshotOf(cube(6.0), 0.5);
+  void documentAndItsProperties() {
     OpenedFile opened;
     opened.kind = &m_kind;
-    opened.content = before;
-    VolumeDocument document(std::move(opened));
-    document.commit("change", std::make_unique<VolumeEdit>(after, 3));
-    QCOMPARE(document.volume(), std::shared_ptr<const VolumeSnapshot>(after));
-    document.history()->undo();
-    QCOMPARE(document.volume(), std::shared_ptr<const VolumeSnapshot>(before));
-    document.history()->redo();
-    QCOMPARE(document.volume(), std::shared_ptr<const VolumeSnapshot>(after));
+    opened.content = snapshotOf(cube(5.0), 0.5);
+    const VolumeDocument document(std::move(opened));
     QCOMPARE(std::get<double>(document.property("voxel")->value), 0.5);
+    QVERIFY(std::abs(std::get<double>(document.property("material")->value) - 125.0) < 10.0);
+    QCOMPARE(std::get<std::string>(document.property("source")->value), std::string("ball.stl"));
   }
 
  private:

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/scene/PlaceParameters.h"
+
+namespace handwheel {
+
+Parameter wordParameter(const char* id, const char* word, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = word,
+          .hasDefault = false};
+}
+
+Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest) {
+  return {.property = {.id = id,
+                       .group = {},
+                       .label = {},
+                       .value = "0,0,0",
+                       .quantity = quantity,
+                       .least = -largest,
+                       .largest = largest},
+          .meaning = std::move(meaning),
+          .word = word,
+          .parts = {{"x"}, {"y"}, {"z"}}};
+}
+
+}  // namespace handwheel

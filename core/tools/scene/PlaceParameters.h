@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+
+namespace handwheel {
+
+// Parameters that operations have that put things somewhere.
+
+// A text without a default.
+Parameter wordParameter(const char* id, const char* word, std::string meaning);
+// Three numbers between -largest and largest, 0 by default; mm, or rad.
+Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest);
+
+}  // namespace handwheel
