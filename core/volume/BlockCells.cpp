@@ -9,7 +9,7 @@ BlockCells::BlockCells(const SparseVolume& volume, const VoxelIndex& block)
   constexpr int n = VolumeBlock::kSize;
   for (int k = 0; k < 8; ++k) {
     const VoxelIndex next(k & 1, k >> 1 & 1, k >> 2);
-    const SparseVolume::Content content = volume.content(block + next);
+    const SparseVolume::View content = volume.view(block + next);
     const std::int16_t uniform = content.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
     const VoxelIndex size = (1 - next.array()) * (n - 1) + 1;
     for (int z = 0; z < size.z(); ++z)

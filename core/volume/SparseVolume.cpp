@@ -61,6 +61,13 @@ SparseVolume::Content SparseVolume::content(const VoxelIndex& block) const {
   return {found->second->blocks[place], found->second->full[place]};
 }
 
+SparseVolume::View SparseVolume::view(const VoxelIndex& block) const {
+  const auto found = m_regions.find(keyOf(block));
+  if (found == m_regions.end()) return {};
+  const std::size_t place = placeOf(block);
+  return {found->second->blocks[place].get(), found->second->full[place]};
+}
+
 void SparseVolume::setContent(const VoxelIndex& block, Content content) {
   const std::uint64_t key = keyOf(block);
   auto found = m_regions.find(key);
@@ -82,13 +89,9 @@ void SparseVolume::setContent(const VoxelIndex& block, Content content) {
 }
 
 std::int16_t SparseVolume::sample(const VoxelIndex& voxel) const {
-  const VoxelIndex block = blockOf(voxel);
-  const auto found = m_regions.find(keyOf(block));
-  if (found == m_regions.end()) return VolumeBlock::kEmpty;
-  const std::size_t place = placeOf(block);
-  if (const Block& samples = found->second->blocks[place])
-    return samples->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
-  return found->second->full[place] ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+  const View samples = view(blockOf(voxel));
+  if (samples.block) return samples.block->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
+  return samples.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
 }
 
 void SparseVolume::forEach(const std::function<void(const VoxelIndex&, const Content&)>& visit) const {
@@ -114,6 +117,17 @@ std::vector<VoxelIndex> SparseVolume::blocks() const {
     if (content.block) all.push_back(at);
   });
   return all;
+}
+
+Box SparseVolume::extent() const {
+  constexpr int kSide = 64;
+  Box box;
+  for (const auto& [key, region] : m_regions) {
+    const Vec3 low = (kSide * regionOfKey(key)).cast<double>();
+    box.extend(low - Vec3::Ones());
+    box.extend(low + Vec3::Constant(kSide));
+  }
+  return box;
 }
 
 std::size_t SparseVolume::bytes() const {

@@ -62,6 +62,12 @@ class SparseVolume {
   Vec3 centre(const VoxelIndex& voxel) const { return m_origin + m_voxel * voxel.cast<double>(); }
 
   Content content(const VoxelIndex& block) const;
+  // The same without a share in it: valid as long as the volume stays as it is. No allocation.
+  struct View {
+    const VolumeBlock* block = nullptr;  // null: uniform
+    bool isFull = false;                 // of a uniform one
+  };
+  View view(const VoxelIndex& block) const;
   void setContent(const VoxelIndex& block, Content content);
 
   // The sample of a voxel, as VolumeBlock stores it. O(1).
@@ -76,6 +82,8 @@ class SparseVolume {
   // What is inside by its voxels; mm³.
   double material() const { return static_cast<double>(m_inside) * m_voxel * m_voxel * m_voxel; }
   bool isEmpty() const { return m_regions.empty(); }
+  // What holds all material, to the next 64 voxels; in voxels.
+  Box extent() const;
   // Memory of this version, were it the only one; bytes.
   std::size_t bytes() const;
 

@@ -3,22 +3,131 @@
 #include "window/volume/VolumeUi.h"
 
 #include "document/volume/VolumeDocument.h"
+#include "simulation/clay/ClayForce.h"
 #include "theme/Theme.h"
+#include "tools/volume/ClayTool.h"
+#include "viewport/Viewport.h"
+#include "viewport/surface/VolumeLayer.h"
+#include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
+#include "window/haptics/HapticSceneBuilder.h"
+#include "window/tools/ToolHost.h"
 
 #include <QLocale>
+#include <utility>
 
 namespace handwheel {
 
-VolumeUi::VolumeUi(const WindowContext& window) : RigidPartsUi(window, {"Volume"}) {}
+VolumeUi::VolumeUi(const WindowContext& window)
+    : RigidPartsUi(window, {"Volume"}), m_volumeLayer(std::make_shared<VolumeLayer>()) {
+  setFelt(false);  // through the depths of the volume, not through triangles
+  window.viewport.addLayer(m_volumeLayer);
+  connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
+}
+
+VolumeUi::~VolumeUi() {
+  parts().viewport.removeLayer(*m_volumeLayer);
+}
+
+const VolumeSnapshot& VolumeUi::volume() const {
+  return *static_cast<const VolumeDocument&>(document()->document).volume();
+}
+
+void VolumeUi::setDocument(DocumentTab* opened) {
+  if (document()) document()->document.disconnect(this);
+  m_live.reset();
+  m_volumeLayer->setVolume({}, {});
+  if (opened) {
+    const VolumeSnapshot& content = *static_cast<const VolumeDocument&>(opened->document).volume();
+    m_volumeLayer->setVisible(opened->visible);
+    m_volumeLayer->setVolume(content.volume, content.surface);
+  }
+  RigidPartsUi::setDocument(opened);
+  m_still = std::make_shared<ClayChannel>();
+  if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
+  if (opened) offerStill();
+  followTool();
+}
+
+void VolumeUi::refreshVisibility() {
+  RigidPartsUi::refreshVisibility();
+  if (document()) m_volumeLayer->setVisible(document()->visible);
+  followTool();
+}
+
+void VolumeUi::showVolume() {
+  if (!document()) return;
+  offerStill();
+  if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface);
+  m_volumeLayer->setVolume(volume().volume, volume().surface);
+}
+
+// What is felt while no tool runs. This thread is the only one that writes it.
+void VolumeUi::offerStill() {
+  auto state = std::make_shared<ClayState>();
+  state->volume = volume().volume;
+  m_still->patch.write({std::move(state)});
+}
+
+void VolumeUi::showPreview(const ToolPreview& preview) {
+  RigidPartsUi::showPreview(preview);
+  const auto* const clay = dynamic_cast<const ClayPreview*>(preview.ofKind.get());
+  const std::shared_ptr<const ClayState> live = clay ? clay->state : nullptr;
+  if (std::exchange(m_live, live) != live) showVolume();
+}
+
+// The volume has its own layer.
+DisplayModel VolumeUi::displayed(const Document&) const {
+  return {};
+}
+
+// The clay is felt through the simulation of its tool, or as it is.
+void VolumeUi::followTool() {
+  const auto* const tool = dynamic_cast<const ClayTool*>(parts().tools.runner().tool());
+  const bool isFelt = document() && document()->visible;
+  const std::shared_ptr<ClayChannel> channel = !isFelt ? nullptr : tool ? tool->channel() : m_still;
+  const ClayFeel feel = tool ? tool->feelAtDevice() : ClayFeel();
+  const bool isSame = channel == m_felt;
+  if (isSame && feel == m_feel) return;
+  m_felt = channel;
+  m_feel = feel;
+  if (!channel) return parts().touch.setSource(kClaySource, {}, false);
+  const auto make = [channel, feel](const TouchContext& context) {
+    ClayFeel inScene = feel;
+    inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
+    inScene.resistance = context.mapping.sceneStiffness(feel.resistance);
+    return std::make_unique<ClayForce>(channel, inScene);
+  };
+  parts().touch.setSource(kClaySource, make, isSame);
+}
+
+std::vector<StartAction> VolumeUi::startActions() const {
+  return {{QStringLiteral("newVolume"), tr("New &clay"), tr("Start with a ball of clay to be shaped by hand"),
+           panelIcon()}};
+}
+
+std::vector<ToolDescriptor> VolumeUi::tools() {
+  const auto make = [this]() -> std::unique_ptr<Tool> {
+    const SimulationServices services{parts().servoClock, parts().services.simulation()};
+    return std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services);
+  };
+  return {{QStringLiteral("clayTool"), tr("Shape &clay"), tr("Add, carve, smooth and move clay by hand"),
+           QStringLiteral("sculpt"), QKeySequence(Qt::Key_B), make, "clay", ClayTool::keys()},
+          measureParts()};
+}
 
 NextStep VolumeUi::nextStep() {
   if (!document()) return {};
-  const auto& volume = static_cast<const VolumeDocument&>(document()->document).volume()->volume;
+  const SparseVolume& shown = volume().volume;
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Volume"),
           tr("%1 mm³ in voxels of %2 mm. Its surface is closed.")
-              .arg(QLocale().toString(volume.material(), 'g', 6), QLocale().toString(volume.voxel(), 'g', 4)),
+              .arg(QLocale().toString(shown.material(), 'g', 6), QLocale().toString(shown.voxel(), 'g', 4)),
           panelActions()};
+}
+
+QString VolumeUi::statistics() const {
+  if (!document()) return {};
+  return tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(volume().surface.triangleCount())));
 }
 
 QString VolumeUi::openedText(const DocumentTab& opened) const {

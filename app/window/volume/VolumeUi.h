@@ -2,23 +2,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/clay/ClayContact.h"
+#include "simulation/clay/ClaySimulation.h"
 #include "window/kinds/RigidPartsUi.h"
 
 namespace handwheel {
 
-// The user interface of volumes.
+class ClayTool;
+class VolumeLayer;
+struct VolumeSnapshot;
+
+// The user interface of volumes: their layer, the clay tool and what is felt of both.
 class VolumeUi : public RigidPartsUi {
   Q_OBJECT
 
  public:
   explicit VolumeUi(const WindowContext& window);
+  ~VolumeUi() override;
 
+  void setDocument(DocumentTab* document) override;
+  void refreshVisibility() override;
+  void showPreview(const ToolPreview& preview) override;
   QString panelTitle() const override { return tr("Volume"); }
   QString panelIcon() const override { return QStringLiteral("kind-volume"); }
   QString menuTitle() const override { return tr("&Volume"); }
-  std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
+  std::vector<StartAction> startActions() const override;
+  std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
+  QString statistics() const override;
   QString openedText(const DocumentTab& document) const override;
+
+ protected:
+  DisplayModel displayed(const Document& document) const override;
+
+ private:
+  const VolumeSnapshot& volume() const;
+  void showVolume();
+  void offerStill();
+  void followTool();
+
+  std::shared_ptr<VolumeLayer> m_volumeLayer;
+  std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
+  std::shared_ptr<ClayChannel> m_still;     // the document as it is
+  std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is
+  ClayFeel m_feel;
 };
 
 }  // namespace handwheel

@@ -21,6 +21,8 @@ class VolumeDocument : public Document {
   std::vector<Property> properties() const override;
 
  private:
+  friend class VolumeEdit;
+
   std::shared_ptr<const VolumeSnapshot> m_volume;
 };
 

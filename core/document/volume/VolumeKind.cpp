@@ -8,6 +8,7 @@
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/VolumeMaking.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "volume/VolumeShapes.h"
 #include "volume/VolumeToSurface.h"
 
 #include <QtGlobal>
@@ -79,6 +80,18 @@ Result<SnapshotPointer> VolumeKind::ofSurface(const TriangleSoup& surface, const
   return SnapshotPointer(std::move(made->volume));
 }
 
+SnapshotPointer VolumeKind::blank() const {
+  constexpr double kRadius = 20.0, kVoxel = 0.2;  // mm
+  // Made once: the window asks for it twice.
+  static const SnapshotPointer made = [] {
+    auto ball = std::make_shared<VolumeSnapshot>();
+    ball->volume = ballOfVoxels(kRadius, kVoxel);
+    ball->surface = VolumeSurface(ball->volume);
+    return ball;
+  }();
+  return made;
+}
+
 std::unique_ptr<Document> VolumeKind::make(OpenedFile opened) const {
   return std::make_unique<VolumeDocument>(std::move(opened));
 }
@@ -95,14 +108,11 @@ nlohmann::json VolumeKind::describe(const Snapshot& content) const {
 
 DisplayModel VolumeKind::display(const Snapshot& content) const {
   DisplayModel model;
-  for (const auto& [key, piece] : volumeOf(content).surface.pieces()) {
-    DisplayPart part;
-    part.name = "volume " + std::to_string(key[2]) + " " + std::to_string(key[1]) + " " + std::to_string(key[0]);
-    part.group = "volume";
-    part.soup = piece;
-    part.colour = {0.76f, 0.66f, 0.55f};  // clay
-    model.parts.push_back(std::move(part));
-  }
+  DisplayPart part;
+  part.name = part.group = "volume";
+  part.soup = std::make_shared<const TriangleSoup>(surfaceOf(volumeOf(content).volume));
+  part.colour = {0.76f, 0.66f, 0.55f};  // clay
+  model.parts.push_back(std::move(part));
   return model;
 }
 

@@ -23,6 +23,8 @@ class VolumeKind : public DocumentKind {
   bool isMadeOfSurfaces() const override { return true; }
   Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
                                     Progress progress) const override;
+  // A ball of clay.
+  SnapshotPointer blank() const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;

@@ -45,11 +45,17 @@ vtkSmartPointer<vtkCellArray> toTriangles(const std::vector<std::int32_t>& corne
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry) {
+vtkSmartPointer<vtkPolyData> toPolyData(const std::vector<float>& positions, const std::vector<float>& normals,
+                                        const std::vector<std::int32_t>& corners) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  setPositions(data, geometry.positions);
-  data->GetPointData()->SetNormals(toArray<vtkFloatArray>(geometry.normals, 3));
-  data->SetPolys(toTriangles(geometry.indices));
+  setPositions(data, positions);
+  data->GetPointData()->SetNormals(toArray<vtkFloatArray>(normals, 3));
+  data->SetPolys(toTriangles(corners));
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry) {
+  auto data = toPolyData(geometry.positions, geometry.normals, geometry.indices);
   if (!geometry.values.empty()) data->GetPointData()->SetScalars(toArray<vtkFloatArray>(geometry.values, 1));
   return data;
 }

@@ -11,6 +11,9 @@
 
 namespace handwheel {
 
+// Triangles with points and normals (x y z …) and three corners each as vtkPolyData.
+vtkSmartPointer<vtkPolyData> toPolyData(const std::vector<float>& positions, const std::vector<float>& normals,
+                                        const std::vector<std::int32_t>& corners);
 // Converts surface geometry to vtkPolyData.
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry);
 

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "document/volume/VolumeSnapshot.h"
+
+namespace handwheel {
+
+// Exchanges the value of a volume. Versions share the blocks and pieces that are the same, so it holds what changed.
+class VolumeEdit : public Edit {
+ public:
+  // changedBlocks: that differ from the document's, for its size.
+  VolumeEdit(std::shared_ptr<const VolumeSnapshot> volume, std::size_t changedBlocks)
+      : m_volume(std::move(volume)), m_changedBlocks(changedBlocks) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override;
+
+ private:
+  std::shared_ptr<const VolumeSnapshot> m_volume;
+  std::size_t m_changedBlocks;
+};
+
+}  // namespace handwheel

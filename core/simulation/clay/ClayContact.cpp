@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/clay/ClayContact.h"
+
+#include "volume/VolumeReader.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+void ClayContact::place(const Vec3& hand) {
+  m_tool = hand;
+  m_isBuried = true;  // if it is in material
+}
+
+bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking,
+                         double dt) {
+  const bool isFree = isWorking && feel.isFree;
+  const bool isInside = VolumeReader(volume).depthAt(hand).depth > 0.0;
+  if (isWorking && feel.isCutting && !isFree) {
+    m_isBuried = false;
+    return cut(volume, feel, hand, dt);
+  }
+  // Deeper than a tool that slid can be: the material has come to it.
+  if (VolumeReader(volume).depthAt(m_tool).depth > volume.voxel()) m_isBuried = true;
+  if (isFree || m_isBuried) {
+    m_tool = hand;
+    m_isBuried = isInside;
+    return false;
+  }
+  return slide(volume, hand);
+}
+
+// Towards the hand in steps that do not go through a surface, and back to it along its normal where one has.
+bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
+  const VolumeReader reader(volume);
+  const double voxel = volume.voxel();
+  bool isTouching = false;
+  for (int i = 0; i < kMostSteps; ++i) {
+    Vec3 way = hand - m_tool;
+    const VolumeReader::Depth here = reader.depthAt(m_tool);
+    // On the surface only what goes along it or away is left of the way.
+    if (here.depth > -0.05 * voxel && here.gradient.norm() > 0.1) {
+      const Vec3 inwards = here.gradient.normalized();
+      const double into = way.dot(inwards);
+      if (into > 0.0) {
+        isTouching = true;
+        way -= into * inwards;
+      }
+    }
+    const double length = way.norm();
+    if (length < 1e-3 * voxel) break;
+    const double step = std::min(length, std::max(0.25 * voxel, -here.depth));
+    m_tool += step / length * way;
+    for (int k = 0; k < 3; ++k) {
+      const VolumeReader::Depth there = reader.depthAt(m_tool);
+      if (!(there.depth > 0.0)) break;
+      isTouching = true;
+      if (!(there.gradient.norm() > 0.1)) break;
+      m_tool -= there.depth / there.gradient.norm() * there.gradient.normalized();
+    }
+  }
+  return isTouching;
+}
+
+// Through material only as fast as it is pressed: F = resistance · speed.
+bool ClayContact::cut(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, double dt) {
+  const Vec3 way = hand - m_tool;
+  const VolumeReader reader(volume);
+  const bool isInside = reader.depthAt(m_tool).depth > 0.0 || reader.depthAt(m_tool + way).depth > 0.0;
+  if (!isInside || !(way.norm() > 0.0)) {
+    m_tool = hand;
+    return false;
+  }
+  const double share = feel.resistance > 0.0 ? std::min(1.0, feel.stiffness * dt / feel.resistance) : 1.0;
+  m_tool += share * way;
+  return true;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+
+namespace handwheel {
+
+// How a clay tool meets the clay. Stiffness and resistance are those in the scene.
+struct ClayFeel {
+  double stiffness = 0.5;    // N/mm, of the spring between hand and tool
+  double resistance = 0.05;  // N·s/mm: force by the speed at which a tool that cuts goes through material
+  bool isCutting = false;    // goes through material in a gesture; else it stays outside
+  bool isFree = false;       // nothing holds it in a gesture, as material comes where it is
+
+  bool operator==(const ClayFeel&) const = default;
+};
+
+// The tool in the hand, a point: it stays outside of the material, at the place nearest to the hand that it can get to
+// (god object, Zilles and Salisbury 1995, on a field of depths), or goes through it slowly while it cuts. Material that
+// appears around it does not push it out: it is felt when the hand has been outside. Servo thread: no lock, no memory.
+class ClayContact {
+ public:
+  void place(const Vec3& hand);
+
+  // One tick of dt seconds. Returns whether it touches.
+  bool follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking, double dt);
+
+  const Vec3& tool() const { return m_tool; }  // mm
+
+ private:
+  static constexpr int kMostSteps = 64;  // through the field, in a tick
+
+  bool slide(const SparseVolume& volume, const Vec3& hand);
+  bool cut(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, double dt);
+
+  Vec3 m_tool = Vec3::Zero();
+  bool m_isBuried = false;  // material has come around it
+};
+
+}  // namespace handwheel

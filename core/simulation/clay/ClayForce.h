@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/scene/ForceSource.h"
+#include "simulation/clay/ClayContact.h"
+#include "simulation/clay/ClaySimulation.h"
+
+namespace handwheel {
+
+// The id of the force source.
+inline constexpr const char* kClaySource = "clay";
+
+// The force of clay on a tool: a spring between the hand and the tool, which the clay holds back.
+class ClayForce : public ForceSource {
+ public:
+  ClayForce(std::shared_ptr<ClayChannel> channel, const ClayFeel& feel);
+
+  void follow(const ForceSource& previous) noexcept override;
+  ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
+  Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
+
+ private:
+  std::shared_ptr<ClayChannel> m_channel;
+  ClayFeel m_feel;
+  ClayContact m_contact;
+  double m_share = 1.0;  // of the stiffness, in the tick before
+  bool m_isTouching = false;
+  bool m_isPlaced = false;
+};
+
+}  // namespace handwheel

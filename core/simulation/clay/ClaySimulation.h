@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/Simulation.h"
+#include "simulation/clay/ClayStroke.h"
+#include "volume/VolumeSurface.h"
+
+#include <set>
+
+namespace handwheel {
+
+// A volume with its surface, at one moment of the simulation.
+struct ClayState : SimulationState {
+  SparseVolume volume;
+  VolumeSurface surface;
+  std::size_t changedBlocks = 0;  // since the simulation began
+};
+
+// What the servo loop reads of a simulation of clay: null before the first step. A volume is read without a lock, and
+// is freed on the thread that writes the next one.
+struct ClayPatch {
+  std::shared_ptr<const ClayState> state;
+};
+
+using ClayChannel = SimulationChannel<ClayPatch>;
+
+// The simulation of clay: the volume changes as the brush is drawn over it in a gesture.
+class ClaySimulation : public Simulation {
+ public:
+  // begin: what it starts from. The channel must outlive it.
+  ClaySimulation(std::shared_ptr<const ClayState> begin, const ClayBrush& brush, std::shared_ptr<ClayChannel> channel);
+
+  // Applies kMostDabs at most: the rest waits for the next steps, so that a hand that is faster than the machine is
+  // followed late, and not by one long step.
+  void step(double dt, std::span<const SimulationInput> inputs) override;
+  // Applies what is left. To be called at the end of a gesture.
+  void finish();
+  std::shared_ptr<const SimulationState> state() const override { return m_state; }
+
+  static constexpr std::size_t kMostDabs = 4;
+
+ private:
+  void apply(std::size_t most);
+
+  std::shared_ptr<const ClayState> m_state;
+  ClayStroke m_stroke;
+  std::shared_ptr<ClayChannel> m_channel;
+  bool m_isWritten = false;                // the present state is in the channel
+  std::set<std::array<int, 3>> m_changed;  // blocks
+};
+
+}  // namespace handwheel

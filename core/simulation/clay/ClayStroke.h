@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/ClayDab.h"
+
+#include <array>
+#include <optional>
+
+namespace handwheel {
+
+// A clay tool as it is set.
+struct ClayBrush {
+  ClayAction action = ClayAction::Carve;
+  double radius = 5.0;                                  // mm
+  double strength = 0.5;                                // as that of ClayDab
+  double falloff = 1.0;                                 // as that of ClayDab
+  std::array<bool, 3> isMirrored{false, false, false};  // across x, y, z
+  Vec3 mirror = Vec3::Zero();                           // mm, on the planes of symmetry
+
+  bool operator==(const ClayBrush&) const = default;
+};
+
+// Where a brush that is drawn over a volume touches it: at once where it is pressed, then whenever it has gone a share
+// of its radius, and some times a second where it rests and this does something. What adds or carves is swept from one
+// place to the next.
+class ClayStroke {
+ public:
+  explicit ClayStroke(const ClayBrush& brush) : m_brush(brush) {}
+
+  // The next place of the brush, mm, and its time, s. normal: of the surface there, for what acts along it. Adds to
+  // dabs() what it does there. Places that are not finite are left out.
+  void move(const Vec3& place, double time, const Vec3& normal);
+
+  // What is to be applied, in order; who has applied some takes them out.
+  std::vector<ClayDab>& dabs() { return m_dabs; }
+
+ private:
+  static constexpr double kSpacing = 0.2;       // of the radius, between dabs
+  static constexpr double kMoveSpacing = 0.05;  // of those that move material along, and the least way of a sweep
+  static constexpr double kSweep = 2.0;         // of the radius, at most at once
+  static constexpr double kRestPeriod = 0.05;   // s
+  static constexpr std::size_t kMostAtOnce = 2000;
+
+  void add(const Vec3& centre, const Vec3& way, const Vec3& normal);
+
+  ClayBrush m_brush;
+  std::optional<Vec3> m_last;  // where the last dab was
+  double m_lastTime = 0.0;
+  std::vector<ClayDab> m_dabs;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/ClayTool.h"
+
+#include "document/volume/VolumeEdit.h"
+#include "tools/ToolProperty.h"
+#include "volume/VolumeReader.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+constexpr double kRadiusShare = 0.05;  // of the extent of a volume, for a first radius
+constexpr double kLeastVoxels = 1.5;   // of a radius
+constexpr double kRadiusStep = 1.25;   // from one size to the next by key
+constexpr double kStiffness = 0.5;     // N/mm, at the device
+constexpr Limits kShares{0.01, 1.0};   // strength
+constexpr Limits kFalloffs{0.0, 1.0};
+constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
+
+constexpr ToolKey kKeys[] = {
+    {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
+    {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
+    {"add", "A", QT_TRANSLATE_NOOP("Tool", "add clay")},
+    {"carve", "C", QT_TRANSLATE_NOOP("Tool", "carve")},
+    {"smooth", "O", QT_TRANSLATE_NOOP("Tool", "smooth")},
+    {"move", "G", QT_TRANSLATE_NOOP("Tool", "move clay along")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the stroke")},
+};
+
+struct ActionName {
+  ClayAction action;
+  const char* choice;   // context "Property"
+  const char* history;  // context "Tool"
+};
+
+constexpr ActionName kActions[] = {
+    {ClayAction::Add, QT_TRANSLATE_NOOP("Property", "Add"), QT_TRANSLATE_NOOP("Tool", "Add clay")},
+    {ClayAction::Carve, QT_TRANSLATE_NOOP("Property", "Carve"), QT_TRANSLATE_NOOP("Tool", "Carve clay")},
+    {ClayAction::Inflate, QT_TRANSLATE_NOOP("Property", "Inflate"), QT_TRANSLATE_NOOP("Tool", "Inflate clay")},
+    {ClayAction::Smooth, QT_TRANSLATE_NOOP("Property", "Smooth"), QT_TRANSLATE_NOOP("Tool", "Smooth clay")},
+    {ClayAction::Flatten, QT_TRANSLATE_NOOP("Property", "Flatten"), QT_TRANSLATE_NOOP("Tool", "Flatten clay")},
+    {ClayAction::Move, QT_TRANSLATE_NOOP("Property", "Move"), QT_TRANSLATE_NOOP("Tool", "Move clay")},
+    {ClayAction::Attract, QT_TRANSLATE_NOOP("Property", "Attract"), QT_TRANSLATE_NOOP("Tool", "Attract clay")},
+    {ClayAction::Pinch, QT_TRANSLATE_NOOP("Property", "Pinch"), QT_TRANSLATE_NOOP("Tool", "Pinch clay")},
+};
+
+bool isShape(ClayAction action) {
+  return action == ClayAction::Add || action == ClayAction::Carve;
+}
+
+Limits radiusLimits(const SparseVolume& volume) {
+  return {kLeastVoxels * volume.voxel(), ClayDab::kMostVoxels * volume.voxel()};
+}
+
+// "Carve clay: −12.3 mm³"
+QString strokeText(ClayAction action, double change) {
+  const QLocale locale;
+  const QString amount = (change < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
+                         locale.toString(std::abs(change), 'f', std::abs(change) < 10.0 ? 2 : 0);
+  return QCoreApplication::translate("Tool", "%1: %2 mm³")
+      .arg(QCoreApplication::translate("Tool", kActions[static_cast<int>(action)].history), amount);
+}
+
+}  // namespace
+
+ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
+    : m_document(document), m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {
+  const SparseVolume& volume = m_document.volume()->volume;
+  Box box;
+  for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
+  const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+  m_brush.radius = radiusLimits(volume).bring(kRadiusShare * extent);
+  m_brush.mirror = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+  m_present = m_brush;
+  m_gesture.restart();
+}
+
+std::span<const ToolKey> ClayTool::keys() {
+  return kKeys;
+}
+
+ClayFeel ClayTool::feelAtDevice() const {
+  ClayFeel feel{kStiffness, m_resistance};
+  feel.isCutting = m_present.action == ClayAction::Carve;
+  feel.isFree = m_present.action == ClayAction::Add || m_present.action == ClayAction::Move;
+  return feel;
+}
+
+// Shift smooths whatever is set; Ctrl does the opposite.
+ClayBrush ClayTool::brushFor(const Modifiers& modifiers) const {
+  ClayBrush brush = m_brush;
+  if (modifiers.shift) {
+    brush.action = ClayAction::Smooth;
+  } else if (modifiers.control && isShape(brush.action)) {
+    brush.action = brush.action == ClayAction::Add ? ClayAction::Carve : ClayAction::Add;
+  } else if (modifiers.control) {
+    brush.strength = -brush.strength;
+  }
+  return brush;
+}
+
+std::unique_ptr<Simulation> ClayTool::simulation() const {
+  auto begin = std::make_shared<ClayState>();
+  begin->volume = m_document.volume()->volume;
+  begin->surface = m_document.volume()->surface;
+  return std::make_unique<ClaySimulation>(std::move(begin), m_present, m_channel);
+}
+
+std::shared_ptr<const ClayState> ClayTool::state() const {
+  return std::static_pointer_cast<const ClayState>(m_gesture.state());
+}
+
+// How far outside of the surface the mouse holds the middle of the tool, mm: a ball that adds or carves goes into it,
+// or stands out of it, by its strength.
+double ClayTool::lift() const {
+  if (!isShape(m_present.action)) return 0.0;
+  const double out = (1.0 - m_present.strength) * m_present.radius;
+  return m_present.action == ClayAction::Carve ? out : -out;
+}
+
+std::optional<Vec3> ClayTool::placeOf(const PointerEvent& event) const {
+  if (event.device) return event.proxy ? *event.proxy : Vec3(event.device->translation());
+  if (!m_grip) return std::nullopt;
+  if (m_present.action == ClayAction::Move) {
+    const double along = event.ray.direction.dot(m_grip->across);
+    if (!(std::abs(along) > 1e-6)) return std::nullopt;
+    return event.ray.origin + (m_grip->point - event.ray.origin).dot(m_grip->across) / along * event.ray.direction;
+  }
+  const auto hit = firstHit(m_grip->surface->volume, event.ray.origin, event.ray.direction);
+  if (!hit) return std::nullopt;
+  return hit->point + lift() * hit->normal;
+}
+
+ToolReply ClayTool::press(const PointerEvent& event) {
+  if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
+  if (!event.device) {
+    const auto hit = firstHit(m_document.volume()->volume, event.ray.origin, event.ray.direction);
+    if (!hit) return ToolReply::Ignored;
+    m_grip = Grip{m_document.volume(), hit->point, event.ray.direction};
+  }
+  if (const ClayBrush brush = brushFor(event.modifiers); brush != m_present) {
+    m_present = brush;
+    m_gesture.restart();
+  }
+  m_gesture.begin(event.device.has_value());
+  if (const auto place = placeOf(event); place && !event.device) m_gesture.feed(*place, event.time);
+  reportUpdated();
+  return ToolReply::Used;
+}
+
+ToolReply ClayTool::pointer(const PointerEvent& event) {
+  m_gesture.rethrow();
+  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture.isOnBy(isOfDevice);
+  switch (event.kind) {
+    case PointerEvent::Kind::Press:
+      return press(event);
+    case PointerEvent::Kind::Release:
+      return isOwn ? release() : ToolReply::Ignored;
+    case PointerEvent::Kind::Leave:
+      m_hovered.reset();
+      return ToolReply::Used;
+    case PointerEvent::Kind::Hover:
+    case PointerEvent::Kind::Drag:
+      break;
+    case PointerEvent::Kind::DoubleClick:
+      return ToolReply::Ignored;
+  }
+  if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
+  hover(event);
+  if (!isOwn) return ToolReply::Ignored;
+  if (const auto place = placeOf(event); place && !isOfDevice) m_gesture.feed(*place, event.time);
+  return ToolReply::Used;
+}
+
+void ClayTool::hover(const PointerEvent& event) {
+  m_hovered.reset();
+  if (event.device) {
+    m_hovered = placeOf(event);
+  } else if (m_grip && m_present.action == ClayAction::Move) {
+    m_hovered = placeOf(event);
+  } else if (const auto hit = firstHit(m_grip ? m_grip->surface->volume : m_document.volume()->volume, event.ray.origin,
+                                       event.ray.direction)) {
+    m_hovered = hit->point;
+  }
+}
+
+// The edit comes back as documentChanged(), and the next simulation begins there.
+ToolReply ClayTool::release() {
+  const std::unique_ptr<Simulation> ended = m_gesture.end();
+  m_grip.reset();
+  static_cast<ClaySimulation&>(*ended).finish();
+  const auto shaped = std::static_pointer_cast<const ClayState>(ended->state());
+  const ClayAction action = std::exchange(m_present, m_brush).action;
+  if (shaped->changedBlocks == 0) {
+    m_gesture.restart();
+    return ToolReply::Used;
+  }
+  const std::shared_ptr<const VolumeSnapshot>& before = m_document.volume();
+  auto after = std::make_shared<VolumeSnapshot>(*before);
+  after->volume = shaped->volume;
+  after->surface = shaped->surface;
+  const QString text = strokeText(action, after->volume.material() - before->volume.material());
+  m_document.commit(text, std::make_unique<VolumeEdit>(std::move(after), shaped->changedBlocks));
+  return ToolReply::Used;
+}
+
+ToolReply ClayTool::perform(std::string_view action) {
+  if (action == "revert") {
+    if (!m_gesture.isOn()) return ToolReply::Ignored;
+    m_grip.reset();
+    m_present = m_brush;
+    m_gesture.restart();
+  } else if (action == "smaller" || action == "larger") {
+    setSetting("radius", PropertyValue(m_brush.radius * (action == "larger" ? kRadiusStep : 1.0 / kRadiusStep)));
+  } else if (action == "add") {
+    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Add)));
+  } else if (action == "carve") {
+    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Carve)));
+  } else if (action == "smooth") {
+    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Smooth)));
+  } else if (action == "move") {
+    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Move)));
+  } else {
+    return ToolReply::Ignored;
+  }
+  reportUpdated();
+  return ToolReply::Used;
+}
+
+std::vector<ToolAction> ClayTool::actions() const {
+  const bool isIdle = !m_gesture.isOn();
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "shape the clay")},
+          {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
+          {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "opposite direction")},
+          actionOf(kKeys, "smaller", isIdle),
+          actionOf(kKeys, "larger", isIdle),
+          actionOf(kKeys, "add", isIdle),
+          actionOf(kKeys, "carve", isIdle),
+          actionOf(kKeys, "smooth", isIdle),
+          actionOf(kKeys, "move", isIdle),
+          actionOf(kKeys, "revert", !isIdle)};
+}
+
+ToolPreview ClayTool::preview() const {
+  ToolPreview preview;
+  if (m_hovered) preview.circle = {*m_hovered, m_brush.radius};
+  if (m_gesture.isOn()) {
+    auto clay = std::make_shared<ClayPreview>();
+    clay->state = state();
+    preview.ofKind = std::move(clay);
+  }
+  return preview;
+}
+
+std::vector<Property> ClayTool::settings() const {
+  std::vector<std::string> choices;
+  for (const ActionName& name : kActions) choices.emplace_back(name.choice);
+  std::vector<Property> all{
+      choiceSetting("action", QT_TRANSLATE_NOOP("Property", "Action"), static_cast<int>(m_brush.action), choices),
+      numberSetting("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"), m_brush.radius, Quantity::Length,
+                    radiusLimits(m_document.volume()->volume))};
+  if (m_brush.action != ClayAction::Move) {
+    all.push_back(numberSetting("strength",
+                                isShape(m_brush.action) ? QT_TRANSLATE_NOOP("Property", "Depth (mouse)")
+                                                        : QT_TRANSLATE_NOOP("Property", "Strength"),
+                                m_brush.strength, Quantity::Number, kShares));
+    all.back().continuous = true;
+  }
+  if (!isShape(m_brush.action)) {
+    all.push_back(numberSetting("falloff", QT_TRANSLATE_NOOP("Property", "Falloff"), m_brush.falloff, Quantity::Number,
+                                kFalloffs));
+    all.back().continuous = true;
+  }
+  all.push_back(switchSetting("mirror_x", QT_TRANSLATE_NOOP("Property", "Mirror across X"), m_brush.isMirrored[0]));
+  all.push_back(switchSetting("mirror_y", QT_TRANSLATE_NOOP("Property", "Mirror across Y"), m_brush.isMirrored[1]));
+  all.push_back(switchSetting("mirror_z", QT_TRANSLATE_NOOP("Property", "Mirror across Z"), m_brush.isMirrored[2]));
+  all.push_back(numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Resistance (N·s/mm)"), m_resistance,
+                              Quantity::Number, kResistances));
+  return all;
+}
+
+void ClayTool::setSetting(std::string_view id, const PropertyValue& value) {
+  bool isBrush = false;
+  if (id == "action") isBrush = assignChoice(m_brush.action, value, 8);
+  if (id == "radius") isBrush = assignNumber(m_brush.radius, value, radiusLimits(m_document.volume()->volume));
+  if (id == "strength") isBrush = assignNumber(m_brush.strength, value, kShares);
+  if (id == "falloff") isBrush = assignNumber(m_brush.falloff, value, kFalloffs);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (id == std::string("mirror_") + "xyz"[axis]) isBrush = assignSwitch(m_brush.isMirrored[axis], value);
+  if (id == "resistance") assignNumber(m_resistance, value, kResistances);
+  if (!isBrush) return;
+  m_grip.reset();
+  m_present = m_brush;
+  m_gesture.restart();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/volume/VolumeDocument.h"
+#include "simulation/SimulatedGesture.h"
+#include "simulation/clay/ClayContact.h"
+#include "simulation/clay/ClaySimulation.h"
+#include "tools/ToolKey.h"
+
+namespace handwheel {
+
+// The clay as it is while a tool works on it.
+struct ClayPreview : KindPreview {
+  std::shared_ptr<const ClayState> state;
+};
+
+// Tool that shapes a volume as clay: while the button is held it adds, carves, inflates, smooths, flattens, moves,
+// attracts or pinches what it passes; that is one undo step. The mouse draws it over the surface as that was when the
+// button was pressed; a haptic device feels the clay and works where its tip is.
+class ClayTool : public Tool {
+ public:
+  static constexpr double kRate = 60.0;  // steps of the simulation a second
+
+  ClayTool(VolumeDocument& document, const SimulationServices& services);
+
+  // What the force source of the tool exchanges with its simulation, for the haptic scene.
+  const std::shared_ptr<ClayChannel>& channel() const { return m_channel; }
+  ClayFeel feelAtDevice() const;
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "clay"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  bool isLive() const override { return m_gesture.isOn(); }
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override { m_gesture.restart(); }
+  std::vector<std::string> needs() const override { return {"simulation"}; }
+
+ private:
+  // Where the mouse has a gesture.
+  struct Grip {
+    std::shared_ptr<const VolumeSnapshot> surface;  // it is drawn over this
+    Vec3 point, across;                             // a move stays in this plane
+  };
+
+  ClayBrush brushFor(const Modifiers& modifiers) const;
+  std::unique_ptr<Simulation> simulation() const;
+  std::shared_ptr<const ClayState> state() const;
+  double lift() const;
+  std::optional<Vec3> placeOf(const PointerEvent& event) const;
+  ToolReply press(const PointerEvent& event);
+  ToolReply release();
+  void hover(const PointerEvent& event);
+
+  VolumeDocument& m_document;
+  ClayBrush m_brush;    // as it is set
+  ClayBrush m_present;  // of the gesture: with the modifiers that were held
+  double m_resistance = 0.05;
+  std::shared_ptr<ClayChannel> m_channel = std::make_shared<ClayChannel>();
+  SimulatedGesture m_gesture;
+  std::optional<Grip> m_grip;
+  std::optional<Vec3> m_hovered;  // on the surface
+};
+
+}  // namespace handwheel

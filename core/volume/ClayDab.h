@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "volume/SparseVolume.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// What a touch of a clay tool does to the material within its radius.
+enum class ClayAction {
+  Add,      // a ball of material
+  Carve,    // takes a ball of material away
+  Inflate,  // the surface grows outwards; with a strength below 0 it shrinks
+  Smooth,   // each depth becomes the mean of those around it
+  Flatten,  // towards the plane of the surface around, from both sides
+  Move,     // material goes along with the tool
+  Attract,  // material goes towards the middle of the tool; with a strength below 0 away from it
+  Pinch,    // towards the line through the middle of the tool along its direction; below 0 away from it
+};
+
+// A touch of a clay tool.
+struct ClayDab {
+  ClayAction action = ClayAction::Carve;
+  Vec3 centre = Vec3::Zero();  // mm
+  double radius = 5.0;         // mm
+  double strength = 1.0;       // -1 to 1, a share of what the action can do at most; not of Add and Carve
+  double falloff = 1.0;        // 0: the same within the radius; 1: smoothly less towards it; not of Add and Carve
+  // mm. Add, Carve: where the tool comes from; the ball is swept along it. Move: where it goes, at most a quarter of
+  // the radius of it counts.
+  Vec3 way = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();  // of Pinch, of length 1
+
+  static constexpr double kMostVoxels = 500.0;  // of a radius
+  static constexpr double kMostRadii = 4.0;     // of the way of Add and Carve
+};
+
+// Applies a dab. Returns the blocks whose content changed, in an order that depends on the arguments alone. On all
+// threads of the arena; O(voxels near the surface within the radius). Nothing happens where the dab is not finite,
+// its radius is not above 0 or more than kMostVoxels voxels, or a ball is swept further than kMostRadii.
+//
+// Add and Carve unite and subtract exactly; the others leave depths that are distances again near the surface (to first
+// order, as by Sethian's fast marching, 1996), so that dabs may follow one another without end.
+std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab);
+
+// The same dab on the other side of a plane through a point, across an axis (0 to 2).
+ClayDab mirrored(const ClayDab& dab, const Vec3& point, int axis);
+
+}  // namespace handwheel

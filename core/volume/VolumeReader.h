@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// Reads single samples of a volume that lie near one another: it remembers the blocks that it read last. The volume
+// must outlive it and stay as it is. One thread; no lock, no memory of its own.
+class VolumeReader {
+ public:
+  explicit VolumeReader(const SparseVolume& volume) : m_volume(volume) {}
+
+  const SparseVolume& volume() const { return m_volume; }
+
+  std::int16_t sample(const VoxelIndex& voxel) const {
+    const VoxelIndex block = SparseVolume::blockOf(voxel);
+    Known& known = m_known[static_cast<std::size_t>((block.x() & 1) | (block.y() & 1) << 1 | (block.z() & 1) << 2)];
+    if (!known.isRead || known.block != block) known = {block, m_volume.view(block), true};
+    if (!known.view.block) return known.view.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+    return known.view.block->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
+  }
+
+  // A depth below the surface and how it grows.
+  struct Depth {
+    double depth = 0.0;            // mm; limited to nearly four voxels either way
+    Vec3 gradient = Vec3::Zero();  // points inwards; of length 1 near a smooth surface, 0 far from it
+  };
+  // At any point, by linear interpolation between the eight samples around it. Of what is not finite, or further away
+  // than a volume can be, empty.
+  Depth depthAt(const Vec3& p) const;
+  // The direction in which depth decreases there, by differences between samples two voxels apart: smooth where the
+  // surface is. Zero far from the surface.
+  Vec3 normalAt(const Vec3& p) const;
+
+ private:
+  struct Known {
+    VoxelIndex block = VoxelIndex::Zero();
+    SparseVolume::View view;
+    bool isRead = false;
+  };
+
+  const SparseVolume& m_volume;
+  mutable std::array<Known, 8> m_known;
+};
+
+// Where a ray meets the surface of a volume first from outside; none: nowhere. direction: any length above 0. The
+// distance is in lengths of it. O(blocks along the ray).
+struct VolumeHit {
+  Vec3 point;   // mm
+  Vec3 normal;  // outwards, of length 1
+  double distance;
+};
+std::optional<VolumeHit> firstHit(const SparseVolume& volume, const Vec3& origin, const Vec3& direction);
+
+}  // namespace handwheel

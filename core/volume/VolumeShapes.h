@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+
+namespace handwheel {
+
+// A ball around the origin; mm. The voxel must be above 0. O(blocks of the box around it).
+SparseVolume ballOfVoxels(double radius, double voxel);
+
+}  // namespace handwheel

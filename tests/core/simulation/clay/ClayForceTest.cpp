@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/clay/ClayForce.h"
+
+#include "TestClass.h"
+#include "volume/VolumeReader.h"
+#include "volume/VolumeShapes.h"
+
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr double kFineVoxel = 0.1, kRadius = 10.0;  // mm
+
+struct ClayBench {
+  std::shared_ptr<ClayChannel> channel = std::make_shared<ClayChannel>();
+  ClayFeel feel;
+  std::unique_ptr<ClayForce> force;
+  ForceOut out;
+  double time = 0.0;
+
+  explicit ClayBench(const ClayFeel& of = {}) : feel(of), force(std::make_unique<ClayForce>(channel, of)) {
+    auto state = std::make_shared<ClayState>();
+    state->volume = ballOfVoxels(kRadius, kFineVoxel);
+    show(state);
+  }
+  void show(std::shared_ptr<const ClayState> state) { channel->patch.write({std::move(state)}); }
+  Vec3 tick(const Vec3& hand, bool isHeld = false) {
+    TipState tip;
+    tip.position = hand;
+    tip.isRestart = time == 0.0;
+    tip.time = time += 0.001;
+    tip.buttons = isHeld ? 1u : 0u;
+    out = {};
+    const ForceBounds bounds = force->advance(tip, out);
+    const Vec3 felt = force->force(tip, 1.0, 1.0);
+    if (!felt.isZero() && !(felt.norm() <= bounds.stiffness * (out.proxy - hand).norm() + 1e-9))
+      qFatal("more than its bounds");
+    return felt;
+  }
+};
+
+}  // namespace
+
+class ClayForceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The tool stays on the ball where the hand is nearest to it, and pulls by Hooke's law.
+  void aBallIsFelt() {
+    ClayBench bench;
+    for (int i = 0; i <= 2000; ++i) {
+      // In through the top, then around inside of the surface.
+      const double angle = i < 500 ? 0.0 : (i - 500) * 0.001, radius = i < 500 ? 11.0 - i * 0.003 : 9.5;
+      const Vec3 hand = radius * Vec3(std::sin(angle), 0.0, std::cos(angle));
+      const Vec3 felt = bench.tick(hand);
+      if (radius > kRadius + 0.2 * kFineVoxel) QVERIFY(felt.isZero());
+      if (radius > kRadius - kFineVoxel) continue;
+      const Vec3 exact = bench.feel.stiffness * (kRadius - radius) * hand.normalized();
+      QVERIFY2((felt - exact).norm() < 0.03 * exact.norm() + 0.002, qPrintable(QString::number((felt - exact).norm())));
+    }
+  }
+
+  // However fast, it does not get in: a hand that goes through the ball at 2 m/s is held on the side it came from.
+  void aFastHand() {
+    ClayBench bench;
+    for (int i = 0; i <= 9; ++i) {
+      const Vec3 hand(0.3, 0.2, 12.0 - 2.0 * i);
+      bench.tick(hand);
+      if (bench.out.isContact) QVERIFY(bench.out.proxy.norm() > kRadius - 0.2 * kFineVoxel);
+    }
+    QVERIFY(bench.out.isContact);
+    QVERIFY(bench.out.proxy.z() > 0.0);
+  }
+
+  // F = resistance · speed while it cuts: at rest within, the tool comes to the hand with the time constant R / K.
+  void cuttingIsViscous() {
+    ClayFeel feel;
+    feel.isCutting = true;
+    feel.resistance = 0.1;
+    ClayBench bench(feel);
+    bench.channel->inputs->setDeviceGesture(1);
+    bench.tick({0.0, 0.0, 11.0}, true);
+    double force = 0.0;
+    for (int i = 0; i < 2000; ++i) force = bench.tick({0.0, 0.0, 11.0 - 0.005 * i}, true).norm();  // 5 mm/s
+    QVERIFY2(std::abs(force - 5.0 * feel.resistance) < 0.02 * force, qPrintable(QString::number(force)));
+  }
+
+  // Material that comes around a hand does not push it; it is felt when the hand has been outside.
+  void clayThatComesBack() {
+    ClayBench bench;
+    auto nothing = std::make_shared<ClayState>();
+    const auto ball = bench.channel->patch.read();
+    bench.show(nothing);
+    const Vec3 within(0.0, 0.0, 9.0);
+    QVERIFY(bench.tick(within).isZero());
+    bench.show(ball.state);
+    for (int i = 0; i < 100; ++i) QVERIFY(bench.tick(within).isZero());
+    QVERIFY(bench.tick({0.0, 0.0, 10.5}).isZero());
+    QVERIFY(bench.tick({0.0, 0.0, 9.8}).norm() > 0.05);
+  }
+
+  void whatIsNoPlace() {
+    ClayBench bench;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(bench.tick({nan, 0.0, 0.0}).isZero());
+    QVERIFY(bench.tick({1e300, 0.0, 0.0}).isZero());
+    QVERIFY(bench.tick({0.0, 0.0, 11.0}).isZero());
+    QVERIFY(bench.tick({0.0, 0.0, 9.5}).allFinite());
+  }
+};
+
+HANDWHEEL_TEST(ClayForceTest)
+#include "ClayForceTest.moc"

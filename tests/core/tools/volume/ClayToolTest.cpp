@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/ClayTool.h"
+
+#include "TestClass.h"
+#include "document/volume/VolumeKind.h"
+#include "tools/ToolRunner.h"
+#include "volume/VolumeReader.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+// A ball of clay of 20 mm and the tool on it, seen from above.
+struct ClayBench {
+  VolumeKind kind;
+  std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
+  VolumeDocument& document = static_cast<VolumeDocument&>(*made);
+  MonotonicClock clock;
+  Service simulation{"simulation"};
+  ToolRunner runner;
+  ClayTool* tool = nullptr;
+
+  ClayBench() {
+    auto started = std::make_unique<ClayTool>(document, SimulationServices{clock, simulation});
+    tool = started.get();
+    runner.start(std::move(started), document);
+  }
+  ToolReply event(PointerEvent::Kind what, double x, double y, Modifiers modifiers = {}) {
+    PointerEvent event;
+    event.kind = what;
+    event.button = what == PointerEvent::Kind::Hover ? PointerButton::None : PointerButton::First;
+    event.ray = {Vec3(x, y, 500.0), -Vec3::UnitZ()};
+    event.modifiers = modifiers;
+    return runner.pointer(event);
+  }
+  void stroke(double fromX, double toX, double y = 0.0, Modifiers modifiers = {}) {
+    QCOMPARE(event(PointerEvent::Kind::Press, fromX, y, modifiers), ToolReply::Used);
+    for (int i = 1; i <= 20; ++i) event(PointerEvent::Kind::Drag, fromX + i / 20.0 * (toX - fromX), y, modifiers);
+    QCOMPARE(event(PointerEvent::Kind::Release, toX, y, modifiers), ToolReply::Used);
+  }
+  void set(const char* id, PropertyValue value) { runner.setSetting(id, value); }
+  void choose(ClayAction action) { set("action", PropertyValue(static_cast<double>(action))); }
+  double depthAt(const Vec3& p) const { return VolumeReader(document.volume()->volume).depthAt(p).depth; }
+  int steps() const { return document.history()->index(); }
+};
+
+}  // namespace
+
+class ClayToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // A groove as deep as it is set, in one undo step; undone the ball is what it was, redone the groove.
+  void aGroove() {
+    ClayBench bench;
+    const auto before = bench.document.volume();
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(4.0));
+    bench.set("strength", PropertyValue(0.25));
+    bench.stroke(-5.0, 5.0);
+    QCOMPARE(bench.steps(), 1);
+    QVERIFY(bench.document.history()->undoText().startsWith(QStringLiteral("Carve clay: −")));
+    QVERIFY(bench.depthAt({0.0, 0.0, 19.2}) < 0.0);  // a quarter of 4 mm deep
+    QVERIFY(bench.depthAt({0.0, 0.0, 18.8}) > 0.0);
+    QVERIFY(bench.depthAt({0.0, 10.0, 17.0}) > 0.0);
+    const auto after = bench.document.volume();
+    bench.document.history()->undo();
+    QCOMPARE(bench.document.volume(), before);
+    bench.document.history()->redo();
+    QCOMPARE(bench.document.volume(), after);
+    QCOMPARE(VolumeSurface(after->volume).triangleCount(), after->surface.triangleCount());
+  }
+
+  // Ctrl does the opposite of what is set, Shift smooths; what is set stays.
+  void modifiers() {
+    ClayBench bench;
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(3.0));
+    bench.stroke(-3.0, 3.0, 0.0, {false, true, false});
+    QVERIFY(bench.depthAt({0.0, 0.0, 20.5}) > 0.0);
+    const double ridge = bench.document.volume()->volume.material();
+    bench.stroke(-3.0, 3.0, 0.0, {true, false, false});
+    QVERIFY(bench.document.history()->undoText().startsWith(QStringLiteral("Smooth clay")));
+    QVERIFY(bench.document.volume()->volume.material() < ridge);
+    QCOMPARE(std::get<double>(bench.tool->settings().front().value), static_cast<double>(ClayAction::Carve));
+  }
+
+  // What is in the middle of the brush goes with the mouse.
+  void moving() {
+    ClayBench bench;
+    bench.choose(ClayAction::Move);
+    bench.set("radius", PropertyValue(8.0));
+    QVERIFY(bench.depthAt({21.0, 0.0, 0.0}) < 0.0);
+    bench.stroke(19.0, 23.0);  // beside the middle, in the plane of the view through where it was pressed
+    QVERIFY(bench.document.volume()->volume.material() > 0.0);
+    bool isPulled = false;
+    for (double z = 0.0; z < 12.0; z += 0.5) isPulled = isPulled || bench.depthAt({21.5, 0.0, z}) > 0.0;
+    QVERIFY(isPulled);
+  }
+
+  // Beside the clay the camera has the mouse; a stroke that is discarded leaves nothing.
+  void nothingIsDone() {
+    ClayBench bench;
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 30.0, 0.0), ToolReply::Ignored);
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    bench.event(PointerEvent::Kind::Drag, 5.0, 0.0);
+    QVERIFY(bench.tool->isLive());
+    QVERIFY(bench.tool->preview().ofKind != nullptr);
+    QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
+    QVERIFY(!bench.tool->isLive());
+    QCOMPARE(bench.steps(), 0);
+    QVERIFY(bench.tool->preview().ofKind == nullptr);
+  }
+
+  // The other side is worked on at once.
+  void mirrored() {
+    ClayBench bench;
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(2.0));
+    bench.set("mirror_x", PropertyValue(true));
+    bench.stroke(6.0, 9.0, 3.0);
+    const VolumeReader reader(bench.document.volume()->volume);
+    for (const double x : {-8.0, -7.0, 7.0, 8.0}) {
+      const double z = std::sqrt(400.0 - 9.0 - x * x) - 0.3;
+      QVERIFY(reader.depthAt({x, 3.0, z}).depth < 0.0);
+    }
+  }
+
+  // A device carves where its tip is: outside of the clay as through air.
+  void byADevice() {
+    ClayBench bench;
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(2.0));
+    PointerEvent event;
+    event.device = Pose::Identity();
+    event.kind = PointerEvent::Kind::Press;
+    event.button = PointerButton::First;
+    QCOMPARE(bench.runner.pointer(event), ToolReply::Used);
+    SimulationInputs& inputs = *bench.tool->channel()->inputs;
+    for (int i = 0; i < 50; ++i) {
+      TipState tip;
+      tip.position = Vec3(0.1 * i, 0.0, 19.5);
+      tip.buttons = 1u;
+      tip.isRestart = false;
+      tip.time = 0.001 * i;
+      inputs.push({tip, tip.position, inputs.gestureAt(tip)});
+    }
+    event.kind = PointerEvent::Kind::Release;
+    QCOMPARE(bench.runner.pointer(event), ToolReply::Used);
+    QCOMPARE(bench.steps(), 1);
+    QVERIFY(bench.depthAt({2.0, 0.0, 18.0}) < 0.0);
+  }
+};
+
+HANDWHEEL_TEST(ClayToolTest)
+#include "ClayToolTest.moc"

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "document/volume/VolumeDocument.h"
+#include "volume/VolumeReader.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/haptics/HapticSession.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A window with a new ball of clay, 40 mm across, and the tool in use.
+struct ClayWindow {
+  WindowDriver driver;
+  HapticSession& session;
+  Viewport* view;
+
+  ClayWindow() : session(*driver.window().findChild<HapticSession*>()), view(driver.find<Viewport>("viewport")) {}
+  ~ClayWindow() { session.close(); }
+
+  bool begin() {
+    driver.choose("newVolume");
+    if (!driver.settle()) return false;
+    view->setStandardView(StandardView::Front);
+    driver.find<QAction>("clayTool")->trigger();
+    return driver.settle() && QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs) && rests();
+  }
+  // Until the camera has come to rest, the settings of the tool having taken their room.
+  bool rests() {
+    for (int i = 0; i < 50; ++i) {
+      const ViewRay before = view->rayAt({0, 0});
+      QTest::qWait(350);
+      const ViewRay after = view->rayAt({0, 0});
+      if (after.origin == before.origin && after.direction == before.direction) return true;
+    }
+    return false;
+  }
+  VolumeDocument& document() {
+    return static_cast<VolumeDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+  }
+  double depthAt(const Vec3& p) { return VolumeReader(document().volume()->volume).depthAt(p).depth; }
+  void moveTo(const QPoint& at) {
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+  }
+  void leadTo(const Vec3& place, std::uint32_t buttons) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    HandPose pose;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.buttons = buttons;
+    session.simulatedHand()->setTarget(pose);
+  }
+};
+
+}  // namespace
+
+// Clay is shaped in the window, by the mouse and by a simulated hand with force.
+class ClayWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // A stroke over the middle of the view is one undo step; saved and opened it is the same.
+  void byTheMouse() {
+    const QTemporaryDir folder;
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    const double before = clay.document().volume()->volume.material();
+    const QPoint middle = clay.view->rect().center();
+    QTest::mousePress(clay.view, Qt::LeftButton, {}, middle - QPoint(60, 0));
+    for (int i = 0; i <= 12; ++i) {
+      clay.moveTo(middle + QPoint(-60 + 10 * i, 0));
+      QTest::qWait(5);
+    }
+    QTest::mouseRelease(clay.view, Qt::LeftButton, {}, middle + QPoint(60, 0));
+    QCOMPARE(clay.document().history()->count(), 1);
+    const double carved = clay.document().volume()->volume.material();
+    QVERIFY(carved < before - 1.0);
+    clay.driver.click("quickActions/undo");
+    QCOMPARE(clay.document().volume()->volume.material(), before);
+    clay.driver.click("quickActions/redo");
+    const QString path = folder.filePath("clay.handwheel");
+    clay.driver.click("quickActions/saveFile");
+    QVERIFY(clay.driver.enterFileName("saveDialog", path));
+    QVERIFY(clay.driver.settle());
+    WindowDriver second;
+    QVERIFY(second.open(path));
+    auto& opened = static_cast<VolumeDocument&>(second.window().findChild<DocumentTabs*>()->current()->document);
+    QCOMPARE(opened.volume()->volume.material(), carved);
+  }
+
+  // Undo in the middle of a stroke takes that stroke.
+  void undoTakesTheStroke() {
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    const auto before = clay.document().volume();
+    const QPoint middle = clay.view->rect().center();
+    QTest::mousePress(clay.view, Qt::LeftButton, {}, middle);
+    clay.moveTo(middle + QPoint(40, 0));
+    auto* undo = clay.driver.find<QAction>("undo");
+    QTRY_VERIFY(undo->isEnabled());
+    undo->trigger();
+    QTest::mouseRelease(clay.view, Qt::LeftButton, {}, middle + QPoint(40, 0));
+    QCOMPARE(clay.document().volume(), before);
+    QCOMPARE(clay.document().history()->count(), 0);
+  }
+
+  // The hand feels the ball with a tool and without; pressed with the button held it carves.
+  void byTheHand() {
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    clay.session.choose("simulated", "hand");
+    QVERIFY(QTest::qWaitFor([&] { return clay.session.latest() != nullptr; }, kPatienceMs) && clay.driver.settle());
+    const auto felt = [&] { return clay.session.latest()->felt; };
+    const auto isAt = [&](double x) { return std::abs(clay.session.latest()->tip.position.x() - x) < 1.0; };
+    clay.leadTo({26.0, 0.0, 0.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(isAt(26.0), kPatienceMs);
+    clay.leadTo({16.0, 0.0, 0.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().isContact && felt().force.x() > 0.05, kPatienceMs);
+    QVERIFY(std::abs(felt().proxy.norm() - 20.0) < 0.2);
+    clay.leadTo({16.0, 0.0, 0.0}, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().proxy.x() < 17.0, kPatienceMs);
+    clay.leadTo({26.0, 0.0, 0.0}, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(isAt(26.0), kPatienceMs);
+    clay.leadTo({26.0, 0.0, 0.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(clay.document().history()->count() == 1, kPatienceMs);
+    QVERIFY(clay.depthAt({19.0, 0.0, 0.0}) < 0.0);
+    QVERIFY(clay.depthAt({0.0, 19.0, 0.0}) > 0.0);
+    // Without the tool it is felt as it is now.
+    QTest::keyClick(clay.view, Qt::Key_Escape);
+    clay.driver.find<QAction>("clayTool")->setChecked(false);
+    clay.leadTo({0.0, 26.0, 0.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(clay.session.latest()->tip.position.y() > 25.0, kPatienceMs);
+    clay.leadTo({0.0, 16.0, 0.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().isContact && felt().force.y() > 0.05, kPatienceMs);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(ClayWindowTest)
+#include "ClayWindowTest.moc"

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/surface/VolumeLayer.h"
+
+#include "viewport/LayerFrame.h"
+#include "viewport/LayerProps.h"
+#include "viewport/surface/PolyData.h"
+#include "viewport/surface/SurfaceStyle.h"
+#include "volume/VolumeReader.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <deque>
+
+namespace handwheel {
+
+namespace {
+
+const QColor kClay(0xc2, 0xa8, 0x8c);
+
+using Key = VolumeSurface::Key;
+using Piece = VolumeSurface::Piece;
+
+// Some of the points of a piece.
+std::vector<Vec3> outlineOf(const VolumePiece& piece) {
+  constexpr std::size_t kStep = 3 * 16;
+  const std::vector<float>& points = piece.coarse.points.empty() ? piece.fine.points : piece.coarse.points;
+  std::vector<Vec3> outline;
+  for (std::size_t i = 0; i + 2 < points.size(); i += kStep)
+    outline.push_back(piece.origin + Vec3(points[i], points[i + 1], points[i + 2]));
+  return outline;
+}
+
+}  // namespace
+
+class VolumeLayer::Private {
+ public:
+  explicit Private(LayerProps& of) : props(of) {}
+
+  struct Shown {
+    Piece piece;
+    vtkSmartPointer<vtkActor> actor;
+    vtkSmartPointer<vtkPolyData> fine, coarse;
+  };
+
+  void want(const VolumeSurface& surface);
+  std::size_t take();
+  void showAll();
+  void place(const Shown& shown) const;
+  void choose(const Shown& shown) const;
+
+  LayerProps& props;
+  SparseVolume volume;
+  std::map<Key, Piece> wanted;
+  std::map<Key, Shown> shown;
+  std::deque<Key> waiting;     // pieces to be built
+  std::map<Key, Shown> built;  // that are seen when all of them are
+  bool isFirst = true;         // nothing was seen before them: they are seen as they come
+  SurfaceStyle style;
+  Vec3 origin = Vec3::Zero();  // of the drawing
+  bool isCoarse = false;
+  int builtCount = 0;
+};
+
+void VolumeLayer::Private::want(const VolumeSurface& surface) {
+  if (shown.empty()) isFirst = true;
+  wanted = surface.pieces();
+  waiting.clear();
+  std::erase_if(built, [&](const auto& entry) {
+    const auto found = wanted.find(entry.first);
+    return found == wanted.end() || found->second != entry.second.piece;
+  });
+  for (const auto& [key, piece] : wanted) {
+    const auto known = shown.find(key);
+    const bool isShown = known != shown.end() && known->second.piece == piece;
+    if (!isShown && !built.contains(key)) waiting.push_back(key);
+  }
+  if (waiting.empty()) showAll();
+}
+
+std::size_t VolumeLayer::Private::take() {
+  if (waiting.empty()) return 0;
+  const Key key = waiting.front();
+  waiting.pop_front();
+  const Piece piece = wanted.at(key);
+  Shown made{piece, nullptr, toPolyData(piece->fine.points, piece->fine.normals, piece->fine.corners),
+             toPolyData(piece->coarse.points, piece->coarse.normals, piece->coarse.corners)};
+  built[key] = std::move(made);
+  ++builtCount;
+  if (waiting.empty() || isFirst) showAll();
+  if (waiting.empty()) isFirst = false;
+  return std::max<std::size_t>(piece->fine.count(), 1);
+}
+
+void VolumeLayer::Private::showAll() {
+  for (auto it = shown.begin(); it != shown.end();) {
+    if (wanted.contains(it->first)) {
+      ++it;
+      continue;
+    }
+    props.remove(it->second.actor);
+    it = shown.erase(it);
+  }
+  for (auto& [key, made] : built) {
+    Shown& present = shown[key];
+    made.actor = present.actor;
+    if (!made.actor) {
+      made.actor = vtkSmartPointer<vtkActor>::New();
+      made.actor->SetMapper(vtkNew<vtkPolyDataMapper>());
+      made.actor->PickableOff();
+      props.add(made.actor);
+    }
+    present = std::move(made);
+    choose(present);
+    place(present);
+    SurfaceMaterial material{kClay};
+    material.isSolid = true;
+    applyStyle(present.actor, style, material);
+  }
+  built.clear();
+}
+
+void VolumeLayer::Private::place(const Shown& of) const {
+  const Vec3 at = of.piece->origin - origin;
+  of.actor->SetPosition(at.x(), at.y(), at.z());
+}
+
+void VolumeLayer::Private::choose(const Shown& of) const {
+  const bool hasCoarse = of.coarse->GetNumberOfPolys() > 0;
+  static_cast<vtkPolyDataMapper*>(of.actor->GetMapper())->SetInputData(isCoarse && hasCoarse ? of.coarse : of.fine);
+}
+
+VolumeLayer::VolumeLayer() : d(std::make_unique<Private>(props())) {}
+
+VolumeLayer::~VolumeLayer() = default;
+
+void VolumeLayer::setVolume(const SparseVolume& volume, const VolumeSurface& surface) {
+  const bool isNew = d->wanted.empty() || surface.pieces().empty();
+  d->volume = volume;
+  d->want(surface);
+  report(isNew ? LayerChange::Model : LayerChange::Look);
+}
+
+Box VolumeLayer::bounds() const {
+  Box box;
+  for (const auto& [key, piece] : d->wanted) box.extend(piece->box);
+  return box;
+}
+
+std::vector<Vec3> VolumeLayer::outline() const {
+  std::vector<Vec3> points;
+  for (const auto& [key, piece] : d->wanted) {
+    const std::vector<Vec3> some = outlineOf(*piece);
+    points.insert(points.end(), some.begin(), some.end());
+  }
+  return points;
+}
+
+void VolumeLayer::setStyle(const SurfaceStyle& style) {
+  d->style = style;
+  SurfaceMaterial material{kClay};
+  material.isSolid = true;
+  for (const auto& [key, shown] : d->shown) applyStyle(shown.actor, style, material);
+}
+
+void VolumeLayer::setCoarseShown(bool isReduced) {
+  if (d->isCoarse == isReduced) return;
+  d->isCoarse = isReduced;
+  for (const auto& [key, shown] : d->shown) d->choose(shown);
+}
+
+std::size_t VolumeLayer::takePiece() {
+  return d->take();
+}
+
+int VolumeLayer::builtCount() const {
+  return d->builtCount;
+}
+
+void VolumeLayer::prepare(const LayerFrame& frame) {
+  if (frame.origin == d->origin) return;
+  d->origin = frame.origin;
+  for (const auto& [key, shown] : d->shown) d->place(shown);
+}
+
+std::optional<LayerHit> VolumeLayer::firstHit(const Vec3& origin, const Vec3& direction) const {
+  const auto hit = handwheel::firstHit(d->volume, origin, direction);
+  if (!hit) return std::nullopt;
+  return LayerHit{0, hit->point, hit->distance};
+}
+
+Vec3 VolumeLayer::normalNear(const Vec3& p) const {
+  return VolumeReader(d->volume).normalAt(p);
+}
+
+}  // namespace handwheel

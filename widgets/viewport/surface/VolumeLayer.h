@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/ViewLayer.h"
+#include "volume/VolumeSurface.h"
+
+namespace handwheel {
+
+// A view layer that shows the surface of a volume, which may change with every frame. It has one element, 0. While the
+// camera moves on a slow display it is drawn coarse.
+class VolumeLayer : public ViewLayer {
+ public:
+  VolumeLayer();
+  ~VolumeLayer() override;
+
+  // Shows a volume with its surface; an empty one: nothing. Only pieces that are others than before are uploaded, and
+  // what changed in one call is seen in one frame. Returns at once.
+  void setVolume(const SparseVolume& volume, const VolumeSurface& surface);
+
+  Box bounds() const override;
+  std::vector<Vec3> outline() const override;
+  void setStyle(const SurfaceStyle& style) override;
+  void setCoarseShown(bool isReduced) override;
+  std::size_t takePiece() override;
+  int builtCount() const override;
+  void prepare(const LayerFrame& frame) override;
+  std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const override;
+  Vec3 normalNear(const Vec3& p) const override;
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d;
+};
+
+}  // namespace handwheel
