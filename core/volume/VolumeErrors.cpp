@@ -29,4 +29,20 @@ const ErrorDescription VolumeErrors::NothingInside{
     .sentences = {translatable("ErrorText", "the surface encloses nothing")},
     .advice = {translatable("ErrorText", "Turn its faces outwards if it is inside out; a flat sheet has no inside.")}};
 
+const ErrorDescription VolumeErrors::NoSuchDrill{
+    .id = "NoSuchDrill",
+    .sentences = {translatable("ErrorText", "there is no drill “%1”")},
+    .advice = {
+        translatable("ErrorText", "Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.")}};
+
+const ErrorDescription VolumeErrors::NoSuchDrillMaterial{
+    .id = "NoSuchDrillMaterial",
+    .sentences = {translatable("ErrorText", "there is no material “%1” to be drilled")},
+    .advice = {translatable("ErrorText", "'handwheel help drill' lists the materials.")}};
+
+const ErrorDescription VolumeErrors::PathTooLong{
+    .id = "PathTooLong",
+    .sentences = {translatable("ErrorText", "the path takes %1 s, and %2 s can be drilled at this rate")},
+    .advice = {translatable("ErrorText", "Choose fewer cycles a second, or a part of the path.")}};
+
 }  // namespace handwheel

@@ -52,6 +52,58 @@ class VolumeTest : public QObject {
     QVERIFY(reduced["distance_mm"].get<double>() <= 0.2);
   }
 
+  // Down through a block of 20 mm: a hole of the ball's diameter, the work of its volume, and the time at which the
+  // front comes out.
+  void drill() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    QByteArray path("t_s,x_mm,y_mm,z_mm\n0,10,10,25\n6,10,10,-5\n");  // 5 mm/s
+    bench.put("p.csv", path);
+    const Ran ran = bench.run({"drill", "a.off", "--path", "p.csv", "--tool", "ball:6", "--voxel", "0.35", "--rate",
+                               "250", "--rpm", "1200", "-o", "b.handwheel", "--forces", "f.csv", "--json"},
+                              "de_DE.UTF-8");
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = volumeJson(ran.out);
+    const double hole = M_PI * 9.0 * 20.0;
+    QVERIFY(std::abs(figures["removed_mm3"].get<double>() / hole - 1.0) < 0.01);
+    QVERIFY(std::abs(figures["energy_J"].get<double>() / (0.25 * hole) - 1.0) < 0.01);  // 250 N/mm²
+    // The front is 3 mm below the centre: at z = 0 after 22 mm.
+    QVERIFY(std::abs(figures["breakthrough_s"].get<double>() - 22.0 / 5.0) < 0.1);
+    // kp A f / (f + ktc d ω / 2), (A-6) with the rate of the full section.
+    const double thrust = 250.0 * M_PI * 9.0 * 5.0 / (5.0 + 0.5 * 1.64 * 6.0 * 2.0 * M_PI * 20.0);
+    QVERIFY(std::abs(figures["max_thrust_N"].get<double>() / thrust - 1.0) < 0.2);
+    QVERIFY(std::abs(figures["max_torque_Nmm"].get<double>() / (1.64 * 3.0 * thrust) - 1.0) < 0.2);
+    QVERIFY(bench.content("f.csv").startsWith("t_s,x_mm,y_mm,z_mm,thrust_N"));
+    const auto inspected = volumeJson(bench.run({"inspect", "b.handwheel", "--json"}).out);
+    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.35);
+    const Ran text = bench.run({"drill", "b.handwheel", "--path", "p.csv"});
+    QCOMPARE(text.code, 0);
+    QVERIFY(text.out.contains("not verified"));
+  }
+
+  void whatCannotBeDrilled_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("says");
+    QTest::newRow("no path") << QStringList{"drill", "a.off"} << QByteArray("--path FILE is missing");
+    QTest::newRow("no file") << QStringList{"drill", "a.off", "--path", "none.csv"} << QByteArray("none.csv");
+    QTest::newRow("no drill") << QStringList{"drill", "a.off", "--path", "p.csv", "--tool", "saw:3"}
+                              << QByteArray("saw:3");
+    QTest::newRow("no material") << QStringList{"drill", "a.off", "--path", "p.csv", "--material", "moon"}
+                                 << QByteArray("moon");
+    QTest::newRow("bad path") << QStringList{"drill", "a.off", "--path", "a.off"} << QByteArray("Line 1");
+  }
+  void whatCannotBeDrilled() {
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, says);
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,10,25\n1,10,10,20\n");
+    const Ran ran = bench.run(words);
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains(says), ran.err);
+  }
+
   void repairByVolume() {
     const Bench bench;
     bench.put("a.off", openBlock());

@@ -7,6 +7,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
+#include "cli/volume/DrillCommand.h"
 #include "document/formats/MeshExport.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
@@ -166,7 +167,7 @@ int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 std::vector<Command> volumeCommands() {
-  return {{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}};
+  return {{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, drillCommand()};
 }
 
 }  // namespace handwheel

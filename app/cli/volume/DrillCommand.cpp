@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/volume/DrillCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/TipTrajectory.h"
+#include "document/AtomicFile.h"
+#include "document/FileBytes.h"
+#include "document/formats/MeshExport.h"
+#include "document/volume/VolumeKind.h"
+#include "document/volume/VolumeMaking.h"
+#include "tools/volume/DrillOperation.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DrillRequest {
+  fs::path part, path, output, forces;
+  ReadOptions read;
+};
+
+struct DrillAnswer {
+  DocumentFile file;
+  std::string refusal;
+  Drilled drilled;
+  DrillSetup setup;
+  double voxel = 0.0;
+};
+
+// The mean speed of the head while it moves, mm/s.
+double feedOf(const std::vector<HandPose>& poses) {
+  double length = 0.0, time = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const double way = (poses[i].position - poses[i - 1].position).norm();
+    if (!(way > 0.0)) continue;
+    length += way;
+    time += poses[i].time - poses[i - 1].time;
+  }
+  return time > 0.0 ? length / time : 0.0;
+}
+
+// The part as a volume: its own, or one of its surface.
+Result<SparseVolume> volumeOf(const OpenedFile& opened, std::optional<double> voxel, Progress progress) {
+  if (const auto volume = std::dynamic_pointer_cast<const VolumeSnapshot>(opened.content)) return volume->volume;
+  Result<SurfaceVolume> made =
+      volumeOfSurface(placedSoup(opened.kind->display(*opened.content)), voxel.value_or(1.0), progress);
+  if (!made) return made.error();
+  return std::move(made->volume);
+}
+
+std::string forcesText(const Drilled& drilled) {
+  std::string text = "t_s,x_mm,y_mm,z_mm,thrust_N,torque_Nmm,fx_N,fy_N,fz_N,removed_mm3\n";
+  double removed = 0.0;
+  for (const DrillTick& tick : drilled.ticks) {
+    removed += tick.removed;
+    for (const double x : {tick.time, tick.place.x(), tick.place.y(), tick.place.z(), tick.thrust, tick.torque.norm(),
+                           tick.force.x(), tick.force.y(), tick.force.z()})
+      text += roundedText(x) + ",";
+    text += roundedText(removed) + "\n";
+  }
+  return text;
+}
+
+Status writeResults(const DrillRequest& request, const DrillAnswer& done, const DocumentKinds& kinds,
+                    Progress progress) {
+  if (!request.output.empty()) {
+    const DocumentKind& kind = *kinds.withId("volume");
+    DocumentFile file;
+    file.displayUnit = done.file.displayUnit;
+    auto snapshot = std::make_shared<VolumeSnapshot>();
+    snapshot->volume = done.drilled.volume;
+    snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.0, 0.5));
+    snapshot->source = request.part.filename().string();
+    const Result<WrittenFile> written = saveDocument(kind, file, *snapshot, request.output, progress.part(0.5, 1.0));
+    if (!written) return written.error();
+  }
+  if (request.forces.empty()) return Done{};
+  return writeFileAtomically(request.forces, forcesText(done.drilled));
+}
+
+Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues& values,
+                              const std::vector<HandPose>& poses, const DocumentKinds& kinds, Progress progress) {
+  const Result<DrillSetup> setup = drillSetupOf(values);
+  if (!setup) return setup.error();
+  const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
+  if (!opened) return opened.error();
+  DrillAnswer done{opened->file, {}, {}, *setup, 0.0};
+  if (!request.output.empty()) done.refusal = refusalToReplace(request.output, opened->file);
+  if (!done.refusal.empty()) return done;
+  const double rate = values.number("rate"), feed = feedOf(poses);
+  std::optional<double> voxel = values.given("voxel");
+  if (!voxel && feed > 0.0) voxel = drillVoxel(feed, rate);
+  Result<SparseVolume> volume = volumeOf(*opened, voxel, progress.part(0.1, 0.4));
+  if (!volume) {
+    Error error = volume.error();
+    error.subject = request.part.string();
+    return error;
+  }
+  done.voxel = volume->voxel();
+  Result<Drilled> drilled =
+      drillAlong(std::move(*volume), *setup, PoseTrajectory(poses), rate, progress.part(0.4, 0.8));
+  if (!drilled) return drilled.error();
+  done.drilled = std::move(*drilled);
+  const Status written = writeResults(request, done, kinds, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  return done;
+}
+
+nlohmann::ordered_json reportOf(const DrillAnswer& done) {
+  const Drilled& drilled = done.drilled;
+  nlohmann::ordered_json report = {{"removed_mm3", drilled.removed},
+                                   {"max_thrust_N", drilled.maxThrust},
+                                   {"max_torque_Nmm", drilled.maxTorque},
+                                   {"energy_J", drilled.energy},
+                                   {"breakthrough_s", nullptr},
+                                   {"time_s", drilled.seconds},
+                                   {"voxel_mm", done.voxel},
+                                   {"material", done.setup.material.id},
+                                   {"material_verified", done.setup.material.isVerified},
+                                   {"material_source", done.setup.material.source}};
+  if (drilled.breakthrough) report["breakthrough_s"] = *drilled.breakthrough;
+  return report;
+}
+
+std::string textOf(const DrillAnswer& done) {
+  const Drilled& drilled = done.drilled;
+  std::string text = "Removed " + roundedText(drilled.removed) + " mm³ in voxels of " + roundedText(done.voxel) +
+                     " mm: at most " + roundedText(drilled.maxThrust, 4) + " N and " +
+                     roundedText(drilled.maxTorque, 4) + " N·mm, " + roundedText(drilled.energy, 4) + " J.\n";
+  if (drilled.breakthrough) text += "Breakthrough after " + roundedText(*drilled.breakthrough, 5) + " s.\n";
+  if (!done.setup.material.isVerified)
+    text += "The constants of " + done.setup.material.id + " are not verified: " + done.setup.material.source + ".\n";
+  return text;
+}
+
+CommandSpec drillSpec() {
+  CommandSpec spec = {"drill",
+                      "PART",
+                      "Drills a part along the path of a head, and says thrust, torque and work. Only the head removes "
+                      "material; its shank\npoints up, along z. The part may be any document. Exit code 0: done; 1: "
+                      "error.",
+                      {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
+                       {"output", 'o', "OUT", "The part as it is then: a .handwheel, or a mesh"},
+                       {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};
+  for (OptionSpec& option : optionsOf(drillOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
+  spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return spec;
+}
+
+int runDrill(const Arguments& arguments, const DocumentKinds& kinds) {
+  OperationValues values(drillOperation());
+  const std::string problem = readOptions(arguments, values);
+  if (!problem.empty()) return failUsage(problem, "drill");
+  if (!arguments.has("path")) return failUsage("The option --path FILE is missing.", "drill");
+  DrillRequest request{
+      arguments.operands[0], arguments.valueOf("path"), arguments.valueOf("output"), arguments.valueOf("forces"), {}};
+  request.read.partial = arguments.has("partial");
+  if (!request.output.empty() && !isContainerName(request.output)) {
+    if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
+  }
+  const Result<std::string> text = readFileBytes(request.path);
+  if (!text) {
+    Error error = text.error();
+    error.subject = request.path.string();
+    return fail(error);
+  }
+  const TipTrajectory path = readTipTrajectory(*text);
+  if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
+  std::optional<Result<DrillAnswer>> result;
+  runInterruptible("Drilling",
+                   [&](CommandJob& job) { result = drillFile(request, values, path.poses, kinds, job.progress()); });
+  if (!*result) return fail(result->error());
+  const DrillAnswer& done = result->value();
+  reportLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  return print(arguments.has("json") ? reportOf(done).dump() + "\n" : textOf(done));
+}
+
+}  // namespace
+
+Command drillCommand() {
+  return {drillSpec(), runDrill};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/Operation.h"
+#include "haptics/device/PoseTrajectory.h"
+#include "volume/drilling/DrillRun.h"
+
+namespace handwheel {
+
+// Drills a volume along a path.
+const Operation& drillOperation();
+
+// The drill that the parameters describe. Errors: VolumeErrors::NoSuchDrill, NoSuchDrillMaterial.
+Result<DrillSetup> drillSetupOf(const OperationValues& values);
+
+struct Drilled {
+  SparseVolume volume;
+  std::vector<DrillTick> ticks;        // with thrust or removal
+  double removed = 0.0;                // mm³
+  double maxThrust = 0.0;              // N
+  double maxTorque = 0.0;              // N·mm
+  double energy = 0.0;                 // J
+  std::optional<double> breakthrough;  // s
+  double seconds = 0.0;                // of the path
+};
+
+// Goes along a path of the head's centre in cycles of `rate` Hz, the shank as the poses turn +z. Errors:
+// VolumeErrors::PathTooLong (more than kMostDrillCycles cycles), Cancelled.
+Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
+                           Progress progress);
+
+inline constexpr double kMostDrillCycles = 3.6e6;  // an hour at 1 kHz
+
+}  // namespace handwheel

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/drilling/DrillCut.h"
+
+#include "volume/DepthWindow.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+constexpr double kNear = 6.1;                     // voxels, from the middle of a block to its farthest samples
+constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
+constexpr double kMostRadius = 500.0;             // voxels
+constexpr double kTwistStep = 0.25;               // voxels, between the places of a head that is not swept exactly
+
+// The share of a voxel that is below the surface.
+double share(std::int16_t depth) {
+  return std::clamp(0.5 + depth / VolumeBlock::kUnit, 0.0, 1.0);
+}
+
+// What a block becomes and what that takes of it.
+struct BlockCut {
+  SparseVolume::Content content;
+  bool isChanged = false;
+  double removed = 0.0;      // voxels
+  Vec3 push = Vec3::Zero();  // sum over them of directions from the centre
+};
+
+// A move in voxels.
+class HeadSweep {
+ public:
+  HeadSweep(const SparseVolume& volume, const DrillTool& tool, const DrillMove& move)
+      : m_from((move.from - volume.origin()) / volume.voxel()),
+        m_to((move.to - volume.origin()) / volume.voxel()),
+        m_axis(move.axis),
+        m_head(tool),
+        m_isBall(tool.shape != DrillShape::Twist) {
+    m_head.diameter /= volume.voxel();
+    m_head.length /= volume.voxel();
+    m_erosion = move.erosion * (m_to - m_from).norm();
+    m_places = m_isBall ? 1 : 1 + static_cast<int>((m_to - m_from).norm() / kTwistStep);
+  }
+
+  const Vec3& centre() const { return m_to; }
+  double inside(const Vec3& p) const {
+    if (m_isBall) {
+      const Vec3 way = m_to - m_from;
+      const double length = way.squaredNorm(), at = length > 0.0 ? (p - m_from).dot(way) / length : 1.0;
+      return m_head.inside(p - m_from - std::clamp(at, 0.0, 1.0) * way, m_axis);
+    }
+    double most = -1e9;
+    for (int i = 0; i <= m_places; ++i)
+      most = std::max(most, m_head.inside(p - m_from - static_cast<double>(i) / m_places * (m_to - m_from), m_axis));
+    return most;
+  }
+  // Of a box around all of it.
+  Box box() const {
+    Box box(m_from.cwiseMin(m_to), m_from.cwiseMax(m_to));
+    const double out = std::max(m_head.radius(), m_head.reach()) + kDepths;
+    const Vec3 shank = m_isBall ? Vec3(Vec3::Zero()) : Vec3(m_head.length * m_axis);
+    Box all(box.min() - Vec3::Constant(out), box.max() + Vec3::Constant(out));
+    all.extend(all.min() + shank.cwiseMin(0.0));
+    all.extend(all.max() + shank.cwiseMax(0.0));
+    return all;
+  }
+  double radius() const { return m_head.radius(); }
+  double erosion() const { return m_erosion; }
+
+ private:
+  Vec3 m_from, m_to, m_axis;
+  DrillTool m_head;
+  bool m_isBall;
+  double m_erosion;  // voxels
+  int m_places;
+};
+
+BlockCut cutBlock(const SparseVolume& volume, const VoxelIndex& block, const HeadSweep& head) {
+  BlockCut cut;
+  const SparseVolume::Content old = volume.content(block);
+  std::shared_ptr<VolumeBlock> samples;
+  for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
+    const Vec3 p = (VolumeBlock::kSize * block + VoxelIndex(i & 7, i >> 3 & 7, i >> 6)).cast<double>();
+    const std::int16_t before = old.block ? old.block->depths[static_cast<std::size_t>(i)] : VolumeBlock::kFull;
+    const double inside = head.inside(p);
+    if (!(-inside * VolumeBlock::kUnit < before)) continue;
+    const std::int16_t after = depthSample(std::max(-inside, before / VolumeBlock::kUnit - head.erosion()));
+    if (after >= before) continue;
+    if (!samples) samples = samplesOf(old);
+    samples->depths[static_cast<std::size_t>(i)] = after;
+    const double taken = share(before) - share(after), distance = (p - head.centre()).norm();
+    cut.removed += taken;
+    if (distance > 0.0) cut.push += taken / distance * (p - head.centre());
+  }
+  cut.isChanged = samples != nullptr;
+  if (samples) cut.content = contentOf(std::move(samples));
+  return cut;
+}
+
+bool isSound(const SparseVolume& volume, const DrillTool& tool, const DrillMove& move) {
+  const double limit = SparseVolume::kMostVoxels * volume.voxel();
+  const auto isPlace = [&](const Vec3& p) {
+    return p.allFinite() && (p - volume.origin()).cwiseAbs().maxCoeff() < limit;
+  };
+  return isPlace(move.from) && isPlace(move.to) && move.axis.allFinite() && move.erosion > 0.0 &&
+         tool.radius() <= kMostRadius * volume.voxel() && tool.diameter > 0.0 &&
+         (move.to - move.from).norm() <= kMostDrillWay * tool.diameter;
+}
+
+}  // namespace
+
+DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& move) {
+  DrillCut done;
+  if (!isSound(volume, tool, move)) return done;
+  const HeadSweep head(volume, tool, move);
+  const Box box = head.box();
+  const VoxelIndex low = SparseVolume::blockOf(box.min().array().floor().cast<int>().matrix());
+  const VoxelIndex high = SparseVolume::blockOf(box.max().array().ceil().cast<int>().matrix());
+  std::vector<VoxelIndex> blocks;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const VoxelIndex block(x, y, z);
+        const SparseVolume::View view = volume.view(block);
+        const Vec3 middle = VolumeBlock::kSize * block.cast<double>() + Vec3::Constant(3.5);
+        if ((view.block || view.isFull) && head.inside(middle) > -kDepths - kNear) blocks.push_back(block);
+      }
+  std::vector<BlockCut> cuts(blocks.size());
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { cuts[i] = cutBlock(volume, blocks[i], head); });
+  Vec3 push = Vec3::Zero();
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (!cuts[i].isChanged) continue;
+    done.removed += cuts[i].removed;
+    push += cuts[i].push;
+    volume.setContent(blocks[i], std::move(cuts[i].content));
+    done.changedBlocks.push_back(blocks[i]);
+  }
+  done.removed *= std::pow(volume.voxel(), 3);
+  if (push.norm() > 0.0) done.push = push.normalized();
+  return done;
+}
+
+double countedMaterial(const SparseVolume& volume) {
+  double sum = 0.0;
+  volume.forEach([&](const VoxelIndex&, const SparseVolume::Content& content) {
+    if (!content.block) sum += static_cast<double>(VolumeBlock::kCount);
+    if (content.block)
+      for (const std::int16_t depth : content.block->depths) sum += share(depth);
+  });
+  return sum * std::pow(volume.voxel(), 3);
+}
+
+}  // namespace handwheel
