@@ -21,6 +21,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kFrameMs = 16;                  // of a live preview
+constexpr int kFramesToFigures = 8;           // how often numbers that change by themselves are shown anew
 constexpr std::string_view kLeaves = "done";  // effect of Esc in a tool that has nothing to revert
 
 PointerButton buttonOf(Qt::MouseButton button) {
@@ -104,7 +105,10 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
     if (m_label->isVisible()) showSoon();
   });
   m_frames.setInterval(kFrameMs);
-  connect(&m_frames, &QTimer::timeout, this, [this] { showShapes(m_runner.tool()->preview()); });
+  connect(&m_frames, &QTimer::timeout, this, [this] {
+    if (++m_frame % kFramesToFigures == 0) return show();
+    showShapes(m_runner.tool()->preview());
+  });
 }
 
 ToolHost::~ToolHost() {

@@ -6,6 +6,7 @@
 #include "simulation/clay/ClayForce.h"
 #include "theme/Theme.h"
 #include "tools/volume/ClayTool.h"
+#include "tools/volume/DrillingTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/VolumeLayer.h"
 #include "window/WindowServices.h"
@@ -71,7 +72,7 @@ void VolumeUi::offerStill() {
 
 void VolumeUi::showPreview(const ToolPreview& preview) {
   RigidPartsUi::showPreview(preview);
-  const auto* const clay = dynamic_cast<const ClayPreview*>(preview.ofKind.get());
+  const auto* const clay = dynamic_cast<const VolumePreview*>(preview.ofKind.get());
   const std::shared_ptr<const ClayState> live = clay ? clay->state : nullptr;
   if (std::exchange(m_live, live) != live) showVolume();
 }
@@ -83,7 +84,7 @@ DisplayModel VolumeUi::displayed(const Document&) const {
 
 // The clay is felt through the simulation of its tool, or as it is.
 void VolumeUi::followTool() {
-  const auto* const tool = dynamic_cast<const ClayTool*>(parts().tools.runner().tool());
+  const auto* const tool = dynamic_cast<const VolumeTool*>(parts().tools.runner().tool());
   const bool isFelt = document() && document()->visible;
   const std::shared_ptr<ClayChannel> channel = !isFelt ? nullptr : tool ? tool->channel() : m_still;
   const ClayFeel feel = tool ? tool->feelAtDevice() : ClayFeel();
@@ -111,8 +112,14 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
     const SimulationServices services{parts().servoClock, parts().services.simulation()};
     return std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services);
   };
+  const auto drill = [this]() -> std::unique_ptr<Tool> {
+    const SimulationServices services{parts().servoClock, parts().services.simulation()};
+    return std::make_unique<DrillingTool>(static_cast<VolumeDocument&>(document()->document), services);
+  };
   return {{QStringLiteral("clayTool"), tr("Shape &clay"), tr("Add, carve, smooth and move clay by hand"),
            QStringLiteral("sculpt"), QKeySequence(Qt::Key_B), make, "clay", ClayTool::keys()},
+          {QStringLiteral("drillTool"), tr("&Drill"), tr("Drill into the volume, with thrust and torque"),
+           QStringLiteral("drill"), QKeySequence(Qt::Key_R), drill, "drill", DrillingTool::keys()},
           measureParts()};
 }
 

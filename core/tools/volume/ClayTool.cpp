@@ -69,7 +69,7 @@ QString strokeText(ClayAction action, double change) {
 }  // namespace
 
 ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
-    : m_document(document), m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {
+    : m_document(document), m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
   const SparseVolume& volume = m_document.volume()->volume;
   Box box;
   for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
@@ -108,7 +108,7 @@ std::unique_ptr<Simulation> ClayTool::simulation() const {
   auto begin = std::make_shared<ClayState>();
   begin->volume = m_document.volume()->volume;
   begin->surface = m_document.volume()->surface;
-  return std::make_unique<ClaySimulation>(std::move(begin), m_present, m_channel);
+  return std::make_unique<ClaySimulation>(std::move(begin), m_present, channel());
 }
 
 std::shared_ptr<const ClayState> ClayTool::state() const {
@@ -250,7 +250,7 @@ ToolPreview ClayTool::preview() const {
   ToolPreview preview;
   if (m_hovered) preview.circle = {*m_hovered, m_brush.radius};
   if (m_gesture.isOn()) {
-    auto clay = std::make_shared<ClayPreview>();
+    auto clay = std::make_shared<VolumePreview>();
     clay->state = state();
     preview.ofKind = std::move(clay);
   }

@@ -4,29 +4,21 @@
 
 #include "document/volume/VolumeDocument.h"
 #include "simulation/SimulatedGesture.h"
-#include "simulation/clay/ClayContact.h"
-#include "simulation/clay/ClaySimulation.h"
 #include "tools/ToolKey.h"
+#include "tools/volume/VolumeTool.h"
 
 namespace handwheel {
-
-// The clay as it is while a tool works on it.
-struct ClayPreview : KindPreview {
-  std::shared_ptr<const ClayState> state;
-};
 
 // Tool that shapes a volume as clay: while the button is held it adds, carves, inflates, smooths, flattens, moves,
 // attracts or pinches what it passes; that is one undo step. The mouse draws it over the surface as that was when the
 // button was pressed; a haptic device feels the clay and works where its tip is.
-class ClayTool : public Tool {
+class ClayTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
 
   ClayTool(VolumeDocument& document, const SimulationServices& services);
 
-  // What the force source of the tool exchanges with its simulation, for the haptic scene.
-  const std::shared_ptr<ClayChannel>& channel() const { return m_channel; }
-  ClayFeel feelAtDevice() const;
+  ClayFeel feelAtDevice() const override;
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "clay"; }
@@ -60,7 +52,6 @@ class ClayTool : public Tool {
   ClayBrush m_brush;    // as it is set
   ClayBrush m_present;  // of the gesture: with the modifiers that were held
   double m_resistance = 0.05;
-  std::shared_ptr<ClayChannel> m_channel = std::make_shared<ClayChannel>();
   SimulatedGesture m_gesture;
   std::optional<Grip> m_grip;
   std::optional<Vec3> m_hovered;  // on the surface

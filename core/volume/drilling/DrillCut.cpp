@@ -15,6 +15,7 @@ namespace {
 constexpr double kNear = 6.1;                     // voxels, from the middle of a block to its farthest samples
 constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
 constexpr double kMostRadius = 500.0;             // voxels
+constexpr std::size_t kFewBlocks = 200;           // to wake other threads for would take longer
 constexpr double kTwistStep = 0.25;               // voxels, between the places of a head that is not swept exactly
 
 // The share of a voxel that is below the surface.
@@ -129,7 +130,12 @@ DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& mov
         if ((view.block || view.isFull) && head.inside(middle) > -kDepths - kNear) blocks.push_back(block);
       }
   std::vector<BlockCut> cuts(blocks.size());
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { cuts[i] = cutBlock(volume, blocks[i], head); });
+  const auto cutOne = [&](std::size_t i) { cuts[i] = cutBlock(volume, blocks[i], head); };
+  if (blocks.size() < kFewBlocks) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) cutOne(i);
+  } else {
+    tbb::parallel_for(std::size_t{0}, blocks.size(), cutOne);
+  }
   Vec3 push = Vec3::Zero();
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (!cuts[i].isChanged) continue;

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/clay/ClaySimulation.h"
+#include "volume/drilling/DrillRun.h"
+
+namespace handwheel {
+
+// A volume that is being drilled, at one moment.
+struct DrillState : ClayState {
+  double thrust = 0.0, torque = 0.0;        // N, N·mm: largest since the state before
+  double maxThrust = 0.0, maxTorque = 0.0;  // since the simulation began
+  double removed = 0.0;                     // mm³
+  double energy = 0.0;                      // J
+  double time = 0.0;                        // s, since the hole was begun
+  std::optional<double> breakthrough;       // s, since then
+};
+
+// A drill that is fed by the program, as a person without a device does: from where it is pressed along a direction.
+struct DrillFeed {
+  Vec3 axis = Vec3::UnitZ();  // to the shank, of length 1
+  double speed = 1.0;         // mm/s, against the axis
+};
+
+// The simulation of drilling: the volume loses what the head passes in a gesture.
+class DrillSimulation : public Simulation {
+ public:
+  // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank.
+  DrillSimulation(std::shared_ptr<const ClayState> begin, const DrillSetup& setup, std::optional<DrillFeed> feed,
+                  std::shared_ptr<ClayChannel> channel);
+
+  void step(double dt, std::span<const SimulationInput> inputs) override;
+  std::shared_ptr<const SimulationState> state() const override { return m_state; }
+
+ private:
+  void advance(double dt);
+  void add(const DrillTick& tick);
+  void publish();
+
+  std::shared_ptr<const DrillState> m_state;
+  SparseVolume m_volume;
+  DrillRun m_run;
+  std::optional<DrillFeed> m_feed;
+  std::shared_ptr<ClayChannel> m_channel;
+  std::optional<Vec3> m_start;    // of the fed drill
+  std::optional<double> m_begin;  // s, by the clock of the inputs
+  double m_time = 0.0;            // s, since then
+  DrillLoad m_load;               // largest since the state before
+  bool m_hasTicks = false;        // since then
+  bool m_isWritten = false;       // the present state is in the channel
+  std::set<std::array<int, 3>> m_changed;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/DrillingTool.h"
+
+#include "document/volume/VolumeEdit.h"
+#include "tools/ToolProperty.h"
+#include "volume/VolumeReader.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+constexpr double kDrillStiffness = 1.0;  // N/mm, at the device
+constexpr double kFinestDrill = 6.0;     // of a diameter
+constexpr double kWidestDrill = 900.0;
+constexpr Limits kSpeeds{0.05, 50.0};       // mm/s
+constexpr Limits kSpindle{1.0, 100'000.0};  // r/min
+
+constexpr ToolKey kDrillKeys[] = {{"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
+
+Limits diameterLimits(const SparseVolume& volume) {
+  return {kFinestDrill * volume.voxel(), kWidestDrill * volume.voxel()};
+}
+
+// "Drill: −28.3 mm³, at most 6.2 N and 31 N·mm"
+QString holeText(const DrillState& hole) {
+  const QLocale locale;
+  return QCoreApplication::translate("Tool", "Drill: −%1 mm³, at most %2 N and %3 N·mm")
+      .arg(locale.toString(hole.removed, 'g', 4), locale.toString(hole.maxThrust, 'g', 3),
+           locale.toString(hole.maxTorque, 'g', 3));
+}
+
+Property figure(const char* id, const char* label, double value) {
+  Property property = numberSetting(id, label, value, Quantity::Number, {-1e300, 1e300});
+  property.editable = false;
+  return property;
+}
+
+std::vector<Vec3> circleAt(const Vec3& centre, const Vec3& axis, double radius) {
+  constexpr int kSides = 48;
+  const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+  std::vector<Vec3> line;
+  for (int i = 0; i <= kSides; ++i) {
+    const double angle = 2.0 * M_PI * i / kSides;
+    line.push_back(centre + radius * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  return line;
+}
+
+}  // namespace
+
+DrillingTool::DrillingTool(VolumeDocument& document, const SimulationServices& services)
+    : m_document(document), m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
+  const SparseVolume& volume = m_document.volume()->volume;
+  m_head.diameter = diameterLimits(volume).bring(m_head.diameter);
+  m_head.length = 10.0 * m_head.diameter;
+}
+
+std::span<const ToolKey> DrillingTool::keys() {
+  return kDrillKeys;
+}
+
+DrillSetup DrillingTool::setup() const {
+  return {m_head, drillMaterials()[m_material], m_rpm * 2.0 * M_PI / 60.0};
+}
+
+// As fast as the balance of energy lets a head go that is in the material with its whole section: thrust by feed.
+ClayFeel DrillingTool::feelAtDevice() const {
+  const DrillSetup now = setup();
+  const double section = M_PI * m_head.radius() * m_head.radius();
+  ClayFeel feel{kDrillStiffness, drillLoad(now.material, m_head, section, 1.0, 1.0, now.spindle).thrust};
+  feel.isCutting = true;
+  return feel;
+}
+
+std::unique_ptr<Simulation> DrillingTool::simulation() const {
+  auto begin = std::make_shared<ClayState>();
+  begin->volume = m_document.volume()->volume;
+  begin->surface = m_document.volume()->surface;
+  return std::make_unique<DrillSimulation>(std::move(begin), setup(), m_feed, channel());
+}
+
+std::shared_ptr<const DrillState> DrillingTool::state() const {
+  return std::static_pointer_cast<const DrillState>(m_gesture.state());
+}
+
+ToolReply DrillingTool::press(const PointerEvent& event) {
+  if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
+  m_feed.reset();
+  std::optional<Vec3> start;
+  if (!event.device) {
+    const auto hit = firstHit(m_document.volume()->volume, event.ray.origin, event.ray.direction);
+    if (!hit) return ToolReply::Ignored;
+    m_feed = DrillFeed{event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal, m_speed};
+    start = hit->point + m_head.reach() * m_feed->axis;
+  }
+  m_last.reset();
+  m_gesture.restart();
+  m_gesture.begin(event.device.has_value());
+  if (start) m_gesture.feed(*start, event.time);
+  reportUpdated();
+  return ToolReply::Used;
+}
+
+ToolReply DrillingTool::pointer(const PointerEvent& event) {
+  m_gesture.rethrow();
+  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture.isOnBy(isOfDevice);
+  switch (event.kind) {
+    case PointerEvent::Kind::Press:
+      return press(event);
+    case PointerEvent::Kind::Release:
+      return isOwn ? release() : ToolReply::Ignored;
+    case PointerEvent::Kind::Leave:
+      m_hovered.reset();
+      return ToolReply::Used;
+    case PointerEvent::Kind::DoubleClick:
+      return ToolReply::Ignored;
+    case PointerEvent::Kind::Hover:
+    case PointerEvent::Kind::Drag:
+      break;
+  }
+  if (m_gesture.isOn()) return isOwn ? ToolReply::Used : ToolReply::Ignored;
+  m_hovered.reset();
+  if (isOfDevice) return ToolReply::Ignored;
+  if (const auto hit = firstHit(m_document.volume()->volume, event.ray.origin, event.ray.direction)) {
+    m_hovered = hit->point;
+    m_normal = event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal;
+  }
+  return ToolReply::Ignored;
+}
+
+// The edit comes back as documentChanged(), and the next simulation begins there.
+ToolReply DrillingTool::release() {
+  const std::unique_ptr<Simulation> ended = m_gesture.end();
+  m_last = std::static_pointer_cast<const DrillState>(ended->state());
+  if (m_last->changedBlocks == 0) {
+    m_gesture.restart();
+    return ToolReply::Used;
+  }
+  auto after = std::make_shared<VolumeSnapshot>(*m_document.volume());
+  after->volume = m_last->volume;
+  after->surface = m_last->surface;
+  m_document.commit(holeText(*m_last), std::make_unique<VolumeEdit>(std::move(after), m_last->changedBlocks));
+  return ToolReply::Used;
+}
+
+ToolReply DrillingTool::perform(std::string_view action) {
+  if (action != "revert" || !m_gesture.isOn()) return ToolReply::Ignored;
+  m_gesture.restart();
+  reportUpdated();
+  return ToolReply::Used;
+}
+
+std::vector<ToolAction> DrillingTool::actions() const {
+  const bool isThrough = m_gesture.isOn() && state()->breakthrough;
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Hold"),
+           isThrough ? QT_TRANSLATE_NOOP("Tool", "breakthrough: release the button")
+                     : QT_TRANSLATE_NOOP("Tool", "drill across the surface")},
+          {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+hold"), QT_TRANSLATE_NOOP("Tool", "drill along the view")},
+          actionOf(kDrillKeys, "revert", m_gesture.isOn())};
+}
+
+ToolPreview DrillingTool::preview() const {
+  ToolPreview preview;
+  if (m_gesture.isOn()) {
+    auto volume = std::make_shared<VolumePreview>();
+    volume->state = state();
+    preview.ofKind = std::move(volume);
+  } else if (m_hovered) {
+    preview.lines.push_back(circleAt(*m_hovered, *m_normal, m_head.radius()));
+    preview.lines.push_back({*m_hovered, Vec3(*m_hovered + 4.0 * m_head.radius() * *m_normal)});
+  }
+  return preview;
+}
+
+std::vector<Property> DrillingTool::settings() const {
+  std::vector<std::string> materials;
+  for (const DrillMaterial& material : drillMaterials()) materials.push_back(material.name);
+  std::vector<Property> all{
+      choiceSetting("head", QT_TRANSLATE_NOOP("Property", "Drill"), m_head.shape == DrillShape::Twist ? 1 : 0,
+                    {QT_TRANSLATE_NOOP("Property", "Ball or burr"), QT_TRANSLATE_NOOP("Property", "Twist drill")}),
+      numberSetting("diameter", QT_TRANSLATE_NOOP("Property", "Diameter"), m_head.diameter, Quantity::Length,
+                    diameterLimits(m_document.volume()->volume)),
+      choiceSetting("material", QT_TRANSLATE_NOOP("Property", "Material"), static_cast<int>(m_material), materials),
+      numberSetting("rpm", QT_TRANSLATE_NOOP("Property", "Spindle (r/min)"), m_rpm, Quantity::Number, kSpindle),
+      numberSetting("feed", QT_TRANSLATE_NOOP("Property", "Feed by the mouse (mm/s)"), m_speed, Quantity::Number,
+                    kSpeeds)};
+  const std::shared_ptr<const DrillState> hole = m_gesture.isOn() ? state() : m_last;
+  if (!hole) return all;
+  if (m_gesture.isOn()) {
+    all.push_back(figure("thrust", QT_TRANSLATE_NOOP("Property", "Thrust (N)"), hole->thrust));
+    all.push_back(figure("torque", QT_TRANSLATE_NOOP("Property", "Torque (N·mm)"), hole->torque));
+  }
+  all.push_back(figure("max_thrust", QT_TRANSLATE_NOOP("Property", "Largest thrust (N)"), hole->maxThrust));
+  all.push_back(figure("max_torque", QT_TRANSLATE_NOOP("Property", "Largest torque (N·mm)"), hole->maxTorque));
+  all.push_back(figure("removed", QT_TRANSLATE_NOOP("Property", "Removed (mm³)"), hole->removed));
+  all.push_back(figure("energy", QT_TRANSLATE_NOOP("Property", "Work (J)"), hole->energy));
+  if (hole->breakthrough)
+    all.push_back(figure("breakthrough", QT_TRANSLATE_NOOP("Property", "Breakthrough after (s)"), *hole->breakthrough));
+  return all;
+}
+
+void DrillingTool::setSetting(std::string_view id, const PropertyValue& value) {
+  int shape = m_head.shape == DrillShape::Twist ? 1 : 0;
+  int material = static_cast<int>(m_material);
+  if (id == "head" && assignChoice(shape, value, 2)) m_head.shape = shape == 1 ? DrillShape::Twist : DrillShape::Ball;
+  if (id == "material" && assignChoice(material, value, static_cast<int>(drillMaterials().size())))
+    m_material = static_cast<std::size_t>(material);
+  if (id == "diameter" && assignNumber(m_head.diameter, value, diameterLimits(m_document.volume()->volume)))
+    m_head.length = 10.0 * m_head.diameter;
+  if (id == "rpm") assignNumber(m_rpm, value, kSpindle);
+  if (id == "feed") assignNumber(m_speed, value, kSpeeds);
+  if (!m_gesture.isOn()) m_gesture.restart();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/volume/VolumeDocument.h"
+#include "simulation/SimulatedGesture.h"
+#include "simulation/drilling/DrillSimulation.h"
+#include "tools/ToolKey.h"
+#include "tools/volume/VolumeTool.h"
+
+namespace handwheel {
+
+// Tool that drills a volume. With the mouse the drill is fed along the surface's normal, or straight down the view with
+// Shift, from where it is pressed until the button is released; a device drills as the hand goes. A hole is one undo
+// step. Thrust, torque and work are shown while it goes on.
+class DrillingTool : public VolumeTool {
+ public:
+  static constexpr double kRate = 60.0;  // steps of the simulation a second
+
+  DrillingTool(VolumeDocument& document, const SimulationServices& services);
+
+  ClayFeel feelAtDevice() const override;
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "drill"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  bool isLive() const override { return m_gesture.isOn(); }
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override { m_gesture.restart(); }
+  std::vector<std::string> needs() const override { return {"simulation"}; }
+
+ private:
+  DrillSetup setup() const;
+  std::unique_ptr<Simulation> simulation() const;
+  std::shared_ptr<const DrillState> state() const;
+  ToolReply press(const PointerEvent& event);
+  ToolReply release();
+
+  VolumeDocument& m_document;
+  DrillTool m_head;
+  std::size_t m_material = 0;       // of drillMaterials()
+  double m_rpm = 1000.0;            // r/min
+  double m_speed = 1.0;             // mm/s, of the feed
+  std::optional<DrillFeed> m_feed;  // of the present hole; none: by a device
+  SimulatedGesture m_gesture;
+  std::shared_ptr<const DrillState> m_last;  // of the hole before; null: none
+  std::optional<Vec3> m_hovered, m_normal;   // on the surface
+};
+
+}  // namespace handwheel

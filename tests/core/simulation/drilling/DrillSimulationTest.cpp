@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/drilling/DrillSimulation.h"
+
+#include "TestClass.h"
+#include "volume/VolumeReader.h"
+#include "volume/VolumeShapes.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+std::shared_ptr<const ClayState> drilledBall() {
+  auto state = std::make_shared<ClayState>();
+  state->volume = ballOfVoxels(4.0, 0.2);
+  state->surface = VolumeSurface(state->volume);
+  return state;
+}
+
+DrillSetup fineDrill() {
+  DrillSetup setup;
+  setup.tool.diameter = 3.0;
+  return setup;
+}
+
+std::shared_ptr<const DrillState> stateOf(const DrillSimulation& simulation) {
+  return std::static_pointer_cast<const DrillState>(simulation.state());
+}
+
+SimulationInput handAt(const Vec3& place, double time, std::uint32_t gesture) {
+  SimulationInput input;
+  input.tip.position = input.proxy = place;
+  input.tip.time = time;
+  input.gesture = gesture;
+  return input;
+}
+
+}  // namespace
+
+class DrillSimulationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Fed by the program it goes at its feed, step by step, through the ball, and says when it is through.
+  void fed() {
+    DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0},
+                               std::make_shared<ClayChannel>());
+    simulation.step(1.0 / 60.0, {});
+    QCOMPARE(stateOf(simulation)->removed, 0.0);  // not pressed yet
+    const SimulationInput pressed = handAt({0.0, 0.0, 5.5}, 0.0, 1);
+    simulation.step(1.0 / 60.0, {&pressed, 1});
+    for (int i = 1; i < 60; ++i) simulation.step(1.0 / 60.0, {});
+    const auto half = stateOf(simulation);
+    QVERIFY(half->removed > 0.0 && half->maxThrust > 0.0 && !half->breakthrough);
+    // After a second the front is 6 mm below 4: at the depth of the feed.
+    const VolumeReader reader(half->volume);
+    QVERIFY(reader.depthAt({0.0, 0.0, -1.9}).depth < 0.0);
+    QVERIFY(reader.depthAt({0.0, 0.0, -2.3}).depth > 0.0);
+    for (int i = 60; i < 130; ++i) simulation.step(1.0 / 60.0, {});
+    const auto through = stateOf(simulation);
+    QVERIFY(through->breakthrough);
+    QVERIFY(std::abs(*through->breakthrough - 8.0 / 6.0) < 0.05);
+    QCOMPARE(through->surface.triangleCount(), VolumeSurface(through->volume).triangleCount());
+    QVERIFY(std::abs(through->removed - (countedMaterial(drilledBall()->volume) - countedMaterial(through->volume))) <
+            1e-6);
+    QVERIFY(std::abs(through->energy / (0.25 * through->removed) - 1.0) < 0.01);
+  }
+
+  // By the hand: as DrillRun with the same places; a hand that only moves drills nothing.
+  void byTheHand() {
+    DrillSimulation simulation(drilledBall(), fineDrill(), std::nullopt, std::make_shared<ClayChannel>());
+    SparseVolume volume = drilledBall()->volume;
+    DrillRun run(volume, fineDrill());
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 place(0.1, 0.2, 6.0 - 0.02 * i);
+      const std::uint32_t gesture = i < 20 ? 0 : 1;
+      const SimulationInput input = handAt(place, 0.001 * i, gesture);
+      simulation.step(1.0 / 60.0, {&input, 1});
+      if (gesture != 0) run.move(place, Vec3::UnitZ(), 0.001 * (i - 20));
+    }
+    QVERIFY(run.removed() > 0.0);
+    QVERIFY(std::abs(stateOf(simulation)->removed - run.removed()) < 1e-9);
+    QVERIFY(std::abs(stateOf(simulation)->maxThrust / run.maxThrust() - 1.0) < 1e-6);
+  }
+};
+
+HANDWHEEL_TEST(DrillSimulationTest)
+#include "DrillSimulationTest.moc"

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/DrillingTool.h"
+
+#include "TestClass.h"
+#include "document/volume/VolumeKind.h"
+#include "tools/ToolRunner.h"
+#include "volume/VolumeReader.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+// A ball of 20 mm and a drill on it, seen from above.
+struct DrillBench {
+  VolumeKind kind;
+  std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
+  VolumeDocument& document = static_cast<VolumeDocument&>(*made);
+  MonotonicClock clock;
+  Service simulation{"simulation"};
+  ToolRunner runner;
+  DrillingTool* tool = nullptr;
+
+  DrillBench() {
+    auto started = std::make_unique<DrillingTool>(document, SimulationServices{clock, simulation});
+    tool = started.get();
+    runner.start(std::move(started), document);
+  }
+  ToolReply event(PointerEvent::Kind what, double x, double y, Modifiers modifiers = {}) {
+    PointerEvent event;
+    event.kind = what;
+    event.button = what == PointerEvent::Kind::Hover ? PointerButton::None : PointerButton::First;
+    event.ray = {Vec3(x, y, 500.0), -Vec3::UnitZ()};
+    event.modifiers = modifiers;
+    return runner.pointer(event);
+  }
+  double setting(const char* id) const {
+    for (const Property& property : tool->settings())
+      if (property.id == id) return std::get<double>(property.value);
+    return -1.0;
+  }
+  double depthAt(const Vec3& p) const { return VolumeReader(document.volume()->volume).depthAt(p).depth; }
+};
+
+}  // namespace
+
+class DrillingToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Held, the drill goes in; released, the hole is one undo step with its figures.
+  void aHole() {
+    DrillBench bench;
+    bench.runner.setSetting("diameter", PropertyValue(4.0));
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    const auto before = bench.document.volume();
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 30.0; }, 20'000));
+    QCOMPARE(bench.event(PointerEvent::Kind::Release, 0.0, 0.0), ToolReply::Used);
+    QCOMPARE(bench.document.history()->count(), 1);
+    QVERIFY(bench.document.history()->undoText().startsWith(QStringLiteral("Drill: −")));
+    QVERIFY(bench.depthAt({0.0, 0.0, 18.0}) < 0.0);
+    QVERIFY(bench.depthAt({3.0, 0.0, 18.0}) > 0.0);
+    QVERIFY(bench.setting("max_thrust") > 0.0 && bench.setting("energy") > 0.0);
+    bench.document.history()->undo();
+    QCOMPARE(bench.document.volume(), before);
+  }
+
+  // Beside the part the camera has the mouse; what is discarded leaves nothing.
+  void nothingIsDone() {
+    DrillBench bench;
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 30.0, 0.0), ToolReply::Ignored);
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QVERIFY(bench.tool->isLive());
+    QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
+    QVERIFY(!bench.tool->isLive());
+    QCOMPARE(bench.document.history()->count(), 0);
+  }
+
+  // The resistance is the thrust of the whole section by the feed: half the feed, half the thrust.
+  void resistance() {
+    DrillBench bench;
+    bench.runner.setSetting("diameter", PropertyValue(4.0));
+    const double narrow = bench.tool->feelAtDevice().resistance;
+    bench.runner.setSetting("diameter", PropertyValue(8.0));
+    const double wide = bench.tool->feelAtDevice().resistance;
+    // kp π r² / (1 + ktc r ω): linear in the radius where the spindle does most of the work.
+    const double spindle = 1000.0 * 2.0 * M_PI / 60.0;
+    QVERIFY(std::abs(narrow / (250.0 * M_PI * 4.0 / (1.0 + 1.64 * 2.0 * spindle)) - 1.0) < 1e-6);
+    QVERIFY(std::abs(wide / narrow - 2.0) < 0.02);
+  }
+};
+
+HANDWHEEL_TEST(DrillingToolTest)
+#include "DrillingToolTest.moc"
