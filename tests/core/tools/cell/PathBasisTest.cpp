@@ -7,6 +7,7 @@
 #include "document/cell/CellScene.h"
 #include "document/cell/RobotChanges.h"
 #include "robot/dh/DhTable.h"
+#include "tools/cell/PathExport.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -88,6 +89,17 @@ class PathBasisTest : public QObject {
     auto moved = withRobotMoved(m_cell->content(), 1, poseOf({0.0, 2000.0, 0.0}, Vec3::Zero()));
     m_cell->document().commit("Base", m_cell->document().robotsEdit(std::move(moved).value(), 1));
     QCOMPARE(change(), BasisChange::Robots);
+  }
+
+  // The makers of the library's robots, whose controllers the posts are for; descriptions give the model alone.
+  void thePostOfARobot() {
+    const auto postOf = [](const char* title) { return std::string(usualPost({.name = "r", .title = title}).id()); };
+    QCOMPARE(postOf("ABB IRB 120-3/0.6"), std::string("rapid"));
+    QCOMPARE(postOf("KUKA KR 6 R900 sixx"), std::string("krl"));
+    QCOMPARE(postOf("Universal Robots UR5"), std::string("urscript"));
+    QCOMPARE(postOf("ur5_robot"), std::string("urscript"));
+    QCOMPARE(postOf("lrmate200id"), std::string("fanuc"));
+    QVERIFY(*usualPost({.name = "r", .title = "my arm"}).maker() == '\0');
   }
 
  private:
