@@ -12,10 +12,10 @@
 #include "window/cell/CellRobots.h"
 #include "window/cell/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 #include "window/fidelity/FidelityChoice.h"
 
 #include <QFileDialog>
-#include <QFileInfo>
 #include <algorithm>
 
 namespace handwheel {
@@ -104,21 +104,17 @@ void CellPaths::connectActions() {
   });
   connect(&m_export, &QAction::triggered, this, &CellPaths::askForProgram);
   connect(&m_import, &QAction::triggered, this, [this] {
-    auto* dialog =
-        new QFileDialog(m_parts.window, tr("Open a robot program"), QFileInfo(m_document->document.path()).path(),
-                        tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
+    QFileDialog* const dialog =
+        openingDialog(m_parts.window, m_document->document, tr("Open a robot program"),
+                      tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
     dialog->setObjectName(QStringLiteral("importProgramDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::importProgram);
     dialog->open();
   });
   connect(&m_semantics, &QAction::triggered, this, [this] {
-    auto* dialog =
-        new QFileDialog(m_parts.window, tr("Read allowed pairs"), QFileInfo(m_document->document.path()).path(),
-                        tr("Semantic descriptions (*.srdf *.xml);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
+    QFileDialog* const dialog = openingDialog(m_parts.window, m_document->document, tr("Read allowed pairs"),
+                                              tr("Semantic descriptions (*.srdf *.xml);;All files (*)"));
+    dialog->setObjectName(QStringLiteral("readSemanticsDialog"));
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::readSemantics);
     dialog->open();
   });

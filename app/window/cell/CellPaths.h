@@ -99,6 +99,7 @@ class CellPaths : public QObject {
   void rename(const PlanTree::Entry& entry, const QString& name);
   void readSemantics(const QString& file);
   void askForProgram();
+  void exportAs(const QString& file, const Post& chosen);
   void exportProgram(const Post& post, const QString& file);
   void reportWritten(const WrittenProgram& written, const Post& post, const QString& file);
   void importProgram(const QString& file);
