@@ -143,6 +143,22 @@ class CellPlanningWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free"), kPatienceMs);
     QCOMPARE(driver.paths()->child(0)->childCount(), 4);  // approach, both ends of the edge, retract
+    // Its process is among its fields: slower, and by another way there, each a step that plans it anew.
+    driver.choose("jointTool");
+    driver.clickItem(driver.paths()->child(0));
+    QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
+    QVERIFY(driver.field("process.approach").startsWith("50"));
+    driver.edit("process.speed", "35");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("Change the process"));
+    QCOMPARE(driver.field("process.speed").toDouble(), 35.0);
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(2));  // the end of the edge
+    QCOMPARE(driver.field("path.Process.3.speed").toDouble(), 35.0);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.field("path.Process.3.speed").toDouble(), 50.0);
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
     driver.click("quickActions/undo");
     QCOMPARE(driver.paths()->childCount(), 0);
     // What is changed by hand stays when it is planned again.

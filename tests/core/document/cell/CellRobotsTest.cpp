@@ -374,6 +374,12 @@ class CellRobotsTest : public QObject {
     JointValues turned = values({0.0, 1.0});
     document.commit("turn", document.jointEdit(turned));
     QVERIFY(std::abs(std::get<double>(document.property("tool.x")->value) - (900.0 + 400.0 * std::cos(1.0))) < 1e-6);
+    // The joints of each in a group of its own, called as in its description.
+    for (const char* const robot : {"bar", "bar_2"}) {
+      const bool isFirst = std::string_view(robot) == "bar";
+      const auto joint = document.property(isFirst ? "joint.turn" : "joint.bar_2_turn");
+      QVERIFY(joint && joint->group == robot && joint->label == "turn" && !joint->groupTranslated);
+    }
     const Result<RobotCellSnapshot> root = withRobotMoved(twoBars(), 0, Pose::Identity());
     QVERIFY(!root && root.error().code == CellError::ArmOnRoot);
   }
