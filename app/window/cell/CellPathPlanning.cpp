@@ -102,22 +102,25 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
     return reportUnprepared();
   }
   const RobotPath* const present = plans().path(request.name);
+  const QString name = QString::fromStdString(request.name);
+  const QString title =
+      (present ? tr("%1 could not be planned anew, and stays as it is") : tr("%1 could not be planned")).arg(name);
   Job job;
-  job.name = tr("Planning %1").arg(QString::fromStdString(request.name));
+  job.name = tr("Planning %1").arg(name);
   job.owner = request.owner ? request.owner : this;
-  job.failed = [this, ended = request.ended](const Error& error) {
+  job.failed = [this, ended = request.ended, title](const Error& error) {
     if (ended) ended();
-    report(error);
+    report(error, title);
   };
   job.work = [this, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               planning = std::move(planning), before = present ? std::optional(*present) : std::nullopt,
-              request = std::move(request)](Progress progress) -> Job::Finish {
+              request = std::move(request), title](Progress progress) -> Job::Finish {
     auto planned = planning(*scene, *content, progress);
-    return [this, scene, before, request, planned = std::move(planned)]() mutable {
+    return [this, scene, before, request, title, planned = std::move(planned)]() mutable {
       if (request.ended) request.ended();
       if (!m_document) return;
       if (scene != m_collisions.scene()) return reportChanged(request.name, request.again);
-      if (!planned) return report(planned.error());
+      if (!planned) return report(planned.error(), title);
       planned->path.name = request.name;
       takePlanned(std::move(planned->path), before, request.text);
     };

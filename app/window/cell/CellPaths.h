@@ -114,7 +114,7 @@ class CellPaths : public QObject {
   void verify();
   void verifyAgain();
   void reportVerified(const PathResult& result);
-  void report(const Error& error);
+  void report(const Error& error, const QString& title = tr("This could not be done"));
   void reportUnprepared();
   void followDocument();
   void showPath();

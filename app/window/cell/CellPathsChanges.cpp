@@ -42,10 +42,10 @@ RobotPath* pathByHand(CellPlans& plans, const std::string& name) {
 
 }  // namespace
 
-void CellPaths::report(const Error& error) {
+void CellPaths::report(const Error& error, const QString& title) {
   if (error.code == ErrorCode::Cancelled) return;
   emit message({Message::Weight::Error,
-                tr("This could not be done"),
+                title,
                 errorSentence(error),
                 errorAdvice(error),
                 {},
