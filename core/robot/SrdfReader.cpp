@@ -18,9 +18,23 @@ constexpr double kMetre = 1000.0;  // of a metre
 
 class Semantics {
  public:
-  explicit Semantics(const RobotModel& robot) : m_robot(robot) {
+  Semantics(const RobotModel& robot, std::span<const RobotArm> arms, std::size_t arm) : m_robot(robot) {
+    if (robot.root == kNone) return;
+    m_owners = armsOfLinks(robot, arms);
+    const std::vector<std::uint32_t> ofDofs = armsOfDofs(robot, arms);
+    const std::string prefix = arms[arm].base == robot.root ? std::string() : arms[arm].name + '_';
+    const auto ownName = [&](const std::string& name) {
+      return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+    };
+    for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+      if (m_owners[i] == arm) m_links.emplace(ownName(robot.links[i].name), i);
+    }
+    for (std::uint32_t i = 0; i < robot.dofs.size(); ++i) {
+      if (ofDofs[i] == arm) m_joints.emplace(ownName(robot.jointOfDof(i).name), i);
+    }
+    // What has no such name may be called as in the model.
     for (std::uint32_t i = 0; i < robot.links.size(); ++i) m_links.emplace(robot.links[i].name, i);
-    for (std::uint32_t i = 0; i < robot.dofs.size(); ++i) m_joints[robot.joints[robot.dofs[i]].name] = i;
+    for (std::uint32_t i = 0; i < robot.dofs.size(); ++i) m_joints.emplace(robot.jointOfDof(i).name, i);
   }
 
   void read(const XmlElement& element) {
@@ -61,7 +75,7 @@ class Semantics {
   void readDefault(const XmlElement& element) {
     const std::uint32_t link = linkOf(element, "link");
     for (std::uint32_t i = 0; link != kNone && i < m_robot.links.size(); ++i) {
-      if (i != link) m_read.allowed.insert(std::minmax(i, link));
+      if (i != link && m_owners[i] == m_owners[link]) m_read.allowed.insert(std::minmax(i, link));
     }
   }
 
@@ -82,6 +96,7 @@ class Semantics {
   }
 
   const RobotModel& m_robot;
+  std::vector<std::uint32_t> m_owners;                     // of each link: its robot
   std::map<std::string, std::uint32_t> m_links, m_joints;  // joints: degrees of freedom
   RobotSemantics m_read;
 };
@@ -89,11 +104,17 @@ class Semantics {
 }  // namespace
 
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, Progress progress) {
+  const RobotArm all{.name = {}, .title = {}, .base = robot.root};
+  return readSrdf(bytes, robot, std::span(&all, 1), 0, std::move(progress));
+}
+
+Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, std::span<const RobotArm> arms,
+                                std::size_t arm, Progress progress) {
   try {
     const Result<XmlElement> root = readXml(bytes, kSrdfLimits, progress);
     if (!root) return root.error();
     if (root->name != "robot") return malformed(*root, "a semantic description of a robot was expected");
-    Semantics semantics(robot);
+    Semantics semantics(robot, arms, arm);
     // What is allowed for a link in general first, the pairs that are excepted last.
     for (const char* name : {"disable_default_collisions", "disable_collisions", "enable_collisions", "group_state"}) {
       for (const XmlElement& element : root->children) {

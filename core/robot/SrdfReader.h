@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "robot/RobotModel.h"
+#include "robot/RobotArms.h"
 
 #include <map>
 #include <set>
@@ -29,6 +29,10 @@ struct RobotSemantics {
 // Reads an SRDF of this robot: disable_collisions, disable_default_collisions with enable_collisions, and group_state.
 // O(bytes log links). Errors: ElementMalformed, FileTooLarge, Unsupported, OutOfMemory, Cancelled; with the line.
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, Progress progress = {});
+// The same of one of the robots in a model: the file calls its links and joints as its own description does; those of
+// the others, to allow pairs of two robots, as the model does.
+Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, std::span<const RobotArm> arms,
+                                std::size_t arm, Progress progress = {});
 
 // The pairs of links that a joint joins: these always touch. Links without a shape count as part of what they hang on.
 std::set<LinkPair> neighbours(const RobotModel& robot);

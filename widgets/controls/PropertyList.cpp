@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QLabel>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -37,6 +38,26 @@ void PropertyList::setProperties(const std::vector<Property>& properties) {
   m_properties = properties;
   if (!same) return rebuild();
   for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->showProperty(m_properties[i], m_unit);
+  foldRows();
+}
+
+void PropertyList::setFolding(const std::map<std::string, bool>& open) {
+  for (const auto& [group, isOpen] : open) {
+    const auto before = m_openAtFirst.find(group);
+    if (before == m_openAtFirst.end() || before->second != isOpen) m_isOpen[group] = isOpen;
+  }
+  const bool isSame = m_openAtFirst == open;
+  m_openAtFirst = open;
+  if (!isSame) rebuild();
+}
+
+void PropertyList::foldRows() {
+  if (m_openAtFirst.empty()) return;
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    const std::string& group = m_properties[i].group;
+    if (m_openAtFirst.contains(group)) m_rows[i]->setVisible(m_isOpen[group]);
+  }
+  updateGeometry();
 }
 
 // Whether the present rows and headings are right for them.
@@ -51,7 +72,10 @@ bool PropertyList::fit(const std::vector<Property>& properties) const {
 // Rows that still fit are kept, wherever they stand now.
 void PropertyList::rebuild() {
   std::vector<PropertyRow*> old = std::exchange(m_rows, {});
-  for (QLabel* heading : std::exchange(m_headings, {})) delete heading;
+  for (QWidget* heading : std::exchange(m_headings, {})) {  // one may be the sender
+    heading->hide();
+    heading->deleteLater();
+  }
   while (m_column->count() > 0) delete m_column->takeAt(0);  // the items; the widgets stay
   m_column->addWidget(m_empty);
   m_empty->setVisible(m_properties.empty());
@@ -73,6 +97,7 @@ void PropertyList::rebuild() {
     row->hide();
     row->deleteLater();
   }
+  foldRows();
   chainTab();
   updateGeometry();
 }
@@ -124,14 +149,38 @@ PropertyRow* PropertyList::addRow(const Property& property) {
 void PropertyList::addHeading(const Property& property) {
   const std::string& group = property.group;
   if (group.empty()) return;
-  auto* heading = new QLabel(
-      property.groupTranslated ? QCoreApplication::translate("Property", group.c_str()) : QString::fromStdString(group),
-      m_page);
-  if (!property.groupTranslated) heading->setTextFormat(Qt::PlainText);
+  QWidget* const heading =
+      makeHeading(group, property.groupTranslated ? QCoreApplication::translate("Property", group.c_str())
+                                                  : QString::fromStdString(group));
   heading->setProperty("strong", true);
   m_headings.push_back(heading);
   m_column->addSpacing(m_rows.empty() ? 0 : 8);
   m_column->addWidget(heading);
+}
+
+QWidget* PropertyList::makeHeading(const std::string& group, const QString& text) {
+  if (!m_openAtFirst.contains(group)) {
+    auto* label = new QLabel(text, m_page);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+  }
+  auto* button = new QToolButton(m_page);
+  button->setObjectName(QStringLiteral("propertyGroup/") + QString::fromStdString(group));
+  button->setText(text);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  const auto show = [button](bool isOpen) {
+    button->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+    button->setToolTip(isOpen ? tr("Hide the fields of %1").arg(button->text())
+                              : tr("Show the fields of %1").arg(button->text()));
+  };
+  show(m_isOpen[group]);
+  connect(button, &QToolButton::clicked, this, [this, group, show] {
+    show(m_isOpen[group] = !m_isOpen[group]);
+    foldRows();
+  });
+  return button;
 }
 
 }  // namespace handwheel

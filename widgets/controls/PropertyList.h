@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QScrollArea>
+#include <map>
 #include <vector>
 
 #include "document/Property.h"
@@ -25,6 +26,9 @@ class PropertyList : public QScrollArea {
 
   // Shows the properties, grouped in the given order. Ids must be unique.
   void setProperties(const std::vector<Property>& properties);
+  // Groups whose fields can be folded away below their heading, and whether they are open at first. Of a group for
+  // which that has not changed it stays as a person left it. To be called before setProperties().
+  void setFolding(const std::map<std::string, bool>& open);
   void setLengthUnit(LengthUnit unit);
   // Says at its field why the document has not taken a value. Nothing happens when it is not shown any more.
   void refuse(const std::string& id, const PropertyValue& entered, const QString& reason);
@@ -41,12 +45,15 @@ class PropertyList : public QScrollArea {
   void chainTab();
   PropertyRow* addRow(const Property& property);
   void addHeading(const Property& property);  // above it: its group
+  QWidget* makeHeading(const std::string& group, const QString& text);
+  void foldRows();
 
   QWidget* m_page;
   QVBoxLayout* m_column;
   QLabel* m_empty;
   std::vector<PropertyRow*> m_rows;
-  std::vector<QLabel*> m_headings;
+  std::vector<QWidget*> m_headings;
+  std::map<std::string, bool> m_openAtFirst, m_isOpen;  // by the group
   std::vector<Property> m_properties;
   LengthUnit m_unit = LengthUnit::Millimetre;
 };

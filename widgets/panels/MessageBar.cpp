@@ -88,7 +88,8 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::showMessage(const Message& message) {
   std::erase_if(m_messages, [&message, text = textOf(message)](const Entry& earlier) {
-    return earlier.message.about == message.about && textOf(earlier.message) == text;
+    const bool isOver = earlier.message.isOver && earlier.message.isOver();
+    return isOver || (earlier.message.about == message.about && textOf(earlier.message) == text);
   });
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
   m_messages.push_back({message, m_document, {}});

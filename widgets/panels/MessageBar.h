@@ -28,7 +28,7 @@ struct Message {
   const Document* about = nullptr;    // removed with this document; null: about no open document
   QString topic = {};                 // what makes it pointless is reported by withdraw(); empty: nothing does
   bool comesFirst = false;            // shown before others, and not removed unread: something may be lost
-  std::function<bool()> isOver = {};  // asked after each change of that document; true: removed
+  std::function<bool()> isOver = {};  // asked after its changes and before new messages; true: removed
 };
 
 // Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message

@@ -9,6 +9,7 @@
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
 #include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/PlansEdit.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
@@ -30,7 +31,8 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
   };
   const Result<std::string> bytes = readFileBytes(path);
   if (!bytes) return named(bytes.error());
-  const Result<RobotSemantics> semantics = readSrdf(*bytes, cell.robot->model);
+  const Result<RobotSemantics> semantics =
+      readSrdf(*bytes, cell.robot->model, cell.robot->arms, activeArmNumber(*cell.robot, plans));
   if (!semantics) return named(semantics.error());
   for (const Error& damage : semantics->damage) complain(sentenceFor(named(damage)));
   Result<CellPlans> changed = withSemantics(std::move(plans), *semantics, cell);

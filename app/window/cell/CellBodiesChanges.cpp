@@ -17,6 +17,7 @@
 #include "window/cell/BodySight.h"
 #include "window/cell/CellBodies.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
 #include "window/documents/FileLoader.h"
 
@@ -92,11 +93,9 @@ void CellBodies::addShape(const PrimitiveDescription& primitive) {
 }
 
 void CellBodies::askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen) {
-  auto* dialog = new QFileDialog(m_parts.window, title, QFileInfo(m_document->document.path()).path(),
-                                 openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  QFileDialog* const dialog =
+      openingDialog(m_parts.window, m_document->document, title, openFilters(m_parts.kinds).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("addBodyDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, chosen, document = m_document](const QString& path) {
     if (document == m_document) chosen(operandOf(path));
   });

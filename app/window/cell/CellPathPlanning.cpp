@@ -4,8 +4,10 @@
 // The actions that plan paths.
 #include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
+#include "panels/LogModel.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
+#include "window/cell/PathRemark.h"
 #include "window/cell/PlanDialog.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -24,6 +26,38 @@ void CellPaths::askForPath() {
     if (document == m_document) plan(values);
   });
   dialog->open();
+}
+
+void CellPaths::verifyAgain() {
+  const RobotPath* const present = path();
+  if (!present) return;
+  if (!scene()) return reportUnprepared();
+  m_checks.verify(*present, PathChecks::Wish::Again);
+}
+
+// What a person asked for, which is known already in most cases: that it was done is to be seen.
+void CellPaths::reportVerified(const PathResult& result) {
+  const PathChecks::State state{&result, BasisChange::Nothing, false};
+  const QString name = QString::fromStdString(result.basis.path.name);
+  const PathRemark remark = remarkOf(state, result.basis.path, cell().displayUnit(), QLocale());
+  const QString title = tr("%1 was verified: %2").arg(name, remark.summary);
+  const bool isFree = result.checked && result.checked->isCertified();
+  QStringList details = isFree ? QStringList() : result.collisions;
+  if (!result.problem.isEmpty()) details += result.problem;
+  if (result.checked) {
+    details.prepend(
+        tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.places.size()) - 1) + QStringLiteral(", ") +
+        tr("%Ln point(s) of them looked at.", nullptr, static_cast<int>(result.checked->verification.steps)));
+  }
+  m_parts.log.add(title + QStringLiteral(". ") + details.join(QLatin1Char(' ')), {},
+                  isFree ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
+  Message said{isFree ? Message::Weight::Info : Message::Weight::Warning, title, details.join(QStringLiteral("; "))};
+  said.about = &m_document->document;
+  // Until the next report, or the next change of the document.
+  said.isOver = [this, report = ++m_reports, at = m_document->document.revision(), &document = m_document->document] {
+    return m_reports != report || document.revision() != at;
+  };
+  emit message(said);
 }
 
 void CellPaths::plan(const OperationValues& values) {
@@ -46,7 +80,7 @@ void CellPaths::planAgain() {
   const QString text = tr("Plan %1 again");
   if (present->process) {
     Planning planning = processPlanning(valuesOf(*present->process), nullptr, present->process->part);
-    return startPlanning(std::move(planning), present->name, text, again);
+    return startPlanning(std::move(planning), {present->name, text, again});
   }
   OperationValues values(planOperation());
   setFidelity(values, m_parts.fidelity.values());
@@ -58,46 +92,37 @@ void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings
   startPlanning([places = std::move(places), settings](
                     const CellScene& scene, const RobotCellSnapshot& content,
                     Progress progress) { return plannedThrough(scene, *content.plans, places, settings, progress); },
-                name, text, std::move(again));
+                {name, text, std::move(again)});
 }
 
-void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface) {
-  startPlanning(processPlanning(values, std::move(surface), std::nullopt),
-                plans().freePathName(tr("Process").toStdString()), tr("Plan %1"),
-                [this, values] { planProcess(values, nullptr); });  // the part may be another one then
-}
-
-CellPaths::Planning CellPaths::processPlanning(const OperationValues& values,
-                                               std::shared_ptr<const PartSurface> surface,
-                                               const std::optional<Pose>& chosenAt) {
-  return [values, surface = std::move(surface), chosenAt](const CellScene& scene, const RobotCellSnapshot& content,
-                                                          Progress progress) -> Result<PlannedPath> {
-    const Result<BodyPointer> part = partCalled(values, scene);
-    if (!part) return part.error();
-    const auto own = surface ? surface : std::make_shared<const PartSurface>(*(*part)->geometry->surface());
-    return processPath(scene, content, values, own, **part, progress, chosenAt);
-  };
-}
-
-void CellPaths::startPlanning(Planning planning, const std::string& name, const QString& text,
-                              std::function<void()> again) {
+void CellPaths::startPlanning(Planning planning, PlanRequest request) {
   const auto scene = m_collisions.scene();
-  if (!scene) return reportUnprepared();
-  const RobotPath* const present = plans().path(name);
+  if (!scene) {
+    if (request.ended) request.ended();
+    return reportUnprepared();
+  }
+  const RobotPath* const present = plans().path(request.name);
+  const QString name = QString::fromStdString(request.name);
+  const QString title =
+      (present ? tr("%1 could not be planned anew, and stays as it is") : tr("%1 could not be planned")).arg(name);
   Job job;
-  job.name = tr("Planning %1").arg(QString::fromStdString(name));
-  job.owner = this;
-  job.failed = [this](const Error& error) { report(error); };
+  job.name = tr("Planning %1").arg(name);
+  job.owner = request.owner ? request.owner : this;
+  job.failed = [this, ended = request.ended, title](const Error& error) {
+    if (ended) ended();
+    report(error, title);
+  };
   job.work = [this, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
-              planning = std::move(planning), before = present ? std::optional(*present) : std::nullopt, name, text,
-              again = std::move(again)](Progress progress) -> Job::Finish {
+              planning = std::move(planning), before = present ? std::optional(*present) : std::nullopt,
+              request = std::move(request), title](Progress progress) -> Job::Finish {
     auto planned = planning(*scene, *content, progress);
-    return [this, scene, before, name, text, again, planned = std::move(planned)]() mutable {
+    return [this, scene, before, request, title, planned = std::move(planned)]() mutable {
+      if (request.ended) request.ended();
       if (!m_document) return;
-      if (scene != m_collisions.scene()) return reportChanged(name, again);
-      if (!planned) return report(planned.error());
-      planned->path.name = name;
-      takePlanned(std::move(planned->path), before, text);
+      if (scene != m_collisions.scene()) return reportChanged(request.name, request.again);
+      if (!planned) return report(planned.error(), title);
+      planned->path.name = request.name;
+      takePlanned(std::move(planned->path), before, request.text);
     };
   };
   m_parts.jobs.start(std::move(job));

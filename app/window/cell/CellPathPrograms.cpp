@@ -10,6 +10,7 @@
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -18,26 +19,80 @@
 
 namespace handwheel {
 
+namespace {
+
+// As the name of a file.
+QString fileNameOf(const std::string& path) {
+  QString name = QString::fromStdString(path);
+  for (QChar& each : name) {
+    if (!each.isLetterOrNumber() && !QStringLiteral("-_.").contains(each)) each = QLatin1Char('_');
+  }
+  return name;
+}
+
+QString filterOf(const Post& post) {
+  return QStringLiteral("%1 (*%2)").arg(QLatin1String(post.title()), QLatin1String(post.ending()));
+}
+
+const Post& postOf(const QString& filter) {
+  const auto found =
+      std::find_if(posts().begin(), posts().end(), [&](const auto& post) { return filterOf(*post) == filter; });
+  return found == posts().end() ? *posts().front() : **found;
+}
+
+// The name with the ending of the post, in place of that of another.
+QString withEnding(const QString& file, const Post& post) {
+  const Post* const other = postForEnding(file.toStdString());
+  const qsizetype ending = other ? static_cast<qsizetype>(std::string_view(other->ending()).size()) : 0;
+  return file.chopped(ending) + QLatin1String(post.ending());
+}
+
+}  // namespace
+
 void CellPaths::askForProgram() {
-  if (!checked()) return;
+  const auto prepared = scene();
+  if (!checked() || !prepared) return;
   QStringList filters;
-  for (const auto& post : posts())
-    filters += QStringLiteral("%1 (*%2)").arg(QLatin1String(post->title()), QLatin1String(post->ending()));
-  const QString folder = QFileInfo(m_document->document.path()).path();
-  auto* dialog = new QFileDialog(
-      m_parts.window, tr("Export a robot program"),
-      folder + QLatin1Char('/') + QString::fromStdString(path()->name).replace(QLatin1Char(' '), QLatin1Char('_')),
-      filters.join(QStringLiteral(";;")));
+  for (const auto& post : posts()) filters += filterOf(*post);
+  const Post& usual = usualPost(prepared->plannedArm());
+  auto* dialog = new QFileDialog(m_parts.window, tr("Export a robot program"), folderFor(m_document->document),
+                                 filters.join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("exportProgramDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, filters](const QString& file) {
-    const qsizetype chosen = std::max<qsizetype>(0, filters.indexOf(dialog->selectedNameFilter()));
-    const Post& post = *posts()[static_cast<std::size_t>(chosen)];
-    const QString ending = QLatin1String(post.ending());
-    exportProgram(post, file.endsWith(ending, Qt::CaseInsensitive) ? file : file + ending);
+  dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
+  dialog->selectNameFilter(filterOf(usual));
+  dialog->setDefaultSuffix(QLatin1String(usual.ending()));
+  dialog->selectFile(withEnding(fileNameOf(path()->name), usual));
+  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    const Post& post = postOf(filter);
+    dialog->setDefaultSuffix(QLatin1String(post.ending()));
+    const QStringList files = dialog->selectedFiles();
+    if (!files.isEmpty()) dialog->selectFile(withEnding(QFileInfo(files.front()).fileName(), post));
+  });
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& file) {
+    rememberFolder(file);
+    exportAs(file, postOf(dialog->selectedNameFilter()));
   });
   dialog->open();
+}
+
+// The ending of the file tells the language; only a name without one gets that of the chosen type.
+void CellPaths::exportAs(const QString& file, const Post& chosen) {
+  if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file);
+  const QString whole = withEnding(file, chosen);
+  if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole);
+  emit message({Message::Weight::Warning,  // the dialog has asked about another name
+                tr("%1 is there already").arg(QFileInfo(whole).fileName()),
+                tr("The name had no ending of a language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
+                {},
+                tr("Replace it"),
+                [this, whole, &chosen, document = m_document] {
+                  if (document == m_document) exportProgram(chosen, whole);
+                },
+                {},
+                {},
+                &m_document->document});
 }
 
 // Checking and reading back takes long for long paths.

@@ -4,18 +4,17 @@
 
 #include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
-#include "planning/PlanningFidelity.h"
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellRobots.h"
 #include "window/cell/OfferedAction.h"
+#include "window/cell/PathRemark.h"
 #include "window/documents/DocumentTab.h"
-#include "window/fidelity/FidelityChoice.h"
+#include "window/documents/FileDialogs.h"
 
 #include <QFileDialog>
-#include <QFileInfo>
 #include <algorithm>
 
 namespace handwheel {
@@ -30,6 +29,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_selected(std::move(selected)),
       m_tree(new PlanTree(parts.window)),
       m_layer(std::make_shared<PathLayer>()),
+      m_checks(parts, collisions, this),
       m_store(tr("&Store this configuration"), this),
       m_storeTarget(tr("Store a &target here"), this),
       m_go(tr("&Go to it"), this),
@@ -41,6 +41,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_down(tr("Move the place &down"), this),
       m_straight(tr("Straight &line to the place"), this),
       m_verify(tr("&Verify the path"), this),
+      m_verifyAll(tr("Verif&y all paths"), this),
       m_export(tr("&Export a robot program…"), this),
       m_import(tr("Open a robot program as a pa&th…"), this),
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
@@ -56,18 +57,26 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
   prepare(m_again, "planPathAgain", nullptr,
           tr("Plan the path again through its critical places; one along a curve follows it where the part is now"));
   prepare(m_insert, "insertPlace", nullptr,
-          tr("Insert where the robot stands behind the selected place, as a critical configuration"));
+          tr("Insert where the robot stands behind the selected place as a critical configuration; before the goal, if "
+             "that "
+             "or the path is selected"));
   prepare(m_here, "setPlaceHere", nullptr, tr("Replace the selected place or target by where the robot stands"));
   prepare(m_up, "movePlaceUp", nullptr, tr("Let the robot come to the selected place earlier"));
   prepare(m_down, "movePlaceDown", nullptr, tr("Let the robot come to the selected place later"));
   prepare(m_straight, "straightToPlace", nullptr,
           tr("Move the tool's centre point to the place along a straight line"));
   m_straight.setCheckable(true);
-  prepare(m_verify, "verifyPath", "ok", tr("Prove each motion free of collisions, or list all that collides"));
+  prepare(m_verify, "verifyPath", "ok",
+          tr("Prove each motion of the selected path free of collisions, or list all that collides; also once more, if "
+             "it is proven already"));
+  prepare(m_verifyAll, "verifyAllPaths", nullptr,
+          tr("Verify all paths of the robot that is planned for that are not verified as they are now"));
   prepare(m_export, "exportProgram", "save-as",
           tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
-  prepare(m_semantics, "readSemantics", nullptr, tr("Read the pairs of links that may touch, and named states"));
+  prepare(m_semantics, "readSemantics", nullptr,
+          tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that "
+             "is planned for"));
   prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place, target or robot"));
   prepare(m_optimise, "optimisePath", nullptr,
           tr("Visit the critical places in the order, and reach them in the configurations, that take the least time"));
@@ -97,28 +106,29 @@ void CellPaths::connectActions() {
   connect(&m_up, &QAction::triggered, this, [this] { movePlace(-1); });
   connect(&m_down, &QAction::triggered, this, [this] { movePlace(1); });
   connect(&m_straight, &QAction::triggered, this, &CellPaths::setStraight);
-  connect(&m_verify, &QAction::triggered, this, [this] {
-    m_checks.clear();
-    if (!scene()) return reportUnprepared();
-    verify();
+  connect(&m_verify, &QAction::triggered, this, &CellPaths::verifyAgain);
+  connect(&m_verifyAll, &QAction::triggered, this, [this] {
+    m_collisions.prepareIfIdle();
+    m_checks.verifyAll();
+  });
+  connect(&m_checks, &PathChecks::verified, this, &CellPaths::reportVerified);
+  connect(&m_checks, &PathChecks::changed, this, [this] {
+    update();
+    showPath();
   });
   connect(&m_export, &QAction::triggered, this, &CellPaths::askForProgram);
   connect(&m_import, &QAction::triggered, this, [this] {
-    auto* dialog =
-        new QFileDialog(m_parts.window, tr("Open a robot program"), QFileInfo(m_document->document.path()).path(),
-                        tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
+    QFileDialog* const dialog =
+        openingDialog(m_parts.window, m_document->document, tr("Open a robot program"),
+                      tr("Robot programs (*.mod *.src *.ls *.script *.csv *.json);;All files (*)"));
     dialog->setObjectName(QStringLiteral("importProgramDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::importProgram);
     dialog->open();
   });
   connect(&m_semantics, &QAction::triggered, this, [this] {
-    auto* dialog =
-        new QFileDialog(m_parts.window, tr("Read allowed pairs"), QFileInfo(m_document->document.path()).path(),
-                        tr("Semantic descriptions (*.srdf *.xml);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
+    QFileDialog* const dialog = openingDialog(m_parts.window, m_document->document, tr("Read allowed pairs"),
+                                              tr("Semantic descriptions (*.srdf *.xml);;All files (*)"));
+    dialog->setObjectName(QStringLiteral("readSemanticsDialog"));
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::readSemantics);
     dialog->open();
   });
@@ -139,16 +149,18 @@ void CellPaths::connectActions() {
 }
 
 QList<QAction*> CellPaths::all() {
-  return {&m_store, &m_storeTarget, &m_go,     &m_plan,   &m_again,  &m_optimise,  &m_insert, &m_here,  &m_up,
-          &m_down,  &m_straight,    &m_verify, &m_export, &m_import, &m_semantics, &m_remove, &m_choose};
+  return {&m_store,     &m_storeTarget, &m_go,     &m_plan,      &m_again,    &m_optimise,
+          &m_insert,    &m_here,        &m_up,     &m_down,      &m_straight, &m_verify,
+          &m_verifyAll, &m_export,      &m_import, &m_semantics, &m_remove,   &m_choose};
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_parts.jobs.cancelOf(this);
-  m_parts.jobs.cancelOf(&m_checks);
+  m_parts.jobs.cancelOf(&m_wanted);
   m_document = document;
-  m_checks.clear();
+  m_checks.setDocument(document);
+  m_wanted.reset();
   if (document) connect(&document->document, &Document::changed, this, &CellPaths::followDocument);
   followDocument();
 }
@@ -180,81 +192,22 @@ const RobotPath* CellPaths::path() const {
   return found && isSameArm(cell().robot(), found->arm, plans().arm) ? found : nullptr;
 }
 
-bool CellPaths::isCurrent(const Check& check) const {
-  const RobotPath* const present = plans().path(check.path.name);
-  return present && *present == check.path && check.scene == m_collisions.scene() &&
-         check.clearance == plans().clearance && check.tool.matrix() == plans().tool.matrix();
-}
-
 std::shared_ptr<const CheckedPath> CellPaths::checked() const {
   const RobotPath* const present = path();
-  const auto found = present ? m_checks.find(present->name) : m_checks.end();
-  return found != m_checks.end() && isCurrent(found->second) ? found->second.result : nullptr;
+  return present && scene() ? m_checks.of(*present) : nullptr;
 }
 
 void CellPaths::followDocument() {
-  std::erase_if(m_checks, [this](const auto& each) { return !isCurrent(each.second); });
   verify();
   update();
   showPath();
 }
 
-// Looks at the present path, unless that was done. Of several that are asked for one after the other only the last is
-// looked at: those that are left out are once they are the present path again.
+// Of several paths that are asked for one after the other only the last is looked at: those that are left out are once
+// they are the present path again.
 void CellPaths::verify() {
   const RobotPath* const present = path();
-  const auto scene = m_collisions.scene();
-  if (!present || !scene || present->places.size() < 2) return;
-  if (const auto found = m_checks.find(present->name); found != m_checks.end() && isCurrent(found->second)) return;
-  const FidelityValues& fidelity = m_parts.fidelity.values();
-  const PathCheckSettings settings{
-      .clearance = plans().clearance,
-      .resolution = std::min(PathCheckSettings().resolution, fidelity.of(planResolutionSetting())),
-      .step = fidelity.of(verifyStepSetting())};
-  const Check check{*present, scene, plans().clearance, plans().tool, nullptr, {}, ++m_runs};
-  m_parts.jobs.cancelOf(&m_checks);
-  m_checks[present->name] = check;
-  Job job;
-  job.name = tr("Verifying the path");
-  job.owner = &m_checks;
-  job.failed = [this, name = present->name, run = check.run](const Error&) {
-    const auto found = m_checks.find(name);
-    if (found == m_checks.end() || found->second.run != run) return;
-    m_checks.erase(found);
-    if (m_document) update();
-  };
-  job.work = [this, check, settings, all = cell().plans()](Progress progress) -> Job::Finish {
-    auto result = checkPath(*check.scene, *all, check.path, settings, progress);
-    return [this, check, result = std::move(result)] {
-      const auto last = m_checks.find(check.path.name);
-      const bool isLast = last != m_checks.end() && last->second.run == check.run;
-      if (!m_document || !isLast || !isCurrent(check)) return;
-      Check& done = m_checks[check.path.name] = check;
-      if (result)
-        done.result = std::make_shared<const CheckedPath>(*result);
-      else
-        done.problem = tr("cannot be verified");
-      update();
-      showPath();
-    };
-  };
-  m_parts.jobs.start(std::move(job));
-  update();
-}
-
-QString CellPaths::remarkOf(const Check& check) const {
-  if (!check.problem.isEmpty()) return check.problem;
-  if (!check.result) return tr("verifying…");
-  if (check.result->isCertified()) {
-    const QString seconds = QLocale().toString(check.result->seconds, 'f', 1);
-    const QString free = check.scene->shapeless.empty()
-                             ? tr("free of collisions, %1 s").arg(seconds)
-                             : tr("free of collisions but for links without meshes, %1 s").arg(seconds);
-    if (check.result->robotsMoved.empty()) return free;
-    return tr("%1; %2 has moved since").arg(free, QString::fromStdString(*check.result->robotsMoved.begin()));
-  }
-  if (check.result->way.stopsAt) return tr("line cannot be followed");
-  return tr("%Ln collision(s)", nullptr, static_cast<int>(check.result->verification.collisions.size()));
+  if (present && scene() && present->places.size() >= 2) m_checks.verify(*present);
 }
 
 // The way of the tool's centre point; what collides in another colour.
@@ -284,8 +237,9 @@ void CellPaths::showPath() {
 }
 
 void CellPaths::update() {
-  std::map<std::string, QString> remarks;
-  for (const auto& [name, check] : m_checks) remarks[name] = remarkOf(check);
+  std::map<std::string, PathRemark> remarks;
+  for (const RobotPath& each : plans().paths)
+    remarks[each.name] = remarkOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
   m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, remarks, m_targets.reach());
   offerActions();
 }
@@ -319,6 +273,7 @@ void CellPaths::offerActions() {
   m_straight.setChecked(isPlace && present && entry.place < present->places.size() &&
                         present->places[entry.place].motion == ProgramMotion::Kind::Linear);
   offer(m_verify, present && present->places.size() >= 2, noPath);
+  offer(m_verifyAll, !plans().paths.empty(), isCell ? tr("The cell has no path yet.") : noCell);
   const auto known = checked();
   offer(m_export, known && known->isCertified(),
         present ? tr("Only a path that is proven free of collisions is exported.") : noPath);

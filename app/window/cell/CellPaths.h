@@ -3,10 +3,9 @@
 #pragma once
 
 #include "panels/MessageBar.h"
-#include "tools/cell/PathCheck.h"
 #include "tools/cell/PlanOperation.h"
 #include "tools/cell/ProcessOperation.h"
-#include "window/cell/CellCollisions.h"
+#include "window/cell/PathChecks.h"
 #include "window/cell/PlanTree.h"
 
 #include <QAction>
@@ -19,6 +18,7 @@ class CellRobots;
 struct OptimisedPath;
 class PathLayer;
 class Post;
+struct RobotSemantics;
 class RobotCellDocument;
 struct WrittenProgram;
 
@@ -35,12 +35,20 @@ class CellPaths : public QObject {
   ~CellPaths() override;
 
   void setDocument(DocumentTab* document);
+  void forget(const DocumentTab* document) { m_checks.forget(document); }
   QList<QAction*> all();
   QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
   // Plans a path along a curve on a part (processOperation()). surface: of the part; null: it is found.
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
-  // Inserts the configuration of the document into the path of the selected row, or begins one with it.
+  // What is known of the path of the selected row, as a field to read; empty: it is no path.
+  std::vector<Property> resultProperties() const;
+  // How the path of the selected row is worked off along its curve; empty: it is no such path.
+  std::vector<Property> processProperties() const;
+  // Plans that path anew with one of these changed; false: the id is none of them.
+  bool takeProcessEdit(const std::string& id, const PropertyValue& value, bool stillDragging);
+  // Adds the configuration of the document to the path of the selected row, behind the selected place or at the end, or
+  // begins one with it.
   void addPlace();
   PlanTree* tree() const { return m_tree; }  // owned by the window
   void setVisible(bool isVisible);           // the line of the path in the view
@@ -58,17 +66,6 @@ class CellPaths : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  // What was found for a path in a cell.
-  struct Check {
-    RobotPath path;
-    std::shared_ptr<const CellScene> scene;
-    double clearance = 0.0;
-    Pose tool;
-    std::shared_ptr<const CheckedPath> result;  // null: under way, or impossible
-    QString problem = {};
-    std::uint64_t run = 0;  // of m_runs; by which it was begun
-  };
-
   RobotCellDocument& cell() const;
   void connectActions();
   void commit(const QString& text, CellPlans plans);
@@ -88,29 +85,41 @@ class CellPaths : public QObject {
   using Planning = std::function<Result<PlannedPath>(const CellScene& scene, const RobotCellSnapshot& cell, Progress)>;
   static Planning processPlanning(const OperationValues& values, std::shared_ptr<const PartSurface> surface,
                                   const std::optional<Pose>& chosenAt);
-  void startPlanning(Planning planning, const std::string& name, const QString& text, std::function<void()> again);
+  // What is planned, and what follows.
+  struct PlanRequest {
+    std::string name;  // of the path
+    QString text;      // of the step, with %1 for the name
+    std::function<void()> again;
+    std::function<void()> ended = {};  // called before the result is taken, or when there is none
+    const void* owner = nullptr;       // of the job; null: this
+  };
+  void startPlanning(Planning planning, PlanRequest request);
+  void remakeProcess(const std::string& name, const OperationValues& values);
   void takePlanned(RobotPath planned, const std::optional<RobotPath>& before, const QString& text);
   void reportChanged(const std::string& path, const std::function<void()>& again);
   void insertHere();
+  void insertAt(std::size_t behind);  // in the present path
   void setPlaceHere();
   void movePlace(int by);
   void setStraight(bool isStraight);
   void removeCurrent();
   void rename(const PlanTree::Entry& entry, const QString& name);
   void readSemantics(const QString& file);
+  void reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot);
   void askForProgram();
+  void exportAs(const QString& file, const Post& chosen);
   void exportProgram(const Post& post, const QString& file);
   void reportWritten(const WrittenProgram& written, const Post& post, const QString& file);
   void importProgram(const QString& file);
   void verify();
-  void report(const Error& error);
+  void verifyAgain();
+  void reportVerified(const PathResult& result);
+  void report(const Error& error, const QString& title = tr("This could not be done"));
   void reportUnprepared();
   void followDocument();
   void showPath();
   void update();
   void offerActions();
-  QString remarkOf(const Check& check) const;
-  bool isCurrent(const Check& check) const;
 
   WindowContext m_parts;
   CellCollisions& m_collisions;
@@ -120,10 +129,18 @@ class CellPaths : public QObject {
   DocumentTab* m_document = nullptr;
   PlanTree* m_tree;
   std::shared_ptr<PathLayer> m_layer;
-  std::map<std::string, Check> m_checks;  // by the name of the path; their jobs belong to it
-  std::uint64_t m_runs = 0;               // verifications that were begun
-  QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify, m_export,
-      m_import, m_semantics, m_remove, m_optimise, m_choose;
+  PathChecks m_checks;
+  // How a path is to be worked off that is being planned for it; the owner of that job.
+  struct WantedProcess {
+    std::string path;
+    OperationValues values;
+    std::uint64_t number = 0;  // of m_remakes
+  };
+  std::optional<WantedProcess> m_wanted;
+  std::uint64_t m_remakes = 0;  // that were begun
+  std::uint64_t m_reports = 0;  // of verifications that were asked for
+  QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify,
+      m_verifyAll, m_export, m_import, m_semantics, m_remove, m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window
 };
 

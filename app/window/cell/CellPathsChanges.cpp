@@ -10,6 +10,7 @@
 #include "document/cell/PlansEdit.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
+#include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "window/cell/CellPaths.h"
@@ -41,10 +42,10 @@ RobotPath* pathByHand(CellPlans& plans, const std::string& name) {
 
 }  // namespace
 
-void CellPaths::report(const Error& error) {
+void CellPaths::report(const Error& error, const QString& title) {
   if (error.code == ErrorCode::Cancelled) return;
   emit message({Message::Weight::Error,
-                tr("This could not be done"),
+                title,
                 errorSentence(error),
                 errorAdvice(error),
                 {},
@@ -139,13 +140,19 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
                 std::move(edit));
 }
 
+// Before the goal, if no place before that is selected: the path goes on ending there.
 void CellPaths::insertHere() {
   const PlanTree::Entry entry = m_tree->current();
   const RobotPath* const present = path();
   if (!present) return;
+  const std::size_t count = present->places.size();
+  const std::size_t goal = count < 2 ? count : count - 1;
+  insertAt(entry.kind == Kind::Place ? std::min(entry.place + 1, goal) : goal);
+}
+
+void CellPaths::insertAt(std::size_t behind) {
   CellPlans changed = plans();
-  RobotPath& of = *pathByHand(changed, present->name);
-  const std::size_t behind = entry.kind == Kind::Place ? std::min(entry.place + 1, of.places.size()) : of.places.size();
+  RobotPath& of = *pathByHand(changed, path()->name);
   PathPlace place{.joints = cell().joints()};
   if (behind > 0)
     place.speed = of.places[behind - 1].motion == place.motion ? of.places[behind - 1].speed : place.speed;
@@ -156,8 +163,13 @@ void CellPaths::insertHere() {
 }
 
 void CellPaths::addPlace() {
-  const PlanTree::Entry::Kind chosen = m_tree->current().kind;
-  if (chosen == Kind::Path || chosen == Kind::Place) return insertHere();
+  const PlanTree::Entry chosen = m_tree->current();
+  if (chosen.kind == Kind::Path || chosen.kind == Kind::Place) {
+    const RobotPath* const present = path();
+    if (!present) return;
+    const std::size_t count = present->places.size();
+    return insertAt(chosen.kind == Kind::Place ? std::min(chosen.place + 1, count) : count);
+  }
   CellPlans changed = plans();
   RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}, changed.arm};
   const PlanTree::Entry first{Kind::Place, begun.name, 0};
@@ -243,21 +255,49 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
   m_tree->select({entry.kind, wanted});
 }
 
+// Of the selected robot, or else the one that is planned for.
 void CellPaths::readSemantics(const QString& file) {
-  Error error;
-  const Result<std::string> bytes = readFileBytes(QFile::encodeName(file).toStdString());
-  const Result<RobotSemantics> semantics =
-      bytes ? readSrdf(*bytes, cell().robot().model) : Result<RobotSemantics>(bytes.error());
-  if (semantics) {
-    const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-    Result<CellPlans> changed = withSemantics(plans(), *semantics, *content);
-    if (changed) return commit(tr("Read %1").arg(QFileInfo(file).fileName()), std::move(changed).value());
-    error = changed.error();
-  } else {
-    error = semantics.error();
+  const CellRobot& robots = cell().robot();
+  const PlanTree::Entry entry = m_tree->current();
+  const std::size_t arm =
+      entry.kind == Kind::Robot ? armNumber(robots, entry.name).value_or(0) : activeArmNumber(robots, plans());
+  const std::string name = QFile::encodeName(file).toStdString();
+  const auto refuse = [&](Error error) {
+    error.subject = name;
+    report(error);
+  };
+  const Result<std::string> bytes = readFileBytes(name);
+  if (!bytes) return refuse(bytes.error());
+  const Result<RobotSemantics> semantics = readSrdf(*bytes, robots.model, robots.arms, arm);
+  if (!semantics) return refuse(semantics.error());
+  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
+  Result<CellPlans> changed = withSemantics(plans(), *semantics, *content);
+  if (!changed) return refuse(changed.error());
+  const QString title = QFileInfo(file).fileName(), robot = QString::fromStdString(robots.arms[arm].name);
+  commit(tr("Read %1 for %2").arg(title, robot), std::move(changed).value());
+  reportSemantics(*semantics, title, robot);
+}
+
+void CellPaths::reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot) {
+  QString detail = tr("%Ln pair(s) of links that may touch", nullptr, static_cast<int>(read.allowed.size())) +
+                   QStringLiteral(", ") + tr("%Ln named state(s).", nullptr, static_cast<int>(read.states.size()));
+  if (!read.damage.empty()) {
+    detail += QLatin1Char(' ') +
+              tr("%Ln entry(ies) name links or joints that the robot does not have, and were left out; see the log.",
+                 nullptr, static_cast<int>(read.damage.size()));
   }
-  error.subject = QFile::encodeName(file).toStdString();
-  report(error);
+  for (const Error& each : read.damage) m_parts.log.add(errorSentence(each), {}, LogEntry::Weight::Warning);
+  emit message({read.damage.empty() ? Message::Weight::Info : Message::Weight::Warning,
+                tr("%1 was read for %2").arg(file, robot),
+                detail,
+                read.allowed.empty() && read.states.empty()
+                    ? tr("Select the robot that the file is of, and read it again.")
+                    : QString(),
+                {},
+                {},
+                {},
+                {},
+                &m_document->document});
 }
 
 }  // namespace handwheel

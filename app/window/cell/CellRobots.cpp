@@ -14,6 +14,7 @@
 #include "window/JobRunner.h"
 #include "window/cell/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileLoader.h"
 
 #include <QComboBox>
@@ -146,11 +147,9 @@ void CellRobots::remove(const std::string& name) {
 }
 
 void CellRobots::askForFile() {
-  auto* dialog = new QFileDialog(m_parts.window, tr("Add a robot"), QFileInfo(m_document->document.path()).path(),
-                                 tr("Robots (*.urdf *.dh.json);;All files (*)"));
+  QFileDialog* const dialog = openingDialog(m_parts.window, m_document->document, tr("Add a robot"),
+                                            tr("Robots (*.urdf *.dh.json);;All files (*)"));
   dialog->setObjectName(QStringLiteral("addRobotDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (document != m_document) return;
     const std::string name = QFile::encodeName(path).toStdString();

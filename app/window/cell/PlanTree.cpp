@@ -22,6 +22,8 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName(tr("Configurations, paths and targets"));
   setColumnCount(2);
   setHeaderHidden(true);
+  constexpr int kIndentation = 14;  // pixels: the panel is narrow
+  setIndentation(kIndentation);
   header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   setSelectionMode(QAbstractItemView::SingleSelection);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -66,7 +68,8 @@ void PlanTree::addRobots(const CellPlans& plans, const CellRobot& robot) {
   robots->setExpanded(true);
 }
 
-void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, QString>& remarks,
+void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
+                        const std::map<std::string, PathRemark>& remarks,
                         const std::map<std::string, TargetReach>& reach) {
   m_isFilling = true;
   const Entry before = current();
@@ -95,9 +98,13 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot, const st
   auto* paths = new QTreeWidgetItem(this, {tr("Paths")});
   paths->setFlags(Qt::ItemIsEnabled);
   for (const RobotPath& path : plans.paths) {
-    const auto remark = remarks.find(path.name);
+    const auto known = remarks.find(path.name);
+    const PathRemark remark = known == remarks.end() ? PathRemark() : known->second;
+    const QString owner = ofOther(path.arm);
     QTreeWidgetItem* item = add(paths, {Entry::Kind::Path, path.name}, QString::fromStdString(path.name),
-                                remark == remarks.end() ? ofOther(path.arm) : remark->second);
+                                owner.isEmpty() ? remark.text : tr("%1: %2").arg(owner, remark.text));
+    item->setToolTip(1, remark.details);
+    if (!remark.icon.isEmpty()) item->setIcon(0, icon(remark.icon));
     for (std::size_t i = 0; i < std::min(path.places.size(), kMostPlaces); ++i) {
       add(item, {Entry::Kind::Place, path.name, i}, placeText(path.places[i], i),
           path.places[i].motion == ProgramMotion::Kind::Linear ? tr("straight line") : QString());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/program/RobotPath.h"
 #include "window/cell/CellTargets.h"
+#include "window/cell/PathRemark.h"
 
 #include <QTreeWidget>
 #include <map>
@@ -27,9 +27,8 @@ class PlanTree : public QTreeWidget {
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // remarks: by path, what is known of it ("free of collisions"); reach: of targets. robot: null where there is no
-  // cell.
-  void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, QString>& remarks,
+  // remarks: what is known of each path, by its name; reach: of targets. robot: null where there is no cell.
+  void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, PathRemark>& remarks,
                 const std::map<std::string, TargetReach>& reach);
   Entry current() const;
   void select(const Entry& entry);

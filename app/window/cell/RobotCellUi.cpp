@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/RobotCellUi.h"
 
-#include "collision/ProximityFidelity.h"
 #include "document/cell/BodyCarriers.h"
+#include "document/cell/CellArms.h"
+#include "document/cell/CellDisplay.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
@@ -12,13 +13,8 @@
 #include "document/scene/BodyProperties.h"
 #include "fidelity/Cases.h"
 #include "panels/bodies/BodyList.h"
-#include "robot/arm/IkFidelity.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
-#include "tools/cell/ArmWaysTool.h"
-#include "tools/cell/CellTool.h"
-#include "tools/cell/FaceSnapTool.h"
-#include "tools/cell/ProcessTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/ActionToolTip.h"
@@ -35,21 +31,17 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace handwheel {
 
 RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
-    : RigidPartsUi(window, {"Joints", "Tool"}),
+    : RigidPartsUi(window, {}),
       m_bodies(window, this),
       m_collisions(window, this),
       m_targets(window, m_collisions, this),
       m_robots(
-          window,
-          [this] {
-            const PlanTree::Entry entry = m_paths.tree()->current();
-            return entry.kind == PlanTree::Entry::Kind::Robot ? entry.name : std::string();
-          },
-          this),
+          window, [this] { return selectedRobot(); }, this),
       m_reach(window, m_collisions, this),
       m_toolCamera(window, this),
       m_paths(
@@ -74,12 +66,14 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
     show();
     tools.refresh();
   });
-  connect(&m_paths, &CellPaths::rowChanged, this, [this] {
-    m_showsTarget = m_paths.target() != nullptr;
-    refreshPanel();
+  connect(&m_paths, &CellPaths::rowChanged, this, [this] { followRow(m_paths.tree()->hasFocus()); });
+  connect(&m_paths, &CellPaths::pathChanged, this, [this] {
+    if (m_showsRow && this->document()) refreshPanel();
   });
+  // Also one that was selected before.
+  connect(m_paths.tree(), &QTreeWidget::itemClicked, this, [this] { followRow(true); });
   connect(&m_bodies, &CellBodies::selectionChanged, this, [this, &tools = window.tools] {
-    m_showsTarget = false;
+    m_showsRow = m_bodies.selection().empty();
     markSelected(false);
     refreshPanel();
     tools.refresh();
@@ -89,11 +83,6 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_surfaces, &PartSurfaces::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&m_guides, &PathGuides::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
-  connect(m_paths.tree(), &PlanTree::currentChanged, this, [this] {
-    if (!this->document()) return;
-    if (m_paths.tree()->current().kind == PlanTree::Entry::Kind::Place) m_bodies.selection().clear();
-    refreshPanel();
-  });
   m_clock.start();
 }
 
@@ -145,7 +134,7 @@ QWidget* RobotCellUi::makePanel() {
   panel->addWidget(RigidPartsUi::panel());
   panel->setStretchFactor(1, 2);
   panel->setStretchFactor(2, 2);
-  panel->setSizes({160, 260, 320});  // shares
+  panel->setSizes({120, 300, 320});  // shares
   return panel;
 }
 
@@ -201,6 +190,7 @@ DisplayModel RobotCellUi::displayed(const Document& document) const {
 
 void RobotCellUi::forget(DocumentTab* document) {
   m_tries.erase(document);
+  m_paths.forget(document);
   parts().jobs.cancelOf(document);
 }
 
@@ -239,29 +229,82 @@ std::vector<Property> RobotCellUi::listedProperties(const Document& document) co
                                                                              : std::span<const Body>());
 }
 
-std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
-  if (const NamedTarget* const target = m_showsTarget ? m_paths.target() : nullptr)
-    return RobotCellDocument::propertiesOfTarget(*target);
-  if (const auto body = shownBody(document))
-    return static_cast<const RobotCellDocument&>(document).propertiesOfBody(*body);
-  std::vector<Property> all = RigidPartsUi::panelProperties(document);
-  std::ptrdiff_t ofBase = 0;
-  const PlanTree::Entry entry = m_paths.tree()->current();
-  if (entry.kind == PlanTree::Entry::Kind::Robot) {
-    for (Property& each : listedProperties(document)) {
-      if (each.id.starts_with("robot." + entry.name + '.')) all.insert(all.begin() + ofBase++, std::move(each));
-    }
+// What was selected last is shown. A row that has fields takes the place of the body; a path only where a person
+// chooses it, as one that was planned meanwhile is selected, too.
+void RobotCellUi::followRow(bool isChosen) {
+  if (!document()) return;
+  using Kind = PlanTree::Entry::Kind;
+  const Kind kind = m_paths.tree()->current().kind;
+  if (kind == Kind::Place || kind == Kind::Robot || (kind == Kind::Path && isChosen)) m_bodies.selection().clear();
+  m_showsRow = kind == Kind::Target || m_bodies.selection().empty();
+  refreshPanel();
+  parts().tools.refresh();
+}
+
+std::map<std::string, bool> RobotCellUi::foldingGroups(const Document& document) const {
+  const auto& cell = static_cast<const RobotCellDocument&>(document);
+  const std::vector<RobotArm>& robots = cell.robot().arms;
+  if (robots.size() < 2) return {};
+  std::map<std::string, bool> groups;
+  for (const RobotArm& robot : robots) {
+    const bool isSelected = selectedRobot() == robot.name;
+    groups[robot.name] = isSelected || robot == activeArm(cell.robot(), *cell.plans());
   }
-  const RobotPath* const path = static_cast<const RobotCellDocument&>(document).plans()->path(entry.name);
-  if (entry.kind != PlanTree::Entry::Kind::Place || !path) return all;
-  const std::vector<Property> place = placeProperties(*path, entry.place);
-  all.insert(all.begin(), place.begin(), place.end());
+  return groups;
+}
+
+bool RobotCellUi::takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
+  return m_paths.takeProcessEdit(id, value, stillDragging);
+}
+
+std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
+  const auto& cell = static_cast<const RobotCellDocument&>(document);
+  if (const NamedTarget* const target = m_showsRow ? m_paths.target() : nullptr)
+    return RobotCellDocument::propertiesOfTarget(*target);
+  const auto body = m_showsRow ? std::nullopt : shownBody(document);
+  if (body) return cell.propertiesOfBody(*body);
+  const PlanTree::Entry entry = m_paths.tree()->current();
+  std::vector<Property> first = m_paths.resultProperties();
+  for (Property& each : m_paths.processProperties()) first.push_back(std::move(each));
+  if (const RobotPath* const path = cell.plans()->path(entry.name); entry.kind == PlanTree::Entry::Kind::Place && path)
+    first = placeProperties(*path, entry.place);
+  std::vector<Property> all = listedProperties(document);
+  const std::string base = "robot." + selectedRobot() + '.';
+  std::erase_if(all, [&](const Property& each) {
+    return !each.id.starts_with("joint") && !each.id.starts_with(base) && each.group != "Tool";
+  });
+  // The base of the selected robot, then its joints.
+  const auto end = std::stable_partition(all.begin(), all.end(),
+                                         [&](const Property& each) { return each.group == selectedRobot(); });
+  std::stable_partition(all.begin(), end, [&](const Property& each) { return each.id.starts_with(base); });
+  all.insert(all.begin(), first.begin(), first.end());
   return all;
+}
+
+// Empty: the selected row is none of a robot.
+std::string RobotCellUi::selectedRobot() const {
+  const PlanTree::Entry entry = m_paths.tree()->current();
+  return entry.kind == PlanTree::Entry::Kind::Robot ? entry.name : std::string();
+}
+
+// In a cell with one robot its fields are there whenever nothing else is selected.
+void RobotCellUi::selectRobot(std::uint32_t link) {
+  const CellRobot& robots = static_cast<const RobotCellDocument&>(document()->document).robot();
+  const std::uint32_t robot = armsOfLinks(robots.model, robots.arms)[link];
+  m_bodies.selection().clear();
+  if (robot == kNone) return;
+  if (robots.arms.size() > 1)
+    m_paths.tree()->select({PlanTree::Entry::Kind::Robot, robots.arms[robot].name});
+  else if (m_paths.target())
+    m_paths.tree()->setCurrentItem(nullptr);
 }
 
 // A click beside the bodies deselects them.
 void RobotCellUi::select(const Pick& pick) {
-  if (document() && !bodyOfPart(partOf(pick))) m_bodies.selection().clear();
+  if (!document() || bodyOfPart(partOf(pick))) return;
+  m_bodies.selection().clear();
+  const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
+  if (const std::uint32_t link = linkOfPart(cell.robot(), partOf(pick)); link != kNone) selectRobot(link);
 }
 
 // Of what is under the pointer: a body gets selected, but nothing is deselected.
@@ -327,128 +370,6 @@ std::vector<StartAction> RobotCellUi::startActions() const {
        {},
        {},
        true}};
-}
-
-std::vector<ToolDescriptor> RobotCellUi::tools() {
-  ToolDescriptor joints{QStringLiteral("jointTool"),
-                        tr("Move &joints by hand"),
-                        tr("Drag the links of the robot, and the bodies beside it"),
-                        QStringLiteral("hand"),
-                        QKeySequence(Qt::Key_J),
-                        [this] { return handTool(); },
-                        "joints",
-                        CellTool::keys()};
-  joints.isDefault = true;
-  const ToolDescriptor process{QStringLiteral("processTool"),
-                               tr("&Process path along a curve"),
-                               tr("Choose an edge or a section of a part for the robot's tool to work along"),
-                               QStringLiteral("boundary"),
-                               QKeySequence(Qt::Key_X),
-                               [this] { return processTool(); },
-                               "process",
-                               ProcessTool::keys()};
-  const ToolDescriptor lead{QStringLiteral("leadTool"),
-                            tr("&Lead the robot by hand"),
-                            tr("Lead the robot's tool; the arm follows, never through anything"),
-                            QStringLiteral("lead"),
-                            QKeySequence(Qt::SHIFT | Qt::Key_J),
-                            [this] { return leadTool(); },
-                            "lead",
-                            LeadTool::keys()};
-  const ToolDescriptor ways{QStringLiteral("armWaysTool"),
-                            tr("&Choose the arm's configuration"),
-                            tr("See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
-                            QStringLiteral("arm-ways"),
-                            QKeySequence(Qt::SHIFT | Qt::Key_K),
-                            [this] { return armWaysTool(); },
-                            "ways",
-                            ArmWaysTool::keys()};
-  const ToolDescriptor place{QStringLiteral("placeTool"),
-                             tr("Place a body with &handles"),
-                             tr("Move and turn the selected body along and about axes"),
-                             QStringLiteral("axes"),
-                             QKeySequence(Qt::SHIFT | Qt::Key_W),
-                             [this] { return placeTool(); },
-                             "place",
-                             PlaceTool::keys()};
-  const ToolDescriptor snap{QStringLiteral("faceSnapTool"),
-                            tr("Lay a body &face to face"),
-                            tr("Lay a body with one of its faces on a face of another"),
-                            QStringLiteral("face-to-face"),
-                            QKeySequence(Qt::SHIFT | Qt::Key_B),
-                            [this] { return faceSnapTool(); },
-                            "snap",
-                            FaceSnapTool::keys()};
-  return {joints, lead, ways, place, snap, process, measureParts()};
-}
-
-std::optional<RobotCellPick> RobotCellUi::pickCell(const Ray& ray) const {
-  const Pick hit = parts().viewport.pickAlong(ray.origin, ray.direction);
-  const std::string part = partOf(hit);
-  return part.empty() ? std::nullopt : std::optional(RobotCellPick{part, hit.point});
-}
-
-std::unique_ptr<Tool> RobotCellUi::processTool() {
-  const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
-  ProcessServices services;
-  services.pick = [this](const Ray& ray) { return pickCell(ray); };
-  services.surface = [this](const BodyPointer& body) { return m_surfaces.of(body); };
-  services.plan = [this, &cell](const OperationValues& values) {
-    const BodyPointer part = cell.bodies().withId(static_cast<BodyId>(std::stoul(values.text("part"))));
-    const auto surface = part ? m_surfaces.of(part) : nullptr;
-    if (surface) m_paths.planProcess(values, surface);
-  };
-  return std::make_unique<ProcessTool>(cell, std::move(services));
-}
-
-std::unique_ptr<Tool> RobotCellUi::leadTool() {
-  LeadServices services;
-  services.scene = [this] { return m_collisions.scene(); };
-  services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
-  services.addPlace = [this] { m_paths.addPlace(); };
-  services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
-  services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
-  services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
-  services.tries = &m_tries[document()];
-  services.guide = [this](const std::string& path) {
-    return m_guides.of(path, static_cast<const RobotCellDocument&>(document()->document).plans());
-  };
-  return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
-}
-
-std::unique_ptr<Tool> RobotCellUi::armWaysTool() {
-  ArmWaysServices services;
-  services.scene = [this] { return m_collisions.scene(); };
-  services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
-  return std::make_unique<ArmWaysTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
-}
-
-PlaceServices RobotCellUi::placeServices() {
-  PlaceServices services;
-  services.pick = [this](const Ray& ray) { return pickCell(ray); };
-  services.mark = [this](DisplayModel& shown, const Body& moved) {
-    m_collisions.mark(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
-  };
-  return services;
-}
-
-std::unique_ptr<Tool> RobotCellUi::placeTool() {
-  auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  return std::make_unique<PlaceTool>(cell, m_bodies.selection(), placeServices());
-}
-
-std::unique_ptr<Tool> RobotCellUi::faceSnapTool() {
-  auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  return std::make_unique<FaceSnapTool>(cell, m_bodies.selection(), placeServices());
-}
-
-std::unique_ptr<Tool> RobotCellUi::handTool() {
-  auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  const auto pick = [this](const Ray& ray) { return pickCell(ray); };
-  const auto mark = [this](DisplayModel& shown, const JointValues& joints, const Body* moved) {
-    m_collisions.mark(shown, joints, moved);
-  };
-  return std::make_unique<CellTool>(cell, m_bodies.selection(), pick, mark);
 }
 
 NextStep RobotCellUi::nextStep() {

@@ -59,11 +59,17 @@ class RobotCellUi : public RigidPartsUi {
   PlaceServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
+  std::map<std::string, bool> foldingGroups(const Document& document) const override;
+  bool takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) override;
   DisplayModel displayed(const Document& document) const override;
   BodyPointer placedBody(BodyId id) const;
   std::optional<Body> shownBody(const Document& document) const;
   QWidget* makePanel();
   void select(const Pick& pick);
+  void followRow(bool isChosen);  // by a person
+  std::string selectedRobot() const;
+  void selectRobot(std::uint32_t link);
+  void selectRobotToPlace(std::size_t number);
   void markSelected(bool isCovered);
   void lookAgain();
   void reveal(BodyId id, bool isNew);
@@ -81,7 +87,7 @@ class RobotCellUi : public RigidPartsUi {
   QPointer<QWidget> m_panel;
   QElapsedTimer m_clock;
   std::map<const DocumentTab*, std::vector<LeadTry>> m_tries;
-  bool m_showsTarget = false;     // in the panel, not the selected body: it was selected later
+  bool m_showsRow = true;         // in the panel, not the selected body: it was selected later
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged
 };

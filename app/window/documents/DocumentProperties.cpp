@@ -10,14 +10,16 @@ namespace handwheel {
 void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner) {
   QObject::connect(&list, &PropertyList::edited, owner,
                    [present, &list](const std::string& id, const PropertyValue& value, bool stillDragging) {
-                     Document* document = present();
-                     if (!document) return;
-                     const DragPhase stroke = stillDragging ? DragPhase::Continues : DragPhase::Ends;
-                     const Status done = document->setProperty(id, value, stroke);
-                     if (done) return;
-                     emit document->changed();  // the fields show what it has
-                     list.refuse(id, value, errorSentence(done.error()));
+                     if (Document* const document = present()) applyEdit(list, *document, id, value, stillDragging);
                    });
+}
+
+void applyEdit(PropertyList& list, Document& document, const std::string& id, const PropertyValue& value,
+               bool stillDragging) {
+  const Status done = document.setProperty(id, value, stillDragging ? DragPhase::Continues : DragPhase::Ends);
+  if (done) return;
+  emit document.changed();  // the fields show what it has
+  list.refuse(id, value, errorSentence(done.error()));
 }
 
 DocumentProperties::DocumentProperties(PropertyList& list, QObject* parent) : QObject(parent), m_list(list) {

@@ -13,6 +13,9 @@ class Document;
 // Applies edits in a property list to the document that present() returns. A drag is one undo step. When the document
 // refuses an edit, the list says why.
 void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner);
+// Applies one of them.
+void applyEdit(PropertyList& list, Document& document, const std::string& id, const PropertyValue& value,
+               bool stillDragging);
 
 // Shows the properties of a document in a list and keeps them up to date.
 class DocumentProperties : public QObject {

@@ -6,6 +6,7 @@
 #include "window/documents/ClosePrompt.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
 #include "window/documents/RecentFiles.h"
 #include "window/documents/Samples.h"
@@ -14,22 +15,11 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QSettings>
 #include <algorithm>
 
 namespace handwheel {
 
 namespace {
-
-const auto kFolderKey = QStringLiteral("lastFolder");
-
-QString lastFolder() {
-  return QSettings().value(kFolderKey, QDir::homePath()).toString();
-}
-
-void rememberFolder(const QString& path) {
-  QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
-}
 
 // "part-2.handwheel", or what number is free.
 QString freeName(const DocumentKind& kind, const QString& path) {

@@ -23,8 +23,11 @@ RigidPartsUi::RigidPartsUi(const WindowContext& parts, std::vector<std::string> 
       m_haptics(new RigidPartsHaptics(parts, this)),
       m_panel(new PropertyList(parts.window)) {
   m_parts.viewport.addLayer(m_layer);
-  connectEdits(
-      *m_panel, [this] { return m_document ? &m_document->document : nullptr; }, this);
+  connect(m_panel, &PropertyList::edited, this,
+          [this](const std::string& id, const PropertyValue& value, bool stillDragging) {
+            if (m_document && !takeEdit(id, value, stillDragging))
+              applyEdit(*m_panel, m_document->document, id, value, stillDragging);
+          });
 }
 
 RigidPartsUi::~RigidPartsUi() {
@@ -145,6 +148,7 @@ void RigidPartsUi::refreshPanel() {
   if (!m_document) return;
   const Document& document = m_document->document;
   m_panel->setLengthUnit(document.displayUnit());
+  m_panel->setFolding(foldingGroups(document));
   m_panel->setProperties(panelProperties(document));
   emit stateChanged();
 }

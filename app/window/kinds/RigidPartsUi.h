@@ -41,6 +41,16 @@ class RigidPartsUi : public KindUi {
   void setFelt(bool isFelt);
   // The properties in the panel of the kind. By default those of its groups.
   virtual std::vector<Property> panelProperties(const Document& document) const;
+  // The groups in that panel that can be folded away, and whether they are open at first. By default none.
+  virtual std::map<std::string, bool> foldingGroups(const Document& document) const {
+    (void)document;
+    return {};
+  }
+  // Takes an edit in that panel that is none of the document; false: it is.
+  virtual bool takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
+    (void)id, (void)value, (void)stillDragging;
+    return false;
+  }
   // What is displayed of the document. By default what its kind says.
   virtual DisplayModel displayed(const Document& document) const;
   void show();  // after it changed

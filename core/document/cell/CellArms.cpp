@@ -28,6 +28,13 @@ bool isSameArm(const CellRobot& robot, std::string_view one, std::string_view ot
   return first && first == armNumber(robot, other);
 }
 
+Pose toolOf(const CellRobot& robot, const CellPlans& plans, std::string_view arm) {
+  const auto number = armNumber(robot, arm);
+  if (number == activeArmNumber(robot, plans)) return plans.tool;
+  const auto known = number ? plans.otherTools.find(robot.arms[*number].name) : plans.otherTools.end();
+  return known == plans.otherTools.end() ? Pose(Pose::Identity()) : known->second;
+}
+
 Result<CellPlans> withArmChosen(const CellRobot& robot, CellPlans plans, std::string_view name) {
   const auto number = armNumber(robot, name);
   if (!number) return Error{CellError::ArmMissing, {std::string(name)}, {}, {}};

@@ -19,6 +19,9 @@ const RobotArm& activeArm(const CellRobot& robot, const CellPlans& plans);
 // Whether two names of CellPlans::arm mean the same robot.
 bool isSameArm(const CellRobot& robot, std::string_view one, std::string_view other);
 
+// The tool's centre point of a robot, in the link that carries its tool; the link itself for a name that means none.
+Pose toolOf(const CellRobot& robot, const CellPlans& plans, std::string_view arm);
+
 // The plans with this robot as the one that is planned for. Error: ArmMissing {name}.
 Result<CellPlans> withArmChosen(const CellRobot& robot, CellPlans plans, std::string_view name);
 

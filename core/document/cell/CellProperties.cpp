@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace handwheel {
 
@@ -33,6 +34,25 @@ constexpr std::pair<const char*, const char*> kPoseFields[] = {
 };
 constexpr double kRounding = 1e-9;  // mm, rad: what kinematics leave of a 0
 constexpr const char* kJoints = QT_TRANSLATE_NOOP("Property", "Joints");
+
+// In a cell with several robots each has a group, in which its joints are called as in its own description.
+void groupByRobot(std::vector<Property>& joints, const CellRobot& cell) {
+  if (cell.arms.size() < 2) return;
+  const std::vector<std::uint32_t> owners = armsOfDofs(cell.model, cell.arms);
+  for (std::size_t dof = 0; dof < joints.size(); ++dof) {
+    if (owners[dof] == kNone) continue;
+    const std::string& name = cell.arms[owners[dof]].name;
+    joints[dof].group = name;
+    joints[dof].groupTranslated = false;
+    if (joints[dof].label.starts_with(name + '_')) joints[dof].label.erase(0, name.size() + 1);
+  }
+  std::vector<std::size_t> order(joints.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return owners[a] < owners[b]; });
+  std::vector<Property> grouped;
+  for (const std::size_t dof : order) grouped.push_back(std::move(joints[dof]));
+  joints = std::move(grouped);
+}
 
 Property jointProperty(const Joint& joint, double value) {
   Property property;
@@ -117,6 +137,7 @@ std::vector<Property> cellProperties(const CellRobot& cell, const JointValues& j
   std::vector<Property> all;
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)
     all.push_back(jointProperty(robot.jointOfDof(dof), joints[static_cast<Eigen::Index>(dof)]));
+  groupByRobot(all, cell);
   for (auto limit : {unknownLimits(robot, "joints.unknown_speed", QT_TRANSLATE_NOOP("Property", "Speed not known"),
                                    &JointLimits::velocity),
                      unknownLimits(robot, "joints.unknown_effort", QT_TRANSLATE_NOOP("Property", "Effort not known"),

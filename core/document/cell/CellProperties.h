@@ -11,10 +11,11 @@
 namespace handwheel {
 
 // The properties of a robot cell. One for each degree of freedom ("joint.<name>", labelled with the joint's name), with
-// its limits; then, read-only, which joints have no known speed or effort and the robot's name; of several robots which
-// one is planned for ("arm", a choice) and where those stand that are not on the root ("robot.NAME.x" to
-// "robot.NAME.rz"); the link that carries the tool; then the pose of the tool's centre point ("tool.x" to "tool.rz"; mm
-// and rad as of bodies, in the frame of the root); then that of the centre point in the link ("tcp.x" to "tcp.rz").
+// its limits, of several robots in a group for each; then, read-only, which joints have no known speed or effort and
+// the robot's name; of several robots which one is planned for ("arm", a choice) and where those stand that are not on
+// the root ("robot.NAME.x" to "robot.NAME.rz"); the link that carries the tool; then the pose of the tool's centre
+// point ("tool.x" to "tool.rz"; mm and rad as of bodies, in the frame of the root); then that of the centre point in
+// the link ("tcp.x" to "tcp.rz").
 std::vector<Property> cellProperties(const CellRobot& robot, const JointValues& joints, const CellPlans& plans);
 
 // "robot.NAME.x": which of the robots stands there, and the field of its pose. None: that is no such property.

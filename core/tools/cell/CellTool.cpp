@@ -25,10 +25,12 @@ BodyDragTool::Pick bodyPick(const RobotCellDocument& document, const JointDragTo
 
 }  // namespace
 
-CellTool::CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark)
+CellTool::CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark,
+                   Pressed pressed)
     : m_document(document),
       m_pick(pick),
       m_mark(std::move(mark)),
+      m_pressed(std::move(pressed)),
       m_selection(selection),
       m_joints(document, pick),
       m_bodies(document, selection, bodyPick(document, pick)) {}
@@ -53,6 +55,8 @@ ToolReply CellTool::pointer(const PointerEvent& event) {
     const auto hit = m_pick(event.ray);
     const auto carried = hit ? bodyOfPart(hit->part) : std::nullopt;
     carried ? m_selection.select(*carried) : m_selection.clear();
+    const std::uint32_t link = hit ? linkOfPart(m_document.robot(), hit->part) : kNone;
+    if (!carried && link != kNone && m_pressed) m_pressed(link);
   }
   return reply;
 }

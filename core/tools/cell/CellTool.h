@@ -13,8 +13,11 @@ class CellTool : public Tool {
   // Marks what collides in the cell as it is shown: the robot at these joint values, and a body that is being moved;
   // null: none is.
   using Mark = std::function<void(DisplayModel& shown, const JointValues& joints, const Body* moved)>;
+  // Hears which link of a robot is pressed.
+  using Pressed = std::function<void(std::uint32_t link)>;
   // The selection must outlive the tool.
-  CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark = {});
+  CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark = {},
+           Pressed pressed = {});
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return m_joints.id(); }
@@ -30,6 +33,7 @@ class CellTool : public Tool {
   const RobotCellDocument& m_document;
   JointDragTool::Pick m_pick;
   Mark m_mark;
+  Pressed m_pressed;
   BodySelection& m_selection;
   JointDragTool m_joints;
   BodyDragTool m_bodies;

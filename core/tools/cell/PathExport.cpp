@@ -68,6 +68,30 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
 
 }  // namespace
 
+// Descriptions name the model only, as "ur5_robot".
+const Post& usualPost(const RobotArm& arm) {
+  std::string plain;
+  for (const char letter : arm.title) {
+    const bool isPlain = (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z');
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    if (isPlain || isCapital) plain += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  const auto isOf = [&](const LibraryRobot& robot) {
+    return arm.title == robot.title || plain.find(robot.id) != std::string::npos;
+  };
+  const auto known = std::find_if(robotLibrary().begin(), robotLibrary().end(), isOf);
+  const std::string_view title = known == robotLibrary().end() ? std::string_view(arm.title) : known->title;
+  const auto suits = [&](const auto& post) {
+    const std::string_view maker = post->maker();
+    return !maker.empty() && title.starts_with(maker);
+  };
+  const auto own = std::find_if(posts().begin(), posts().end(), suits);
+  if (own != posts().end()) return **own;
+  const auto any =
+      std::find_if(posts().begin(), posts().end(), [](const auto& post) { return *post->maker() == '\0'; });
+  return any == posts().end() ? *posts().front() : **any;
+}
+
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const Post& post, const std::filesystem::path& output) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;

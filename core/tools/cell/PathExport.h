@@ -23,6 +23,9 @@ struct WrittenProgram {
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const Post& post, const std::filesystem::path& output);
 
+// The post for the controller of a robot, by its maker; one for any controller where that is not known.
+const Post& usualPost(const RobotArm& arm);
+
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
 // of the place before. Speeds are those of the program; where it gives a joint motion the speed of the tool, the share
 // is that with which the tool comes to it on average. Errors: those of Post::read(); PoseUnreachable {motion, line},

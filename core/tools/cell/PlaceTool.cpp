@@ -5,6 +5,7 @@
 #include "base/Tolerance.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
+#include "document/cell/RobotChanges.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyDisplay.h"
 #include "robot/Kinematics.h"
@@ -21,7 +22,7 @@ namespace handwheel {
 namespace {
 
 constexpr ToolKey kPlaceKeys[] = {
-    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place the body there")},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place it there")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "cancel the move")},
 };
 
@@ -54,16 +55,25 @@ BodyPointer PlaceTool::body() const {
   return m_selection.body() ? m_document.bodies().withId(*m_selection.body()) : nullptr;
 }
 
+std::optional<PlaceTool::Subject> PlaceTool::subject() const {
+  if (const BodyPointer placed = body())
+    return Subject{placed->name, carrier() * placed->pose, placed->geometry->bounds(), placed};
+  const CellRobot& robots = m_document.robot();
+  const auto robot = m_services.robot ? m_services.robot() : std::nullopt;
+  if (!robot || *robot >= robots.arms.size() || robots.arms[*robot].base == robots.model.root) return std::nullopt;
+  return Subject{robots.arms[*robot].name, basePose(robots.model, robots.arms[*robot]), {}, nullptr, robot};
+}
+
 Pose PlaceTool::carrier() const {
   const RobotModel& robot = m_document.robot().model;
   return carrierPose(*body(), robot, linkPoses(robot, m_document.joints()));
 }
 
 std::optional<PlacingHandles> PlaceTool::handles() const {
-  const BodyPointer placed = body();
+  const auto placed = subject();
   if (!placed) return std::nullopt;
-  const Pose pose = m_drag ? m_shown : carrier() * placed->pose;
-  const Box& bounds = placed->geometry->bounds();
+  const Pose pose = m_drag ? m_shown : placed->pose;
+  const Box& bounds = placed->bounds;
   PlacingHandles handles;
   handles.centre = m_centre == Centre::Origin || bounds.isEmpty() ? Vec3(pose.translation()) : pose * bounds.center();
   for (int i = 0; i < 3; ++i)
@@ -78,7 +88,7 @@ std::optional<PlacingHandles> PlaceTool::handles() const {
 // As typed, from where it is: turned about the centre of the handles, then moved.
 Pose PlaceTool::wanted() const {
   if (m_drag) return m_shown;
-  const Pose start = carrier() * body()->pose;
+  const Pose start = subject()->pose;
   const PlacingHandles at = *handles();
   Eigen::Matrix3d frame;
   for (int i = 0; i < 3; ++i) frame.col(i) = at.axes[static_cast<std::size_t>(i)];
@@ -132,7 +142,24 @@ ToolReply PlaceTool::pointer(const PointerEvent& given) {
   return ToolReply::Ignored;
 }
 
-// A handle of the selected body, or a body, which is selected; a device holds it.
+// A body, or a robot; false: neither.
+bool PlaceTool::selectUnder(const PointerEvent& event) {
+  const auto hit = m_services.pick(event.ray);
+  if (!hit) return false;
+  if (const auto id = bodyOfPart(hit->part)) {
+    m_selection.select(*id);
+    return true;
+  }
+  const CellRobot& robots = m_document.robot();
+  const std::uint32_t link = linkOfPart(robots, hit->part);
+  if (link == kNone || !m_services.selectRobot) return false;
+  const std::uint32_t robot = armsOfLinks(robots.model, robots.arms)[link];
+  if (robot == kNone) return false;
+  m_services.selectRobot(robot);
+  return true;
+}
+
+// A handle of what is placed, or a body or robot, which is selected; a device holds it.
 ToolReply PlaceTool::press(const PointerEvent& event) {
   if (m_drag) return event.button == PointerButton::Second ? perform("revert") : ToolReply::Used;
   if (event.device && event.button == PointerButton::Second) return perform("commit");
@@ -145,13 +172,10 @@ ToolReply PlaceTool::press(const PointerEvent& event) {
     handle = at->under(event.pickRay(), kGripPixels);
   m_moveBy = m_turnBy = Vec3::Zero();
   if (!handle) {
-    const auto hit = m_services.pick(event.ray);
-    const auto id = hit ? bodyOfPart(hit->part) : std::nullopt;
-    if (!id) return ToolReply::Ignored;  // the camera's
-    m_selection.select(*id);
-    if (!event.device) return ToolReply::Used;
+    if (!selectUnder(event)) return ToolReply::Ignored;  // the camera's
+    if (!event.device || !handles()) return ToolReply::Used;
   }
-  Drag drag{handle, *handles(), carrier() * body()->pose, Vec3::Zero(), event.device};
+  Drag drag{handle, *handles(), subject()->pose, Vec3::Zero(), event.device};
   if (handle) {
     // Where the handle is under the pointer: the place of its outline that is nearest to the ray or the tip.
     const Vec3 &centre = drag.handles.centre, axis = drag.handles.axes[static_cast<std::size_t>(handle->axis)];
@@ -235,19 +259,30 @@ void PlaceTool::follow(const PointerEvent& event) {
 ToolReply PlaceTool::commit(const Pose& pose, const QString& text) {
   m_drag.reset();
   m_moveBy = m_turnBy = Vec3::Zero();
-  Body changed = *body();
-  const Pose before = carrier() * changed.pose;
-  if (pose.matrix() == before.matrix()) return ToolReply::Used;
+  const auto placed = subject();
+  if (!placed || pose.matrix() == placed->pose.matrix()) return ToolReply::Used;
+  if (auto edit = editTo(*placed, pose))
+    m_document.commit(text.arg(QString::fromStdString(placed->name)), std::move(edit));
+  return ToolReply::Used;
+}
+
+// Null where it cannot be there, as too far away.
+std::unique_ptr<Edit> PlaceTool::editTo(const Subject& placed, const Pose& pose) const {
+  if (placed.robot) {
+    const auto now = std::static_pointer_cast<const RobotCellSnapshot>(m_document.snapshot());
+    Result<RobotCellSnapshot> moved = withRobotMoved(*now, *placed.robot, pose);
+    return moved ? m_document.robotsEdit(std::move(moved).value(), placed.robot) : nullptr;
+  }
+  Body changed = *placed.body;
   changed.pose = carrier().inverse(Eigen::Isometry) * pose;
   auto edit = changeBodyEdit(m_document.bodies(), changed);
-  if (edit && *edit) m_document.commit(text.arg(QString::fromStdString(changed.name)), std::move(edit).value());
-  return ToolReply::Used;
+  return edit ? std::move(edit).value() : nullptr;
 }
 
 ToolReply PlaceTool::perform(std::string_view action) {
   const bool isTyped = !m_moveBy.isZero(0.0) || !m_turnBy.isZero(0.0);
   if (action == "commit") {
-    if (!body() || !isTyped) return ToolReply::Ignored;
+    if (!subject() || !isTyped) return ToolReply::Ignored;
     return commit(wanted(), placeText(QT_TRANSLATE_NOOP("PlaceTool", "Place %1")));
   }
   if (action != "revert") return ToolReply::Ignored;
@@ -260,17 +295,41 @@ ToolReply PlaceTool::perform(std::string_view action) {
 std::vector<ToolAction> PlaceTool::actions() const {
   const bool isTyped = !m_moveBy.isZero(0.0) || !m_turnBy.isZero(0.0);
   std::vector<ToolAction> all{
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body or robot")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move along an arrow, turn by a ring")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move the body without snapping")},
-      actionOf(kPlaceKeys, "commit", body() && isTyped),
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move it without snapping")},
+      actionOf(kPlaceKeys, "commit", subject() && isTyped),
       actionOf(kPlaceKeys, "revert", true, m_drag || isTyped ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
   if (!all[3].enabled)
-    all[3].reason = body() ? QT_TRANSLATE_NOOP("Tool", "nothing is typed") : QT_TRANSLATE_NOOP("Tool", "select a body");
+    all[3].reason =
+        subject() ? QT_TRANSLATE_NOOP("Tool", "nothing is typed") : QT_TRANSLATE_NOOP("Tool", "select a body or robot");
   return all;
 }
 
-// The handles, of one that is dragged that alone, and the body where it would stand.
+std::shared_ptr<DisplayModel> PlaceTool::shownAt(const Subject& placed, const Pose& pose) const {
+  const CellRobot& robots = m_document.robot();
+  if (placed.robot) {
+    auto shown = std::make_shared<DisplayModel>(displayOf(robots, m_document.joints(), m_document.bodies()));
+    const std::vector<std::uint32_t> owners = armsOfLinks(robots.model, robots.arms);
+    const Pose way = pose * placed.pose.inverse(Eigen::Isometry);
+    for (DisplayPart& part : shown->parts) {
+      const auto id = bodyOfPart(part.name);
+      const BodyPointer carried = id ? m_document.bodies().withId(*id) : nullptr;
+      const std::uint32_t link = carried ? carrierOf(*carried, robots.model) : linkOfPart(robots, part.name);
+      if (link != kNone && owners[link] == *placed.robot) part.pose = way * part.pose;
+    }
+    return shown;
+  }
+  Body moved = *placed.body;
+  moved.pose = carrier().inverse(Eigen::Isometry) * pose;
+  const BodySet bodies = m_document.bodies().with(std::make_shared<const Body>(moved));
+  auto shown = std::make_shared<DisplayModel>(displayOf(robots, m_document.joints(), bodies));
+  moved.pose = pose;
+  if (m_services.mark) m_services.mark(*shown, moved);
+  return shown;
+}
+
+// The handles, of one that is dragged that alone, and the body or robot where it would stand.
 ToolPreview PlaceTool::preview() const {
   ToolPreview preview;
   const auto at = handles();
@@ -291,14 +350,8 @@ ToolPreview PlaceTool::preview() const {
     preview.label = ToolLabel{m_drag->grip + way * m_drag->handles.axes[axis], {{kAxisNames[axis], way}}};
   }
   const Pose there = wanted();
-  Body moved = *body();
-  if (there.matrix() == (carrier() * moved.pose).matrix()) return preview;
-  moved.pose = carrier().inverse(Eigen::Isometry) * there;
-  const BodySet bodies = m_document.bodies().with(std::make_shared<const Body>(moved));
-  auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), m_document.joints(), bodies));
-  moved.pose = there;
-  if (m_services.mark) m_services.mark(*shown, moved);
-  preview.replaced = std::move(shown);
+  const Subject placed = *subject();
+  if (there.matrix() != placed.pose.matrix()) preview.replaced = shownAt(placed, there);
   return preview;
 }
 
@@ -311,7 +364,7 @@ std::vector<Property> PlaceTool::settings() const {
                                      QT_TRANSLATE_NOOP("Property", "About Z")};
   std::vector<Property> all{
       choiceSetting("frame", QT_TRANSLATE_NOOP("Property", "Axes"), static_cast<int>(m_frame),
-                    {QT_TRANSLATE_NOOP("Property", "Of the cell"), QT_TRANSLATE_NOOP("Property", "Of the body")}),
+                    {QT_TRANSLATE_NOOP("Property", "Of the cell"), QT_TRANSLATE_NOOP("Property", "Its own")}),
       choiceSetting("centre", QT_TRANSLATE_NOOP("Property", "Turns about"), static_cast<int>(m_centre),
                     {QT_TRANSLATE_NOOP("Property", "Its middle"), QT_TRANSLATE_NOOP("Property", "Its origin")})};
   const bool isMove = m_drag && m_drag->handle && !m_drag->handle->isRing;

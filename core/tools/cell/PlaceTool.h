@@ -14,12 +14,16 @@ struct PlaceServices {
   JointDragTool::Pick pick;
   // Marks what collides while the body is there, in the frame of the base.
   std::function<void(DisplayModel& shown, const Body& moved)> mark;
+  // The number of the selected robot; none: no robot is. Null, both: robots are not placed.
+  std::function<std::optional<std::size_t>()> robot = {};
+  std::function<void(std::size_t robot)> selectRobot = {};
 };
 
-// Tool that places the selected body by handles: arrows along three axes move it, rings about them turn it, by the
-// mouse or a device, in steps unless Ctrl is held. A device that grabs the body itself moves and turns it freely.
-// Numbers that are typed move and turn it from where it is; they are shown and hold when they are committed. Each
-// release or commit is one edit. A body that the robot carries is placed on its carrier.
+// Tool that places the selected body, or else the selected robot by its base, by handles: arrows along three axes move
+// it, rings about them turn it, by the mouse or a device, in steps unless Ctrl is held. A device that grabs the body
+// itself moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold
+// when they are committed. Each release or commit is one edit. A body that the robot carries is placed on its carrier.
+// The robot on the root has no handles, as everything is measured from its base.
 class PlaceTool : public Tool {
  public:
   // The selection must outlive the tool.
@@ -37,7 +41,7 @@ class PlaceTool : public Tool {
   bool remembersSettings() const override { return false; }
   std::vector<std::string> needs() const override { return {"picking"}; }
 
-  // Those of the selected body; none: no body is selected alone.
+  // Those of what is placed; none: neither a body is selected alone, nor a robot.
   std::optional<PlacingHandles> handles() const;
 
  private:
@@ -47,16 +51,29 @@ class PlaceTool : public Tool {
   struct Drag {
     std::optional<PlacingHandles::Handle> handle;  // none: a device holds the body
     PlacingHandles handles;                        // at the press
-    Pose start;                                    // of the body in the base
+    Pose start;                                    // of what is placed, in the base
     Vec3 grip;                                     // where it was grabbed
     std::optional<Pose> hand;                      // of a device, at the press
     double way = 0.0;                              // mm, rad
     bool hasMoved = false;
   };
 
+  // What is placed.
+  struct Subject {
+    std::string name;
+    Pose pose;                              // in the base
+    Box bounds = {};                        // in its own frame; empty: it is turned about its origin
+    BodyPointer body = {};                  // null: it is a robot
+    std::optional<std::size_t> robot = {};  // its number
+  };
+
   BodyPointer body() const;
+  std::optional<Subject> subject() const;
   Pose carrier() const;  // of the selected body, in the base
-  Pose wanted() const;   // of the selected body in the base, as it is shown
+  Pose wanted() const;   // of what is placed in the base, as it is shown
+  bool selectUnder(const PointerEvent& event);
+  std::unique_ptr<Edit> editTo(const Subject& subject, const Pose& pose) const;
+  std::shared_ptr<DisplayModel> shownAt(const Subject& subject, const Pose& pose) const;
   ToolReply press(const PointerEvent& event);
   void follow(const PointerEvent& event);
   void followFreely(const PointerEvent& event);

@@ -7,8 +7,7 @@
 #include "document/cell/CellArms.h"
 #include "document/scene/BodyDisplay.h"
 #include "planning/ToolTrack.h"
-#include "tools/OperationSettings.h"
-#include "tools/ToolProperty.h"
+#include "tools/cell/ProcessSettings.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -24,9 +23,6 @@ constexpr ToolKey kProcessKeys[] = {
 };
 
 constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is drawn in one go
-
-constexpr const char* kShownSettings[] = {"along",    "length",   "reverse", "lead",  "tilt",      "spin",     "free",
-                                          "standoff", "approach", "speed",   "blend", "tolerance", "clearance"};
 
 }  // namespace
 
@@ -206,48 +202,17 @@ ToolPreview ProcessTool::preview() const {
 }
 
 std::vector<std::string> ProcessTool::ends() const {
-  std::vector<std::string> names;
-  for (const NamedConfiguration& each : m_document.plans()->configurations) {
-    if (isSameArm(m_document.robot(), each.arm, m_document.plans()->arm)) names.push_back(each.name);
-  }
-  return names;
+  return processEnds(m_document.robot(), *m_document.plans());
 }
 
 std::vector<Property> ProcessTool::settings() const {
-  std::vector<Property> all;
-  for (const char* const id : kShownSettings) {
-    all.push_back(settingOf(m_values, id));
-    if (std::string_view(id) == "clearance") all.back().value = m_values.given(id).value_or(0.0);
-  }
-  for (const char* const end : {"from", "to"}) {
-    std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "nowhere else"),
-                                     QT_TRANSLATE_NOOP("Property", "Where the robot stands")};
-    const std::vector<std::string> names = ends();
-    choices.insert(choices.end(), names.begin(), names.end());
-    const std::string chosen = m_values.isSet(end) ? m_values.text(end) : std::string();
-    const auto found = std::find(names.begin(), names.end(), chosen);
-    const int index = chosen == "here" ? 1 : found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 2;
-    const char* const label = std::string_view(end) == "from" ? QT_TRANSLATE_NOOP("Property", "Comes from")
-                                                              : QT_TRANSLATE_NOOP("Property", "Goes to");
-    all.push_back(choiceSetting(end, label, index, std::move(choices)));
-  }
-  return all;
+  return processSettings(m_values, ends());
 }
 
 void ProcessTool::setSetting(std::string_view id, const PropertyValue& value) {
-  const auto* number = std::get_if<double>(&value);
-  if ((id == "from" || id == "to") && number) {
-    const std::vector<std::string> names = ends();
-    const auto index = static_cast<std::size_t>(std::max(0.0, *number));
-    if (index == 0 || index >= names.size() + 2)
-      m_values.reset(id);
-    else
-      m_values.setValid(id, index == 1 ? "here" : names[index - 2]);
-  } else {
-    const bool wasDrawing = isDrawing();
-    takeSetting(m_values, id, value);
-    if (isDrawing() != wasDrawing) beginDrawing();
-  }
+  const bool wasDrawing = isDrawing();
+  takeProcessSetting(m_values, ends(), id, value);
+  if (isDrawing() != wasDrawing) beginDrawing();
   look();
 }
 

@@ -156,6 +156,22 @@ class MessageBarTest : public QObject {
     QCOMPARE(seen, QStringList({"<b>second</b>", "<b>third</b>", "<b>first</b>", "<b>second</b>"}));
   }
 
+  // One that is over goes with the next message, without any change of its document.
+  void theNextOneOfItsSort() {
+    QWidget window;
+    MessageBar bar(&window);
+    window.show();
+    int last = 0;
+    for (int number = 1; number <= 2; ++number) {
+      last = number;
+      Message message{Message::Weight::Info, QString::number(number)};
+      message.isOver = [&last, number] { return last != number; };
+      bar.showMessage(message);
+    }
+    QCOMPARE(bar.findChild<QLabel*>("messageText")->text(), QString("<b>2</b>"));
+    QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
+  }
+
   void whatIsOverIsWithdrawn() {
     QWidget window;
     MessageBar bar(&window);

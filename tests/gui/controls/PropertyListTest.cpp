@@ -67,6 +67,40 @@ class PropertyListTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // A group is folded away below its heading, by the mouse or a key; it stays as it was left until it is to be
+  // otherwise at first.
+  void groupsFold() {
+    PropertyListBench bench;
+    std::vector<Property> properties = sampleProperties();
+    const std::string group = properties.front().group, id = properties.front().id;
+    const auto row = [&] { return bench.list.findChild<QWidget*>("property/" + QString::fromStdString(id)); };
+    const auto heading = [&] {
+      QToolButton* found = nullptr;
+      for (auto* each : bench.list.findChildren<QToolButton*>("propertyGroup/" + QString::fromStdString(group)))
+        if (!each->isHidden()) found = each;
+      return found;
+    };
+    const auto show = [&](bool isOpen) {
+      bench.list.setFolding({{group, isOpen}});
+      bench.list.setProperties(properties);
+      QTest::qWait(1);
+    };
+    show(false);
+    QVERIFY(heading() && !row()->isVisible());
+    QTest::mouseClick(heading(), Qt::LeftButton);
+    QVERIFY(row()->isVisible());
+    show(false);
+    QVERIFY(row()->isVisible());
+    heading()->setFocus();
+    QTest::keyClick(heading(), Qt::Key_Space);
+    QVERIFY(!row()->isVisible());
+    show(true);
+    QVERIFY(row()->isVisible());
+    bench.list.setFolding({});
+    bench.list.setProperties(properties);
+    QVERIFY(row()->isVisible() && !heading());
+  }
+
   void editsOfEachKind();
   void numbersInTexts();
   void sliderDrags();

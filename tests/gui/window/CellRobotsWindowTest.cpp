@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CellWindow.h"
 #include "WindowTestMain.h"
+#include "viewport/camera/CameraNavigation.h"
 
 #include <QComboBox>
 #include <QInputDialog>
+#include <QTemporaryDir>
 #include <QTreeWidget>
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -77,6 +80,103 @@ class CellRobotsWindowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(driver.box()->count(), 2);
     QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
+  }
+
+  // What was selected last has its fields in the panel: a body, the robot in the list, a robot in the view.
+  void theFieldsOfWhatWasSelectedLast() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.robot(1));
+    const auto isOfBody = [&] { return !driver.field("body.1.x").isEmpty(); };
+    const auto isOfRobot = [&] { return !driver.field("robot.ur5.x").isEmpty(); };
+    QVERIFY(isOfRobot() && !isOfBody());
+    driver.clickRow(0);
+    QVERIFY(isOfBody() && !isOfRobot());
+    const QRect row = driver.tree()->visualItemRect(driver.robot(1));  // which is the current one still
+    driver.tree()->scrollToItem(driver.robot(1));
+    QTest::mouseClick(driver.tree()->viewport(), Qt::LeftButton, {},
+                      driver.tree()->visualItemRect(driver.robot(1)).center());
+    QVERIFY(!row.isNull() && isOfRobot() && !isOfBody());
+    driver.clickRow(0);
+    driver.tree()->setCurrentItem(driver.robot(0));
+    driver.clickRow(0);
+    QVERIFY(isOfBody());
+    driver.showAll();
+    QVERIFY(driver.settle());
+    const QPoint link = driver.placeOf("ur5_link_2/0");
+    QVERIFY(!link.isNull());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, link);
+    QTRY_VERIFY(isOfRobot() && !isOfBody());
+    QVERIFY(driver.tree()->currentItem() == driver.robot(1));
+  }
+
+  // The joints of each robot are in a group of its own; that of the one that is planned for is open.
+  void jointsAreGrouped() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    const auto isOpen = [&](const char* joint) { return !driver.field(joint).isEmpty(); };
+    QVERIFY(isOpen("joint.joint_1") && !isOpen("joint.ur5_joint_1"));
+    driver.box()->setCurrentIndex(1);
+    emit driver.box()->activated(1);
+    QVERIFY(driver.settle());
+    QVERIFY(!isOpen("joint.joint_1") && isOpen("joint.ur5_joint_1"));
+    driver.click(("propertyGroup/" + driver.box()->itemText(0)).toUtf8().constData());
+    QVERIFY(isOpen("joint.joint_1") && isOpen("joint.ur5_joint_1"));
+  }
+
+  // The handles move the base of the selected robot, in one step.
+  void placedByHandles() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.choose("placeTool");
+    driver.tree()->setCurrentItem(driver.robot(1));
+    driver.view()->setStandardView(StandardView::Front);
+    driver.showAll();
+    QVERIFY(driver.settle());
+    const auto number = [&](const char* field) { return driver.field(field).split(' ').front().toDouble(); };
+    const Vec3 base(number("robot.ur5.x"), number("robot.ur5.y"), number("robot.ur5.z"));
+    const CameraNavigation navigation(driver.view()->camera(), Vec2(driver.view()->width(), driver.view()->height()));
+    const Vec2 at = navigation.toScreen(base);
+    const QPoint grip(int(std::lround(at.x())) + 60, int(std::lround(at.y())));
+    driver.move(grip);
+    QTest::mousePress(driver.view(), Qt::LeftButton, {}, grip);
+    driver.move(grip + QPoint(20, 10));
+    driver.move(grip + QPoint(60, 20));
+    QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, grip + QPoint(60, 20));
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Move ur5"));
+    QVERIFY(number("robot.ur5.x") > base.x() + 1.0);
+    QCOMPARE(number("robot.ur5.y"), base.y());
+    driver.click("quickActions/undo");
+    QCOMPARE(number("robot.ur5.x"), base.x());
+  }
+
+  // The description of the other robot's pairs and states is read for that one.
+  void semanticsOfTheSelectedRobot() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    QTemporaryDir folder;
+    QFile file(folder.filePath("ur5.srdf"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "<robot name='ur5'><disable_collisions link1='link_1' link2='link_3'/>"
+        "<group_state name='folded' group='arm'><joint name='joint_2' value='-1'/></group_state></robot>");
+    file.close();
+    driver.tree()->setCurrentItem(driver.robot(1));
+    driver.choose("readSemantics");
+    QVERIFY(driver.enterFileName("readSemanticsDialog", file.fileName()));
+    QTRY_VERIFY(driver.text("messageText").contains("was read for ur5"));
+    QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
+    QCOMPARE(driver.tree()->topLevelItem(0)->child(0)->text(0), QString("folded"));
+    QCOMPARE(driver.tree()->topLevelItem(0)->child(0)->text(1), QString("of ur5"));
   }
 
   // The robot that is selected goes, not the one that is planned for.

@@ -16,6 +16,10 @@ class PlanningWindow : public CellWindow {
   QTreeWidgetItem* configurations() { return tree()->topLevelItem(0); }
   QTreeWidgetItem* paths() { return tree()->topLevelItem(1); }
 
+  void clickItem(QTreeWidgetItem* item) {
+    tree()->scrollToItem(item);
+    QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualItemRect(item).center());
+  }
   void storeAt(const char* joint, const QString& value) {
     edit(joint, value);
     choose("storeConfiguration");

@@ -10,6 +10,7 @@
 #include "document/scene/BodyChanges.h"
 #include "planning/PathVerification.h"
 #include "robot/Kinematics.h"
+#include "robot/SrdfReader.h"
 #include "robot/dh/DhTable.h"
 #include "scene/PrimitiveGeometry.h"
 #include "scene/RigidPose.h"
@@ -373,8 +374,43 @@ class CellRobotsTest : public QObject {
     JointValues turned = values({0.0, 1.0});
     document.commit("turn", document.jointEdit(turned));
     QVERIFY(std::abs(std::get<double>(document.property("tool.x")->value) - (900.0 + 400.0 * std::cos(1.0))) < 1e-6);
+    // The joints of each in a group of its own, called as in its description.
+    for (const char* const robot : {"bar", "bar_2"}) {
+      const bool isFirst = std::string_view(robot) == "bar";
+      const auto joint = document.property(isFirst ? "joint.turn" : "joint.bar_2_turn");
+      QVERIFY(joint && joint->group == robot && joint->label == "turn" && !joint->groupTranslated);
+    }
     const Result<RobotCellSnapshot> root = withRobotMoved(twoBars(), 0, Pose::Identity());
     QVERIFY(!root && root.error().code == CellError::ArmOnRoot);
+  }
+
+  // A semantic description is of one robot: its pairs, its states, and a link that meets all others of that robot only.
+  void semanticsOfTheSecond() {
+    const RobotCellSnapshot cell = twoBars();
+    const RobotModel& model = cell.robot->model;
+    const std::string srdf =
+        "<robot name='bar'><disable_default_collisions link='foot'/><disable_collisions link1='bar' link2='tip'/>"
+        "<group_state name='out' group='g'><joint name='turn' value='0.75'/></group_state></robot>";
+    for (const std::string prefix : {"", "bar_2_"}) {
+      const std::size_t arm = prefix.empty() ? 0 : 1;
+      const Result<RobotSemantics> read = readSrdf(srdf, model, cell.robot->arms, arm);
+      QVERIFY(read && read->damage.empty());
+      std::set<std::pair<std::string, std::string>> names;
+      for (const auto& [a, b] : read->allowed) names.insert(std::minmax(model.links[a].name, model.links[b].name));
+      const auto pair = [&](const char* a, const char* b) {
+        return std::pair<std::string, std::string>(std::minmax(prefix + a, prefix + b));
+      };
+      QVERIFY((names == std::set{pair("foot", "bar"), pair("foot", "tip"), pair("bar", "tip")}));
+      QCOMPARE(read->states.size(), std::size_t(1));
+      const auto [dof, value] = *read->states.front().values.begin();
+      QCOMPARE(model.jointOfDof(dof).name, prefix + "turn");
+      QCOMPARE(value, 0.75);
+    }
+    // Pairs of two robots by the names in the model.
+    const std::string across = "<robot name='bar'><disable_collisions link1='tip' link2='bar_2_tip'/></robot>";
+    const Result<RobotSemantics> pair = readSrdf(across, model, cell.robot->arms, 0);
+    QVERIFY(pair && pair->allowed.size() == 1);
+    QCOMPARE(model.links[pair->allowed.begin()->second].name, std::string("bar_2_tip"));
   }
 
   void standsElsewhere() {

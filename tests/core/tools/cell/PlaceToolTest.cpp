@@ -6,6 +6,10 @@
 #include "TestClass.h"
 #include "ToolEvents.h"
 #include "document/cell/BodyCarriers.h"
+#include "document/cell/CellDisplay.h"
+#include "document/cell/RobotChanges.h"
+#include "robot/Kinematics.h"
+#include "robot/dh/DhTable.h"
 
 #include <cmath>
 
@@ -49,6 +53,7 @@ class PlaceToolTest : public QObject {
     m_box = m_cell->addBox({20, 20, 20}, {500, 100, 0}, {0, 0, 0.4});
     m_selection.select(m_box);
     m_picked.clear();
+    m_robot.reset();
     m_steps = m_cell->steps();
   }
 
@@ -181,6 +186,51 @@ class PlaceToolTest : public QObject {
     QVERIFY(pose().isApprox(motion * now, 1e-9));
   }
 
+  // The base of another robot, pressed to select it, goes by its arrow and ring; its links are seen there before, and
+  // each is one step. The first one, which all is measured from, has no handles.
+  void aRobot() {
+    auto changed = withRobotAdded(m_cell->content(),
+                                  {cellOf(*libraryTable("ur5")), "", poseOf({500.0, 100.0, 0.0}, Vec3(0.0, 0.0, 0.5))});
+    m_cell->document().commit("Add", m_cell->document().robotsEdit(std::move(changed).value()));
+    m_selection.clear();
+    const int steps = m_cell->steps();
+    PlaceTool tool = make();
+    const CellRobot& robots = m_cell->document().robot();
+    m_picked = robots.model.links[robots.arms[0].base].name + "/0";
+    QCOMPARE(tool.pointer(down(Kind::Press, 0, 0)), ToolReply::Used);
+    QVERIFY(m_robot == std::size_t(0) && !tool.handles());
+    m_picked = robots.model.links[robots.arms[1].base].name + "/0";
+    QCOMPARE(tool.pointer(down(Kind::Press, 500, 100)), ToolReply::Used);
+    QVERIFY(m_robot == std::size_t(1) && tool.handles());
+    m_picked.clear();
+    const Pose before = base(1);
+    const Vec3 tip = tipOf(1);
+    tool.pointer(down(Kind::Hover, 560, 100));
+    tool.pointer(down(Kind::Press, 560, 101));
+    tool.pointer(down(Kind::Drag, 583, 160));
+    const auto seen = tool.preview().replaced;
+    QVERIFY(seen);
+    for (const DisplayPart& part : seen->parts) {
+      const std::uint32_t link = linkOfPart(m_cell->document().robot(), part.name);
+      if (link == kNone) continue;
+      const bool isOfIt = armsOfLinks(robots.model, robots.arms)[link] == 1;
+      const auto shown = displayOf(m_cell->document().robot(), m_cell->document().joints()).parts;
+      const auto still = std::ranges::find(shown, part.name, &DisplayPart::name);
+      QVERIFY(part.pose.isApprox(moved(still->pose, {isOfIt ? 23.0 : 0.0, 0, 0}), 1e-9));
+    }
+    tool.pointer(down(Kind::Release, 583, 160));
+    QCOMPARE(m_cell->steps(), steps + 1);
+    QVERIFY(base(1).isApprox(moved(before, {23, 0, 0}), 1e-9));
+    QVERIFY((tipOf(1) - tip - Vec3(23, 0, 0)).norm() < 1e-6);
+    tool.setSetting("turn_z", 0.25);
+    QCOMPARE(tool.perform("commit"), ToolReply::Used);
+    QCOMPARE(m_cell->steps(), steps + 2);
+    const Pose turned = moved(before, {23, 0, 0}) * Pose(Eigen::AngleAxisd(0.25, Vec3::UnitZ()));
+    QVERIFY(base(1).isApprox(turned, 1e-9));
+    for (int i = 0; i < 2; ++i) m_cell->document().history()->undo();
+    QVERIFY(base(1).isApprox(before, 1e-12));
+  }
+
  private:
   PlaceTool make() {
     return PlaceTool(m_cell->document(), m_selection,
@@ -188,7 +238,16 @@ class PlaceToolTest : public QObject {
                         if (m_picked.empty()) return std::nullopt;
                         return RobotCellPick{m_picked, Vec3(ray.origin.x(), ray.origin.y(), 0)};
                       },
-                      {}});
+                      {},
+                      [this] { return m_robot; },
+                      [this](std::size_t robot) { m_robot = robot; }});
+  }
+  Pose base(std::size_t robot) const {
+    return basePose(m_cell->document().robot().model, m_cell->document().robot().arms[robot]);
+  }
+  Vec3 tipOf(std::size_t robot) const {
+    const CellRobot& robots = m_cell->document().robot();
+    return linkPoses(robots.model, m_cell->document().joints())[robots.arms[robot].flange].translation();
   }
   Pose pose() const { return m_cell->document().bodies().withId(m_box)->pose; }
   Pose poseInBase() const {
@@ -199,6 +258,7 @@ class PlaceToolTest : public QObject {
   std::unique_ptr<ArmCell> m_cell;
   BodySelection m_selection;
   BodyId m_box = 0;
+  std::optional<std::size_t> m_robot;  // that is selected
   std::string m_picked;
   int m_steps = 0;
 };

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Fields of paths, and those along curves on parts: planned, and planned anew when their process is changed.
+#include "document/cell/RobotCellDocument.h"
+#include "tools/cell/ProcessSettings.h"
+#include "window/JobRunner.h"
+#include "window/cell/CellPaths.h"
+#include "window/cell/PathRemark.h"
+#include "window/documents/DocumentTab.h"
+
+namespace handwheel {
+
+namespace {
+const std::string kField = "process.";  // of the ids of the fields
+}
+
+void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface) {
+  startPlanning(processPlanning(values, std::move(surface), std::nullopt),
+                {plans().freePathName(tr("Process").toStdString()), tr("Plan %1"),
+                 [this, values] { planProcess(values, nullptr); }});  // the part may be another one then
+}
+
+CellPaths::Planning CellPaths::processPlanning(const OperationValues& values,
+                                               std::shared_ptr<const PartSurface> surface,
+                                               const std::optional<Pose>& chosenAt) {
+  return [values, surface = std::move(surface), chosenAt](const CellScene& scene, const RobotCellSnapshot& content,
+                                                          Progress progress) -> Result<PlannedPath> {
+    const Result<BodyPointer> part = partCalled(values, scene);
+    if (!part) return part.error();
+    const auto own = surface ? surface : std::make_shared<const PartSurface>(*(*part)->geometry->surface());
+    return processPath(scene, content, values, own, **part, progress, chosenAt);
+  };
+}
+
+std::vector<Property> CellPaths::resultProperties() const {
+  const PlanTree::Entry entry = m_tree->current();
+  const RobotPath* const of = entry.kind == PlanTree::Entry::Kind::Path ? plans().path(entry.name) : nullptr;
+  if (!of) return {};
+  Property result{.id = "path.result",
+                  .group = QT_TRANSLATE_NOOP("Property", "Path"),
+                  .label = QT_TRANSLATE_NOOP("Property", "Verification"),
+                  .value = remarkOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale()).summary.toStdString()};
+  result.editable = false;
+  return {result};
+}
+
+// While the path is planned anew the fields show what was entered.
+std::vector<Property> CellPaths::processProperties() const {
+  const RobotPath* const present = path();
+  if (m_tree->current().kind != PlanTree::Entry::Kind::Path || !present || !present->process) return {};
+  const bool isUnderWay = m_wanted && m_wanted->path == present->name;
+  std::vector<Property> all = pathProcessSettings(isUnderWay ? m_wanted->values : valuesOf(*present->process),
+                                                  processEnds(cell().robot(), plans()));
+  for (Property& each : all) each.id = kField + each.id;
+  return all;
+}
+
+bool CellPaths::takeProcessEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
+  const RobotPath* const present = path();
+  if (!id.starts_with(kField) || !present || !present->process) return false;
+  if (stillDragging) return true;
+  const std::string name = present->name;
+  OperationValues values = m_wanted && m_wanted->path == name ? m_wanted->values : valuesOf(*present->process);
+  takeProcessSetting(values, processEnds(cell().robot(), plans()), std::string_view(id).substr(kField.size()), value);
+  remakeProcess(name, values);
+  return true;
+}
+
+// In one step that can be undone; what was entered before and is not planned yet comes with it.
+void CellPaths::remakeProcess(const std::string& name, const OperationValues& values) {
+  const RobotPath* const present = plans().path(name);
+  if (!present || !present->process) return;
+  m_parts.jobs.cancelOf(&m_wanted);
+  const std::uint64_t number = ++m_remakes;
+  m_wanted = WantedProcess{name, values, number};
+  emit rowChanged();
+  PlanRequest request{name, tr("Change the process of %1"), [this, name, values] { remakeProcess(name, values); }};
+  request.owner = &m_wanted;
+  request.ended = [this, number] {
+    if (!m_wanted || m_wanted->number != number) return;
+    m_wanted.reset();
+    if (m_document) emit rowChanged();
+  };
+  startPlanning(processPlanning(values, nullptr, present->process->part), std::move(request));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QFileDialog;
+class QWidget;
+
+namespace handwheel {
+
+class Document;
+
+// Where dialogs for files begin. Window thread.
+
+// The folder that was used last in any of them; at first the home folder.
+QString lastFolder();
+// From the path of a file that was chosen.
+void rememberFolder(const QString& path);
+// That of the document's own file; of one without a file, or with one of the samples, the folder that was used last.
+QString folderFor(const Document& document);
+
+// A dialog for a file that is there, in the folder for the document; the folder that is chosen is remembered. It is
+// owned by the window and ends with its closing; to be opened by the caller.
+QFileDialog* openingDialog(QWidget* window, const Document& document, const QString& title, const QString& filter);
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/RobotCellSnapshot.h"
+
+#include <span>
+
+namespace handwheel {
+
+// What the verification of a path depends on: what it found holds as long as none of this changes. Lengths in mm,
+// angles in rad. A value; any thread.
+struct PathBasis {
+  RobotPath path;
+  std::shared_ptr<const CellRobot> robot;
+  BodySet bodies;
+  JointValues joints;                  // of the whole cell
+  std::vector<std::uint32_t> planned;  // degrees of freedom that the path itself sets: where they stand does not count
+  std::set<std::pair<std::string, std::string>> allowed;
+  Pose tool = Pose::Identity();  // of the robot of the path
+  double clearance = 0.0;
+};
+PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path, std::span<const std::uint32_t> planned);
+
+// What has changed first, in this order.
+enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance };
+
+// Compares with the cell and the path as they are now. The name of the path, and how it was chosen on a part, do not
+// count; nor do names and colours of bodies, and whether they are shown. O(places + bodies).
+BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, const RobotPath& path);
+
+// Whether two paths are the same places of the same robot, whatever they are called.
+bool areSameWay(const RobotPath& one, const RobotPath& other);
+
+}  // namespace handwheel
