@@ -5,6 +5,7 @@
 #include "controls/PropertyList.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
+#include "panels/ActionButton.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/exercise/ClassView.h"
 
@@ -39,9 +40,13 @@ std::vector<Property> ofTask(const std::vector<Property>& all) {
 
 }  // namespace
 
-ExerciseEditor::ExerciseEditor(QWidget* parent) : QTabWidget(parent), m_task(new PropertyList(this)) {
+ExerciseEditor::ExerciseEditor(QWidget* parent)
+    : QTabWidget(parent), m_task(new PropertyList(this)), m_taskPage(new QWidget(this)) {
   setObjectName(QStringLiteral("exerciseEditor"));
   setDocumentMode(true);
+  auto* task = new QVBoxLayout(m_taskPage);
+  task->setContentsMargins(0, 0, 0, 8);
+  task->addWidget(m_task, 1);
   const auto present = [this]() -> Document* { return m_document; };
   connectEdits(*m_task, present, this);
   m_criteria = makeRows(QStringLiteral("criteria"), tr("Add what is marked"), [this](QToolButton* add) {
@@ -79,10 +84,14 @@ ExerciseEditor::ExerciseEditor(QWidget* parent) : QTabWidget(parent), m_task(new
   connectMoves(m_criteria, tr("Move a criterion"), withMovedCriterion);
   connectMoves(m_steps, tr("Move a step"), withMovedStep);
   m_class = new ClassView(this);
-  addTab(m_task, tr("Task"));
+  addTab(m_taskPage, tr("Task"));
   addTab(m_criteria.page, tr("Marks"));
   addTab(m_steps.page, tr("Steps"));
   addTab(m_class, tr("Class"));
+}
+
+void ExerciseEditor::showTargetActions(const QList<QAction*>& actions) {
+  for (QAction* action : actions) m_taskPage->layout()->addWidget(new ActionButton(action));
 }
 
 ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString& addTip,

@@ -26,6 +26,8 @@ class ExerciseEditor : public QTabWidget {
   void setDocument(ExerciseDocument* document);
   void refresh();
   ClassView* classView() const { return m_class; }
+  // Buttons below the task for what makes the target.
+  void showTargetActions(const QList<QAction*>& actions);
 
  private:
   // A list of rows with what each has below it.
@@ -46,6 +48,7 @@ class ExerciseEditor : public QTabWidget {
 
   QPointer<ExerciseDocument> m_document;
   PropertyList* m_task;
+  QWidget* m_taskPage;
   Rows m_criteria, m_steps;
   ClassView* m_class;
 };

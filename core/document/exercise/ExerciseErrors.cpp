@@ -33,7 +33,12 @@ const ErrorDescription ExerciseError::WithoutScheme{
 const ErrorDescription ExerciseError::WithoutTarget{
     .id = "WithoutTarget",
     .sentences = {translatable("ErrorText", "the exercise has no target, so there is nothing to draw")},
-    .advice = {translatable("ErrorText", "Turn a model solution and take it as the target.")}};
+    .advice = {translatable("ErrorText", "Import a target, or turn a model solution and take it as the target.")}};
+
+const ErrorDescription ExerciseError::NothingTurned{
+    .id = "NothingTurned",
+    .sentences = {translatable("ErrorText", "nothing was turned in the work that was begun; it is the bar itself")},
+    .advice = {translatable("ErrorText", "Turn the part first, or import the target from a drawing.")}};
 
 const ErrorDescription ExerciseError::FieldRefused{
     .id = "FieldRefused",

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+// Its targets: TurningSubjectTarget.cpp.
 #include "document/workpiece/exercise/TurningSubject.h"
 
 #include "base/JsonText.h"
@@ -18,8 +20,6 @@
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/lathe/LatheMounting.h"
-#include "machining/refit/SampledProfile.h"
-#include "machining/target/RoundedTarget.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -168,30 +168,6 @@ nlohmann::json TurningSubject::describeWork(const ExerciseTask& task, const Snap
   const WorkpieceSnapshot& workpiece = turnedOf(work);
   if ((workpiece.crashes && !workpiece.crashes->empty()) || !checkWork(task, work)) return {};
   return passesDescription(workpiece.part ? workpiece.part->passes : TurningPasses(), turning.lathe.spindleSpeed);
-}
-
-Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const Snapshot& work) const {
-  constexpr double kTolerance = 2e-3;  // mm
-  const WorkpieceSnapshot& workpiece = turnedOf(work);
-  const TurnedProfile profile = partOf(workpiece, turnSpacingSetting().standard).profile;
-  if (profile.pieces() > 1)
-    return Error{ErrorCode::ElementMalformed, {"target", "the part is in several pieces"}, {}, {}};
-  Result<TargetProfile> target = sectionOf(profile, kTolerance);
-  if (!target) return target.error();
-  TurningTask changed = turningOf(task);
-  changed.target = std::move(target.value());
-  return TaskPointer(std::make_shared<const TurningTask>(std::move(changed)));
-}
-
-Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,
-                                                                       double largestFillet) const {
-  TurningTask changed = turningOf(task);
-  if (!changed.target) return Error{ExerciseError::WithoutTarget, {}, {}, {}};
-  Result<TargetProfile> target = rounded(*changed.target, {step, largestFillet});
-  if (!target) return target.error();
-  const double change = largestDistance(*changed.target, *target);
-  changed.target = std::move(target.value());
-  return RoundedTask{std::make_shared<const TurningTask>(std::move(changed)), change};
 }
 
 std::vector<Figure> TurningSubject::measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
