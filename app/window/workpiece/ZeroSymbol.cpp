@@ -43,10 +43,13 @@ void addArrow(std::vector<PathLine>& lines, const Vec3& from, const Vec3& way, c
   lines.push_back({{back + 0.5 * kHead * size * side, tip, back - 0.5 * kHead * size * side}});
 }
 
-void addText(std::vector<PathLine>& lines, const QString& text, const Vec3& at, double height) {
-  for (const std::vector<Vec2>& outline : textOutlines(text, height).lines) {
+// isBefore: it ends there, over the part, and does not begin there.
+void addText(std::vector<PathLine>& lines, const QString& text, const Vec3& at, double height, bool isBefore = false) {
+  const TextOutlines letters = textOutlines(text, height);
+  const double start = isBefore ? -letters.width : 0.0;
+  for (const std::vector<Vec2>& outline : letters.lines) {
     PathLine& line = lines.emplace_back();
-    for (const Vec2& p : outline) line.points.push_back(at + facing(p.x(), p.y(), 0.0));
+    for (const Vec2& p : outline) line.points.push_back(at + facing(start + p.x(), p.y(), 0.0));
   }
 }
 
@@ -60,7 +63,7 @@ PathLayer::Lines zeroSymbol(double zero, double size, const QString& name) {
   addArrow(*lines, centre, alongX, alongZ, size);
   addText(*lines, QStringLiteral("Z"), centre + (kArrow + kGap) * size * alongZ, kText * size);
   addText(*lines, QStringLiteral("X"), centre + (kArrow + kGap) * size * alongX, kText * size);
-  addText(*lines, name, facing(kGap * size, (1.0 + kGap) * size, zero), kText * size);
+  addText(*lines, name, facing(-(1.0 + kGap) * size, -0.5 * kText * size, zero), kText * size, true);
   return lines;
 }
 

@@ -215,9 +215,10 @@ void ProgramSession::askToCut() {
   for (const ProgramFinding& each : findingsOf(*m_trial))
     if (each.move && places.size() < kMostPlaces) places << tr("Line %1: %2").arg(each.line).arg(each.text);
   if (count > places.size()) places << tr("…and %1 more, in the list of the program.").arg(count - places.size());
-  Message question{Message::Weight::Warning, tr("The program has %n collision(s); nothing is cut yet", nullptr, count),
-                   places.join(QLatin1Char(' ')),
-                   tr("Cut anyway, they are recorded as on the machine, and undo does not take them back.")};
+  Message question{
+      Message::Weight::Warning, tr("The program has %n collision(s); nothing is cut yet", nullptr, count),
+      places.join(QLatin1Char(' ')),
+      tr("If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.")};
   question.actionText = tr("Cut anyway");
   question.action = [session = QPointer(this), trial = m_trial] {
     if (session) session->cutAnyway(trial);
