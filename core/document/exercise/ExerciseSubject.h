@@ -73,6 +73,8 @@ class ExerciseSubject {
   virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;
   // Accepts any JSON; what it cannot take is added to the damage and replaced by that of the blank task.
   virtual TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const = 0;
+  // The keys of a task that fromJson() does not know: an object, empty where there are none.
+  virtual nlohmann::json unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const = 0;
   // The properties of a task that teachers change. Errors of a change: as Document::propertyEdit().
   virtual std::vector<Property> properties(const ExerciseTask& task) const = 0;
   virtual Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,

@@ -20,6 +20,7 @@ class TurningSubject : public ExerciseSubject {
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;
+  nlohmann::json unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const override;
   std::vector<Property> properties(const ExerciseTask& task) const override;
   Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
                                    const PropertyValue& value) const override;
