@@ -5,6 +5,7 @@
 #include "controls/PropertyList.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
+#include "document/exercise/ShippedExercises.h"
 #include "panels/ActionButton.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/exercise/ClassView.h"
@@ -149,7 +150,7 @@ void ExerciseEditor::setDocument(ExerciseDocument* document) {
 
 void ExerciseEditor::refresh() {
   if (!m_document) return;
-  const Exercise& exercise = m_document->exercise().exercise;
+  const Exercise exercise = inLanguage(m_document->exercise());
   m_task->setLengthUnit(m_document->displayUnit());
   const std::vector<Property> properties = exerciseProperties(m_document->exercise());
   m_task->setProperties(ofTask(properties));

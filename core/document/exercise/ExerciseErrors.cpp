@@ -45,6 +45,12 @@ const ErrorDescription ExerciseError::FieldRefused{
     .sentences = {translatable("ErrorText", "%1: %2")},
     .advice = {translatable("ErrorText", "Give this field of the exercise another value.")}};
 
+const ErrorDescription ExerciseError::MarkUnknown{
+    .id = "MarkUnknown",
+    .sentences = {translatable("ErrorText", "%1: there is no mark “%2”")},
+    .advice = {translatable("ErrorText", "Put “;” between the names of several marks. There are: %3."),
+               translatable("ErrorText", "Add what is marked in “Marks” first.")}};
+
 const ErrorDescription ExerciseError::Fixed{
     .id = "Fixed",
     .sentences = {translatable("ErrorText", "a student's copy of an exercise cannot be changed")},

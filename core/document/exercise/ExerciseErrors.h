@@ -15,6 +15,7 @@ extern const ErrorDescription WithoutScheme;   // the exercise is a student's, w
 extern const ErrorDescription WithoutTarget;   // the exercise has no target that could be drawn
 extern const ErrorDescription NothingTurned;   // the work that is to become the target is the untouched bar
 extern const ErrorDescription FieldRefused;    // {field, in the words of the window, what is wrong}
+extern const ErrorDescription MarkUnknown;     // {step, what is no mark, the marks} a step is to wait for it
 extern const ErrorDescription Fixed;           // a student's copy cannot be changed
 
 }  // namespace handwheel::ExerciseError
