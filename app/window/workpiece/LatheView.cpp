@@ -198,8 +198,9 @@ void LatheView::refresh() {
   ManualLatheTool* const lathe = tool();
   if (!lathe || !m_panel) return;
   if (lathe->hasToCommit()) m_window.tools.runner().deliver([&] { lathe->endPass(); });
-  if (!tool()) return;  // it failed
-  if (std::exchange(m_wasLive, lathe->isLive()) != lathe->isLive()) m_window.tools.refresh();
+  if (!tool()) return;                                           // it failed
+  const std::pair now(lathe->isLive(), lathe->moment()->isCut);  // what undo would do depends on both
+  if (std::exchange(m_was, now) != now) m_window.tools.refresh();
   m_panel->show(*lathe);
   showZero();
   sayUndone(*lathe);

@@ -60,9 +60,9 @@ class LatheView : public QObject {
   QTimer m_sounding;  // while something turns
   TurningSound m_turning;
   std::shared_ptr<PathLayer> m_zeroLayer;
-  std::pair<double, double> m_zero;  // mm: z of the zero that is drawn, and its size; 0: none is
-  int m_returns = 0;                 // of the tool, as they were told last
-  bool m_wasLive = false;
+  std::pair<double, double> m_zero;      // mm: z of the zero that is drawn, and its size; 0: none is
+  int m_returns = 0;                     // of the tool, as they were told last
+  std::pair<bool, bool> m_was;           // live, and with a pass under way
   bool m_isPushed = false;               // a space mouse moves the slides
   int m_quiet = 0;                       // timeouts of m_sounding since the lathe was live
   std::shared_ptr<LatheChannel> m_felt;  // null: nothing of a lathe is felt

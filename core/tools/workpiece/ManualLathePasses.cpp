@@ -82,6 +82,12 @@ SnapshotPointer ManualLatheTool::withWork() {
   return workpiece;
 }
 
+QString ManualLatheTool::underWay() const {
+  if (!moment()->isCut) return {};
+  const std::size_t before = m_part ? m_part->passes.size() : 0;
+  return QCoreApplication::translate("Tool", "Turning pass %1").arg(QLocale().toString(before + 1));
+}
+
 void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
   const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
   if (!last->isCut) return;

@@ -89,6 +89,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   bool remembersSettings() const override { return false; }
   void settle() override;
   SnapshotPointer withWork() override;
+  QString underWay() const override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"simulation"}; }
 

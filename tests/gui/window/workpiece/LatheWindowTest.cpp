@@ -199,6 +199,7 @@ class LatheWindowTest : public QObject {
     LatheWindow window;
     QVERIFY(window.beginLathe() && window.turnEnd());
     QVERIFY(window.machine().direction != 0);
+    QTRY_VERIFY(window.driver.find<QAction>("undo")->text().contains("Turning pass 1"));
     window.driver.find<QAction>("undo")->trigger();
     QVERIFY(window.driver.settle());
     QVERIFY(!window.workpiece().part);
