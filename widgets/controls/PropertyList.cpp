@@ -129,6 +129,7 @@ void PropertyList::addHeading(const Property& property) {
       m_page);
   if (!property.groupTranslated) heading->setTextFormat(Qt::PlainText);
   heading->setProperty("strong", true);
+  heading->setWordWrap(true);  // else a long one widens the page beyond the panel
   m_headings.push_back(heading);
   m_column->addSpacing(m_rows.empty() ? 0 : 8);
   m_column->addWidget(heading);

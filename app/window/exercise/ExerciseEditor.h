@@ -44,6 +44,8 @@ class ExerciseEditor : public QTabWidget {
   using Move = ExerciseSnapshot (*)(ExerciseSnapshot, std::size_t row, bool isUp);
   void connectMoves(Rows& rows, const QString& text, Move moved);
   void addCriterion(std::size_t figure);
+  void makeMarksOfStep();
+  void toggleMark(std::size_t step, const std::string& id);
   void change(const QString& text, ExerciseSnapshot exercise);
 
   QPointer<ExerciseDocument> m_document;

@@ -273,6 +273,32 @@ class ExerciseWindowTest : public QObject {
     QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
   }
 
+  // The marks of a step are checked in a menu, each in one undo step.
+  void theMarksOfAStep() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(2);
+    driver.find<QListWidget>("steps")->setCurrentRow(0);
+    const auto met = [&driver] {
+      Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
+      return static_cast<ExerciseDocument&>(shown).exercise().exercise.steps[0].criteria;
+    };
+    const auto before = met();
+    QMenu* menu = driver.find<QToolButton>("steps/marks")->menu();
+    emit menu->aboutToShow();
+    QVERIFY(menu->actions().size() > 2);
+    QVERIFY(!menu->actions()[1]->isChecked());
+    menu->actions()[1]->trigger();
+    QCOMPARE(met().size(), before.size() + 1);
+    emit menu->aboutToShow();
+    QVERIFY(menu->actions()[1]->isChecked());
+    menu->actions()[1]->trigger();
+    QVERIFY(met() == before);
+    driver.click("quickActions/undo");
+    QTRY_COMPARE(met().size(), before.size() + 1);
+  }
+
   // The dialog says how much that changes; one undo step.
   void theTargetInRoundSizes() {
     WindowDriver driver;
