@@ -96,8 +96,10 @@ void ClassTable::sort(std::size_t column, bool isDescending) {
 std::string ClassTable::csv(std::string (*translated)(const std::string&)) const {
   std::string text = "\xEF\xBB\xBF";
   for (std::size_t column = 0; column < columns(); ++column) {
-    const bool isWord = translated && column < FirstCriterion;
-    text += (column > 0 ? "," : "") + csvField(isWord ? translated(heading(column)) : heading(column), false);
+    const auto words = [&](const std::string& name) { return translated ? translated(name) : name; };
+    std::string head = column < FirstCriterion ? words(heading(column)) : heading(column);
+    if (column >= FirstCriterion) head += " (" + words(translatable("ClassTable", "points")) + ")";
+    text += (column > 0 ? "," : "") + csvField(std::move(head), false);
   }
   text += "\r\n";
   for (const ClassRow& row : m_rows) {

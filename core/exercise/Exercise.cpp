@@ -94,9 +94,14 @@ Status checkExercise(const Exercise& exercise) {
 
 Exercise withoutAnswers(Exercise exercise) {
   std::erase_if(exercise.criteria, [](const MarkingCriterion& c) { return c.isHidden; });
-  for (MarkingCriterion& c : exercise.criteria) c.points = c.slack = 0.0;
-  for (ExerciseStep& step : exercise.steps)
+  for (MarkingCriterion& c : exercise.criteria) {
+    c.points = c.slack = 0.0;
+    c.others.clear();
+  }
+  for (ExerciseStep& step : exercise.steps) {
+    step.others.clear();
     std::erase_if(step.criteria, [&](const std::string& id) { return !exercise.find(id); });
+  }
   return exercise;
 }
 

@@ -23,6 +23,9 @@ struct MarkingCriterion {
   double points = 0.0;
   double slack = 0.0;     // how far beyond a limit the last point is lost, in proportion; 0: at once
   bool isHidden = false;  // not on the drawing: students do not see it before they are marked
+  // What else the file has of it, for programs that know more: keys and values as the text of a JSON object; empty:
+  // nothing. It goes back into files.
+  std::string others = {};
 
   bool hasLimit() const { return lower || upper; }
 };
@@ -32,6 +35,7 @@ struct ExerciseStep {
   std::string title, text;
   std::vector<std::string> hints = {};     // shown one after another, when the student asks
   std::vector<std::string> criteria = {};  // it is done once these are met; none: the student says so
+  std::string others = {};                 // as those of a criterion
 };
 
 // A task with its steps and its marking scheme. It knows no machine and no part: what is prepared and measured depends
@@ -57,7 +61,7 @@ std::string namedInErrors(const MarkingCriterion& criterion);
 // number that is not finite or out of bounds, too many rows, limits that no figure meets.
 Status checkExercise(const Exercise& exercise);
 
-// The exercise without what would tell the answers: points, slack and hidden criteria.
+// The exercise without what would tell the answers: points, slack, hidden criteria, and what is not known.
 Exercise withoutAnswers(Exercise exercise);
 // Whether it holds no answers.
 bool hasNoAnswers(const Exercise& exercise);

@@ -4,6 +4,8 @@
 
 #include "document/Snapshot.h"
 
+#include <QString>
+
 namespace handwheel {
 
 // A tool whose gestures take minutes, as a pass with the automatic feed does, so that an autosave must not wait for
@@ -15,6 +17,8 @@ class WorkUnderWay {
   // The value of the document as Tool::settle() would leave it. Nothing changes by it, and the work goes on. Null:
   // nothing is under way.
   virtual SnapshotPointer withWork() = 0;
+  // What undo takes back now, in the user's words; empty: nothing is under way.
+  virtual QString underWay() const = 0;
 };
 
 }  // namespace handwheel

@@ -57,6 +57,10 @@ class ExerciseTest : public QObject {
     QVERIFY2(csv.count('\n') == 3 && csv.contains("'=Bob"), csv);
     const QByteArray html = bench.content("class.html");
     QVERIFY(html.contains("Ada") && html.contains("=Bob") && html.contains("data:image/png;base64,"));
+    // The drawing of the target is the target of an exercise again.
+    QCOMPARE(ran({"exercise", "shaft.handwheel", "-o", "shaft.dxf"}), 0);
+    QCOMPARE(ran({"exercise", "shaft.handwheel", "--import-target", "shaft.dxf", "-o", "drawn.handwheel"}), 0);
+    QVERIFY(bench.run({"exercise", "shaft.handwheel", "--import-target", "none.dxf", "-o", "x.handwheel"}).code != 0);
     // The same files give the same marks.
     QCOMPARE(
         bench.run({"mark", "shaft.handwheel", "bob.handwheel", "ada.handwheel", "--json", "--sort", "-Points"}).out,

@@ -153,6 +153,7 @@ void PropertyList::addHeading(const Property& property) {
       makeHeading(group, property.groupTranslated ? QCoreApplication::translate("Property", group.c_str())
                                                   : QString::fromStdString(group));
   heading->setProperty("strong", true);
+  heading->setWordWrap(true);  // else a long one widens the page beyond the panel
   m_headings.push_back(heading);
   m_column->addSpacing(m_rows.empty() ? 0 : 8);
   m_column->addWidget(heading);

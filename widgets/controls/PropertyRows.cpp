@@ -189,7 +189,12 @@ void TextRow::showValue(const Property& property, LengthUnit) {
     m_line->setModified(false);
     forgetRefusal();
   }
-  if (!m_line->isModified() && m_line->text() != m_value) m_line->setText(m_value);
+  if (m_line->isModified() || m_line->text() == m_value) return;
+  m_line->setText(m_value);
+  constexpr qsizetype kLong = 20;  // letters; such a text is read from its beginning, and whole in the tool tip
+  const bool isLong = m_value.size() > kLong;
+  if (isLong && !m_line->hasFocus()) m_line->setCursorPosition(0);
+  m_line->setToolTip(isLong ? QStringLiteral("<p>%1</p>").arg(m_value.toHtmlEscaped()) : QString());
 }
 
 void TextRow::setLabel(const QString& label) {

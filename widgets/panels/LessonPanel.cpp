@@ -190,7 +190,7 @@ void LessonPanel::setTime(double elapsed, double allowed) {
   const bool isLimited = allowed > 0.0 && std::isfinite(allowed);
   const bool isOver = isLimited && elapsed > allowed;
   m_time->setText(isLimited ? tr("%1 of %2").arg(clockText(elapsed), clockText(allowed)) : clockText(elapsed));
-  m_time->setToolTip(isOver ? tr("The time is over") : tr("Time since the beginning"));
+  m_time->setToolTip(isOver ? tr("The time is over") : tr("Time since the beginning, in minutes and seconds"));
   m_time->setAccessibleName(QStringLiteral("%1: %2").arg(m_time->toolTip(), m_time->text()));
   setLook(m_time, "muted", !isOver);
   setLook(m_time, "bad", isOver);

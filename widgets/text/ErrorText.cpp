@@ -87,6 +87,7 @@ QString where(const Error& error) {
     case InputPosition::Kind::Byte:
       return ErrorWords::tr("byte %1").arg(number);
     case InputPosition::Kind::Line:
+      if (error.position.value == 0) return {};  // of no line
       return ErrorWords::tr("line %1").arg(number);
   }
   return {};

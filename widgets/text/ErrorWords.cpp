@@ -290,6 +290,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its tolerance is not a roughness grade, N1 to N12"),
     QT_TRANSLATE_NOOP("ErrorWord", "its figure takes limits, not a tolerance class"),
     QT_TRANSLATE_NOOP("ErrorWord", "its tolerance class is not known for this size; give limits instead"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its tolerance class has no letter; give one, as in h10, H10 or js10"),
     QT_TRANSLATE_NOOP("ErrorWord", "a thread needs a pitch"),
     QT_TRANSLATE_NOOP("ErrorWord", "a thread is impossible"),
     QT_TRANSLATE_NOOP("ErrorWord", "its upper end is not above the lower one"),

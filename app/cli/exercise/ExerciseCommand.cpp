@@ -58,10 +58,30 @@ std::shared_ptr<const ExerciseSnapshot> exerciseIn(const OpenedFile& opened) {
   return std::dynamic_pointer_cast<const ExerciseSnapshot>(opened.content);
 }
 
+// Another target, where one is asked for: from a file first, then in round sizes.
+Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const ExerciseSnapshot> exercise,
+                                                           const OperationValues& values, Progress progress) {
+  auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
+  if (values.isSet("import-target")) {
+    auto imported = exercise->subject->withImportedTarget(*changed->task, values.text("import-target"), progress);
+    if (!imported) return imported.error();
+    for (const Note& note : imported->notes) complain(noteText(note).toStdString());
+    changed->task = std::move(imported->task);
+  }
+  if (values.isSet("round-target")) {
+    auto rounded = withRoundedTarget(*exercise->subject, *changed->task, values);
+    if (!rounded) return rounded.error();
+    changed->task = std::move(rounded->task);
+  }
+  return std::shared_ptr<const ExerciseSnapshot>(std::move(changed));
+}
+
 // What the parameters ask for.
 Result<Product> productOf(OpenedFile opened, const OperationValues& values, const DocumentKinds& kinds,
                           Progress progress) {
-  const auto exercise = exerciseIn(opened);
+  const auto targeted = withTarget(exerciseIn(opened), values, progress.part(0.0, 0.2));
+  if (!targeted) return targeted.error();
+  const auto exercise = *targeted;
   const auto fresh = [](const DocumentKind& kind, SnapshotPointer content) {
     OpenedFile made = DocumentKinds::blank(kind);
     return Product{&kind, std::move(made.file), std::move(content)};
@@ -78,14 +98,7 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
     if (!exercise->solution) return Error{ErrorCode::ReferenceMissing, {"model solution", {}, {}}, {}, {}};
     return fresh(ofWork, exercise->solution);
   }
-  if (values.isSet("round-target")) {
-    const auto rounded = withRoundedTarget(*exercise->subject, *exercise->task, values);
-    if (!rounded) return rounded.error();
-    auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
-    changed->task = rounded->task;
-    opened.content = std::move(changed);
-  }
-  if (!values.isSet("hand-in")) return Product{opened.kind, std::move(opened.file), std::move(opened.content)};
+  if (!values.isSet("hand-in")) return Product{opened.kind, std::move(opened.file), exercise};
 
   Result<OpenedFile> work = [&]() -> Result<OpenedFile> {
     const std::filesystem::path path = values.text("hand-in");
@@ -122,7 +135,8 @@ std::string problemOf(const Arguments& arguments, const OperationValues& values)
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   int purposes = 0;
   for (const char* const purpose : kPurposes) purposes += values.isSet(purpose) ? 1 : 0;
-  if (purposes > 0 && values.isSet("round-target")) return "--round-target is for the exercise itself.";
+  for (const char* const change : {"import-target", "round-target"})
+    if (purposes > 0 && values.isSet(change)) return "--" + std::string(change) + " is for the exercise itself.";
   if (values.isSet("sharp-corners") && !values.isSet("round-target")) return "--sharp-corners needs --round-target.";
   if (purposes > 1) return "Give one of --student, --stock, --solution and --hand-in.";
   if (values.isSet("hand-in") && !values.isSet("name")) return "--hand-in needs the student's name: --name NAME.";
@@ -188,6 +202,7 @@ const Operation& exerciseOperation() {
            .meaning = "How long the student has worked; without it, what the window has counted in WORK",
            .word = "MIN",
            .hasDefault = false},
+          word("import-target", "FILE", "Make what is in this DXF, SVG, STEP, mesh or workpiece the target"),
           withoutDefault(*roundTargetOperation().find("round-target")),
           *roundTargetOperation().find("sharp-corners"),
       }};

@@ -153,7 +153,7 @@ Command programCommand() {
                {"finish-feed", 0, "MM", "Per revolution (default 0.08)"},
                {"speed", 0, "M/MIN", "Of the surface, in cycles (default 150)"},
                {"max-rpm", 0, "RPM", "Greatest speed of the spindle in cycles (default 2000)"},
-               {"drill", 0, "MM|auto", "Also drill and bore a bore that goes through, from a hole of this diameter"},
+               {"drill", 0, "MM|auto", "Also make the bore, through or blind, from a hole of this diameter"},
                {"write-tools", 0, "P.tbl", "Also write the tools of the program, for turn --tools"},
                {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default 500)"},
                {"help", 'h', "", "Show this help"},

@@ -27,6 +27,11 @@ Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot
   return setup;
 }
 
+// Line 0 is none: what is said of the whole program.
+std::string atLine(std::uint32_t line, const std::string& text) {
+  return line == 0 ? text : "line " + std::to_string(line) + ": " + text;
+}
+
 std::string collisionSentence(const ProgramCollision& collision) {
   switch (collision.kind) {
     case ProgramCollision::Kind::Contact:
@@ -68,12 +73,10 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   figures.power = tried.peaks().power;
   figures.collisions = tried.collisionCount();
   figures.time = tried.path().time;
-  for (const ToolPath::Note& note : tried.path().notes)
-    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
-  for (const ToolPath::Note& note : tried.notes())
-    remarks.push_back("line " + std::to_string(note.line) + ": " + note.text);
+  for (const ToolPath::Note& note : tried.path().notes) remarks.push_back(atLine(note.line, note.text));
+  for (const ToolPath::Note& note : tried.notes()) remarks.push_back(atLine(note.line, note.text));
   for (const ProgramCollision& collision : tried.collisions())
-    remarks.push_back("line " + std::to_string(collision.line) + ": " + collisionSentence(collision));
+    remarks.push_back(atLine(collision.line, collisionSentence(collision)));
   if (tried.part()) workpiece.part = tried.part();
   addCrashes(workpiece, tried.crashes());
   return workpiece;

@@ -95,6 +95,8 @@ std::string classTable(const ClassReport& report) {
   }
   html += "</table>\n";
   if (!fits) return html;
+  html += "<p style=\"font-size: 8pt\">" +
+          said(QT_TRANSLATE_NOOP("Note", "The numbered columns are the points of these criteria:")) + "</p>\n";
   html += "<ol style=\"font-size: 8pt\">\n";
   for (const MarkingCriterion& c : report.exercise.criteria) html += "<li>" + escaped(c.name) + "</li>\n";
   return html + "</ol>\n";

@@ -49,10 +49,10 @@ std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const 
   for (const Mark& mark : marking.marks) {
     const MarkingCriterion* c = report.exercise.find(mark.criterion);
     if (!c) continue;
-    const std::string unit = unitOf(report, *c);
+    const std::string symbol = unitOf(report, *c), unit = symbol.empty() ? symbol : " " + symbol;
     const std::string remark = mark.remark.text.empty() ? std::string() : translatedText(mark.remark);
-    rows.push_back({c->name, limitsOf(*c) + (unit.empty() ? "" : " " + unit),
-                    mark.value ? roundedText(*mark.value) : "–",
+    rows.push_back({c->name, c->hasLimit() ? limitsOf(*c) + unit : std::string(),
+                    mark.value ? roundedText(*mark.value) + unit : "–",
                     roundedText(mark.points) + " / " + roundedText(mark.of),
                     translatedText(mark.reason) + (remark.empty() ? "" : " (" + remark + ")")});
   }

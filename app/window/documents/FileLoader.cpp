@@ -186,7 +186,7 @@ void FileLoader::reportLosses(const Document& document) {
                 : damaged          ? tr("%1 is damaged").arg(name)
                 : file.isNewer     ? tr("%1 is opened for reading only").arg(name)
                 : isTriangulated   ? tr("%1 is opened as a mesh").arg(name)
-                                   : tr("%1 contains more than a surface").arg(name),
+                                   : tr("Not all of %1 is kept").arg(name),
                 lines.join(QLatin1Char(' ')),
                 tr("“Save” will ask for a new name, so the original stays as it is."),
                 {},

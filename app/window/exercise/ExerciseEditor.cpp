@@ -5,6 +5,8 @@
 #include "controls/PropertyList.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
+#include "document/exercise/ShippedExercises.h"
+#include "panels/ActionButton.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/exercise/ClassView.h"
 
@@ -15,6 +17,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -39,9 +42,13 @@ std::vector<Property> ofTask(const std::vector<Property>& all) {
 
 }  // namespace
 
-ExerciseEditor::ExerciseEditor(QWidget* parent) : QTabWidget(parent), m_task(new PropertyList(this)) {
+ExerciseEditor::ExerciseEditor(QWidget* parent)
+    : QTabWidget(parent), m_task(new PropertyList(this)), m_taskPage(new QWidget(this)) {
   setObjectName(QStringLiteral("exerciseEditor"));
   setDocumentMode(true);
+  auto* task = new QVBoxLayout(m_taskPage);
+  task->setContentsMargins(0, 0, 8, 8);
+  task->addWidget(m_task, 1);
   const auto present = [this]() -> Document* { return m_document; };
   connectEdits(*m_task, present, this);
   m_criteria = makeRows(QStringLiteral("criteria"), tr("Add what is marked"), [this](QToolButton* add) {
@@ -76,13 +83,18 @@ ExerciseEditor::ExerciseEditor(QWidget* parent) : QTabWidget(parent), m_task(new
     if (m_document && row >= 0)
       change(tr("Remove a step"), withoutStep(m_document->exercise(), static_cast<std::size_t>(row)));
   });
+  makeMarksOfStep();
   connectMoves(m_criteria, tr("Move a criterion"), withMovedCriterion);
   connectMoves(m_steps, tr("Move a step"), withMovedStep);
   m_class = new ClassView(this);
-  addTab(m_task, tr("Task"));
+  addTab(m_taskPage, tr("Task"));
   addTab(m_criteria.page, tr("Marks"));
   addTab(m_steps.page, tr("Steps"));
   addTab(m_class, tr("Class"));
+}
+
+void ExerciseEditor::showTargetActions(const QList<QAction*>& actions) {
+  for (QAction* action : actions) m_taskPage->layout()->addWidget(new ActionButton(action));
 }
 
 ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString& addTip,
@@ -98,17 +110,22 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   rows.remove = new QToolButton(rows.page);
   rows.remove->setText(tr("Remove"));
   rows.remove->setObjectName(name + QStringLiteral("/remove"));
+  rows.remove->setToolTip(tr("Remove the selected row"));
   rows.up = new QToolButton(rows.page);
   rows.up->setText(tr("Up"));
   rows.up->setObjectName(name + QStringLiteral("/up"));
+  rows.up->setToolTip(tr("Move the selected row up"));
   rows.down = new QToolButton(rows.page);
   rows.down->setText(tr("Down"));
   rows.down->setObjectName(name + QStringLiteral("/down"));
+  rows.down->setToolTip(tr("Move the selected row down"));
   for (QToolButton* each : {add, rows.remove, rows.up, rows.down}) buttons->addWidget(each);
   buttons->addStretch(1);
   rows.list = new QListWidget(rows.page);
   rows.list->setObjectName(name);
   rows.list->setAccessibleName(addTip);
+  rows.list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  rows.list->setWordWrap(true);
   rows.properties = new PropertyList(rows.page);
   column->addLayout(buttons);
   column->addWidget(rows.list, 1);
@@ -118,6 +135,39 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
       *rows.properties, [this]() -> Document* { return m_document; }, this);
   connect(rows.list, &QListWidget::currentRowChanged, this, &ExerciseEditor::refresh);
   return rows;
+}
+
+// The marks that a step waits for, to be checked, so that nobody has to type their names.
+void ExerciseEditor::makeMarksOfStep() {
+  auto* button = new QToolButton(m_steps.page);
+  button->setObjectName(QStringLiteral("steps/marks"));
+  button->setText(tr("Done when met"));
+  button->setToolTip(tr("Choose the marks that tick this step once Measure finds them right"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  button->setMenu(menu);
+  m_steps.page->layout()->addWidget(button);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    const int row = m_steps.list->currentRow();
+    if (!m_document || row < 0) return;
+    const Exercise shown = inLanguage(m_document->exercise());
+    const std::vector<std::string>& met = shown.steps[static_cast<std::size_t>(row)].criteria;
+    for (const MarkingCriterion& c : shown.criteria) {
+      QAction* action = menu->addAction(QString::fromStdString(c.name.empty() ? c.id : c.name));
+      action->setCheckable(true);
+      action->setChecked(std::find(met.begin(), met.end(), c.id) != met.end());
+      connect(action, &QAction::toggled, this,
+              [this, row, id = c.id] { toggleMark(static_cast<std::size_t>(row), id); });
+    }
+  });
+}
+
+void ExerciseEditor::toggleMark(std::size_t step, const std::string& id) {
+  ExerciseSnapshot exercise = m_document->exercise();
+  std::vector<std::string>& met = exercise.exercise.steps[step].criteria;
+  if (std::erase(met, id) == 0) met.push_back(id);
+  change(tr("Choose the marks of a step"), std::move(exercise));
 }
 
 void ExerciseEditor::connectMoves(Rows& rows, const QString& text, Move moved) {
@@ -140,7 +190,7 @@ void ExerciseEditor::setDocument(ExerciseDocument* document) {
 
 void ExerciseEditor::refresh() {
   if (!m_document) return;
-  const Exercise& exercise = m_document->exercise().exercise;
+  const Exercise exercise = inLanguage(m_document->exercise());
   m_task->setLengthUnit(m_document->displayUnit());
   const std::vector<Property> properties = exerciseProperties(m_document->exercise());
   m_task->setProperties(ofTask(properties));

@@ -26,6 +26,8 @@ class ExerciseEditor : public QTabWidget {
   void setDocument(ExerciseDocument* document);
   void refresh();
   ClassView* classView() const { return m_class; }
+  // Buttons below the task for what makes the target.
+  void showTargetActions(const QList<QAction*>& actions);
 
  private:
   // A list of rows with what each has below it.
@@ -42,10 +44,13 @@ class ExerciseEditor : public QTabWidget {
   using Move = ExerciseSnapshot (*)(ExerciseSnapshot, std::size_t row, bool isUp);
   void connectMoves(Rows& rows, const QString& text, Move moved);
   void addCriterion(std::size_t figure);
+  void makeMarksOfStep();
+  void toggleMark(std::size_t step, const std::string& id);
   void change(const QString& text, ExerciseSnapshot exercise);
 
   QPointer<ExerciseDocument> m_document;
   PropertyList* m_task;
+  QWidget* m_taskPage;
   Rows m_criteria, m_steps;
   ClassView* m_class;
 };

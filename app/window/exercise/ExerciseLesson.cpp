@@ -166,7 +166,10 @@ void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking
 }
 
 void ExerciseLesson::followName() {
-  m_handIn->setEnabled(m_isRunning && !m_name->text().trimmed().isEmpty());
+  const bool hasName = !m_name->text().trimmed().isEmpty();
+  m_handIn->setEnabled(m_isRunning && hasName);
+  m_handIn->setToolTip(hasName ? tr("Save a file for the teacher, with the part and all of its passes")
+                               : tr("Write your name above first"));
 }
 
 }  // namespace handwheel

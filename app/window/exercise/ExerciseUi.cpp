@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The pages and the exercise itself. Marking of a class: ExerciseUiMarking.cpp.
+// The pages and the exercise itself. Its target: ExerciseUiTarget.cpp; marking of a class: ExerciseUiMarking.cpp.
 #include "window/exercise/ExerciseUi.h"
 
 #include "document/exercise/ShippedExercises.h"
@@ -16,7 +16,6 @@
 #include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseLesson.h"
-#include "window/exercise/RoundTargetDialog.h"
 #include "window/exercise/RunningAttempt.h"
 
 #include <QStackedWidget>
@@ -34,6 +33,7 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
   m_pages->addWidget(m_editor);
   m_pages->addWidget(m_student);
   buildActions();
+  m_editor->showTargetActions({m_import, m_target, m_round});
   connect(m_attempt, &RunningAttempt::message, this, &KindUi::message);
   connect(m_attempt, &RunningAttempt::changed, this, &ExerciseUi::refresh);
   connect(m_student, &ExerciseLesson::begun, m_begin, &QAction::trigger);
@@ -63,6 +63,8 @@ void ExerciseUi::buildActions() {
                       tr("Keep the work that was begun from this exercise as its model solution"));
   m_openSolution = action("openSolution", tr("Op&en the model solution"),
                           tr("Open a copy of the model solution, to look at it or to go on from it"));
+  m_import = action("importExerciseTarget", tr("&Import target…"),
+                    tr("Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece"));
   m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
   m_round = action("roundTargetAction", tr("&Round the target…"),
                    tr("Give the target round sizes and sharp corners, as a drawing has them"));
@@ -71,6 +73,7 @@ void ExerciseUi::buildActions() {
   connect(m_preview, &QAction::triggered, this, [this] { openContent(forStudents(*snapshot())); });
   connect(m_solution, &QAction::triggered, this, [this] { takeWork(false); });
   connect(m_openSolution, &QAction::triggered, this, &ExerciseUi::openSolution);
+  connect(m_import, &QAction::triggered, this, &ExerciseUi::askForTarget);
   connect(m_target, &QAction::triggered, this, [this] { takeWork(true); });
   connect(m_round, &QAction::triggered, this, &ExerciseUi::askToRound);
   connect(m_mark, &QAction::triggered, this, &ExerciseUi::chooseSubmissions);
@@ -121,6 +124,7 @@ void ExerciseUi::refresh() {
   m_mark->setEnabled(!isStudent);
   m_solution->setEnabled(!isStudent && hasWork);
   m_openSolution->setEnabled(!isStudent && exercise.solution);
+  m_import->setEnabled(!isStudent);
   m_target->setEnabled(!isStudent && hasWork);
   m_round->setEnabled(!isStudent);
   emit stateChanged();
@@ -131,7 +135,7 @@ QWidget* ExerciseUi::panel() {
 }
 
 QList<QAction*> ExerciseUi::menu() {
-  return {m_begin, m_preview, m_solution, m_openSolution, m_target, m_round, m_mark};
+  return {m_begin, m_preview, m_solution, m_openSolution, m_import, m_target, m_round, m_mark};
 }
 
 QList<QAction*> ExerciseUi::toolBar() {
@@ -226,43 +230,6 @@ void ExerciseUi::openSolution() {
   OpenedFile opened = DocumentKinds::blank(*kind);
   opened.content = exercise.solution;
   parts().openDocument(std::move(opened));
-}
-
-// Lines and arcs are fitted to all of the part. Where the task was changed in the meantime it stays as it is.
-void ExerciseUi::takeTarget(const SnapshotPointer& work) {
-  Job job;
-  job.name = tr("Taking the target");
-  job.owner = document();
-  job.failed = [this](const Error& error) {
-    if (error.code != ErrorCode::Cancelled) report(tr("The target was not taken"), error);
-  };
-  job.work = [this, work, before = snapshot(), owner = document(), failed = job.failed](Progress) -> Job::Finish {
-    const Result<TaskPointer> task = before->subject->withTarget(*before->task, *work);
-    if (!task) return [failed, error = task.error()] { failed(error); };
-    return [this, owner, before, made = *task] {
-      if (!parts().tabs.contains(owner)) return;
-      auto& exercise = static_cast<ExerciseDocument&>(owner->document);
-      ExerciseSnapshot changed = exercise.exercise();
-      if (changed.task != before->task) return;
-      changed.task = made;
-      exercise.change(tr("Take the target"), std::move(changed));
-    };
-  };
-  parts().jobs.start(std::move(job));
-}
-
-// What was changed in the meantime, of the task, stays: then the target is not rounded.
-void ExerciseUi::askToRound() {
-  const auto before = snapshot();
-  auto* dialog = new RoundTargetDialog(*before->subject, before->task, parts().pool, parts().window);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &RoundTargetDialog::chosen, current(), [this, before, owner = current()](const TaskPointer& task) {
-    ExerciseSnapshot changed = owner->exercise();
-    if (changed.task != before->task) return;
-    changed.task = task;
-    owner->change(tr("Round the target"), std::move(changed));
-  });
-  dialog->open();
 }
 
 }  // namespace handwheel

@@ -51,6 +51,9 @@ class ExerciseUi : public RigidPartsUi {
   void takeWork(bool asTarget);
   void openSolution();
   void takeTarget(const SnapshotPointer& work);
+  void askForTarget();
+  void importTarget(DocumentTab* owner, const QString& path);
+  void changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);
@@ -76,7 +79,7 @@ class ExerciseUi : public RigidPartsUi {
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;
   mutable SnapshotPointer m_displayedWork;
-  QAction *m_begin, *m_preview, *m_solution, *m_openSolution, *m_target, *m_round, *m_mark;
+  QAction *m_begin, *m_preview, *m_solution, *m_openSolution, *m_import, *m_target, *m_round, *m_mark;
 };
 
 }  // namespace handwheel

@@ -8,11 +8,8 @@
 #include "viewport/Viewport.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
+#include "window/workpiece/TextOutlines.h"
 
-#include <QFont>
-#include <QFontMetricsF>
-#include <QPainterPath>
-#include <QTransform>
 #include <algorithm>
 #include <cmath>
 
@@ -37,20 +34,14 @@ void addCurve(std::vector<PathLine>& lines, const ProfileSegment& curve, double 
 
 // The outlines of its letters.
 void addText(std::vector<PathLine>& lines, const Sheet::Text& text, double scale) {
-  QFont font(QStringLiteral("sans-serif"));
-  font.setPixelSize(100);
-  const QFontMetricsF metrics(font);
-  const QString words = QString::fromStdString(text.text);
-  const double size = text.height / metrics.capHeight(), width = metrics.horizontalAdvance(words);
+  const TextOutlines words = textOutlines(QString::fromStdString(text.text), text.height);
   const double start = text.align == Sheet::Align::Left    ? 0.0
-                       : text.align == Sheet::Align::Right ? -width
-                                                           : -0.5 * width;
-  QPainterPath path;
-  path.addText(start, 0.0, font, words);
-  for (const QPolygonF& polygon : path.toSubpathPolygons(QTransform())) {
+                       : text.align == Sheet::Align::Right ? -words.width
+                                                           : -0.5 * words.width;
+  for (const std::vector<Vec2>& outline : words.lines) {
     PathLine line;
-    for (const QPointF& p : polygon) {
-      const ProfilePoint flat(size * p.x(), -size * p.y());
+    for (const Vec2& p : outline) {
+      const ProfilePoint flat(start + p.x(), p.y());
       line.points.push_back(inScene(text.at + (text.isUpwards ? ProfilePoint(-flat.y(), flat.x()) : flat), scale));
     }
     lines.push_back(std::move(line));

@@ -208,11 +208,12 @@ QWidget* LathePanel::makeThreadAndRapid() {
 }
 
 // A read-out as that of a lathe whose axis has no reference shows no number that could be taken for a size.
-void LathePanel::showAxis(QLabel& label, const QString& axis, const QString& read, const QString& remedy) {
+void LathePanel::showAxis(QLabel& label, const QString& axis, const QString& read, const QString& meaning,
+                          const QString& remedy) {
   const QString text = read.isEmpty() ? tr("%1 not touched off").arg(axis) : read;
   if (label.text() == text) return;
   label.setText(text);
-  label.setToolTip(read.isEmpty() ? remedy : QString());
+  label.setToolTip(read.isEmpty() ? tr("%1 has no zero yet. %2").arg(axis, remedy) : meaning);
   label.setEnabled(!read.isEmpty());  // greyed
 }
 
@@ -236,9 +237,13 @@ void LathePanel::show(const ManualLatheTool& tool) {
   const auto [hasX, hasZ] = tool.isTouchedOff();
   showAxis(
       *m_x, QStringLiteral("X"), hasX ? QStringLiteral("X %1 %2 mm").arg(badge, number(read.x(), 3)) : QString(),
+      tool.setup().showsDiameter
+          ? tr("Diameter at the tip, from the workpiece zero as it was touched off; outward is positive")
+          : tr("Radius at the tip, from the workpiece zero as it was touched off; outward is positive"),
       tr("Turn a little of the bar, measure its diameter, enter it below, and press “Touch off X” before the cross "
          "slide moves."));
   showAxis(*m_z, QStringLiteral("Z"), hasZ ? QStringLiteral("Z %1 mm").arg(number(read.y(), 3)) : QString(),
+           tr("From the workpiece zero as it was touched off; away from the chuck is positive"),
            tr("Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the "
               "carriage moves."));
   if (QAbstractButton* const shown = m_spindle->button(now->machine.direction + 1)) shown->setChecked(true);

@@ -45,7 +45,8 @@ class LathePanel : public QWidget {
   QWidget* makeFeed();
   QWidget* makeThreadAndRapid();
   QPushButton* button(const QString& text, const char* name, const QString& tip);
-  void showAxis(QLabel& label, const QString& axis, const QString& read, const QString& remedy);
+  // meaning: what the number counts from and in which sense; remedy: what to do while there is no zero.
+  void showAxis(QLabel& label, const QString& axis, const QString& read, const QString& meaning, const QString& remedy);
   void sendSpeed();
   void sendFeed(int way);
 

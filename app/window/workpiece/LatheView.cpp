@@ -12,12 +12,14 @@
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
 #include "viewport/Viewport.h"
+#include "viewport/path/PathLayer.h"
 #include "window/WindowServices.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolHost.h"
 #include "window/workpiece/LathePanel.h"
+#include "window/workpiece/ZeroSymbol.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -37,7 +39,9 @@ constexpr int kAfterwardsMs = 2000;  // in which a crash rings out
 constexpr double kPushed = 20.0;     // mm for a height of the view: full deflection of a cap is some 20 mm/s
 }  // namespace
 
-LatheView::LatheView(const WindowContext& window, QObject* parent) : QObject(parent), m_window(window) {
+LatheView::LatheView(const WindowContext& window, QObject* parent)
+    : QObject(parent), m_window(window), m_zeroLayer(std::make_shared<PathLayer>()) {
+  window.viewport.addLayer(m_zeroLayer);
   connect(&window.tools, &ToolHost::updated, this, &LatheView::follow);
   m_refresh.setInterval(kRefreshMs);
   connect(&m_refresh, &QTimer::timeout, this, &LatheView::refresh);
@@ -48,6 +52,7 @@ LatheView::LatheView(const WindowContext& window, QObject* parent) : QObject(par
 
 LatheView::~LatheView() {
   m_window.spaceMouse.setTaker({});
+  m_window.viewport.removeLayer(*m_zeroLayer);
 }
 
 std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document) {
@@ -149,6 +154,7 @@ void LatheView::follow() {
     });
   }
   if (!isRunning) m_refresh.stop();
+  showZero();
   if (std::exchange(m_isPushed, isRunning) != isRunning)
     m_window.spaceMouse.setTaker(isRunning ? [this](const Vec3& way) { push(way); } : SpaceMouseNavigation::Taker());
   const bool isTurning = isRunning || dynamic_cast<const TurnTool*>(m_window.tools.runner().tool());
@@ -192,9 +198,33 @@ void LatheView::refresh() {
   ManualLatheTool* const lathe = tool();
   if (!lathe || !m_panel) return;
   if (lathe->hasToCommit()) m_window.tools.runner().deliver([&] { lathe->endPass(); });
-  if (!tool()) return;  // it failed
-  if (std::exchange(m_wasLive, lathe->isLive()) != lathe->isLive()) m_window.tools.refresh();
+  if (!tool()) return;                                           // it failed
+  const std::pair now(lathe->isLive(), lathe->moment()->isCut);  // what undo would do depends on both
+  if (std::exchange(m_was, now) != now) m_window.tools.refresh();
   m_panel->show(*lathe);
+  showZero();
+  sayUndone(*lathe);
+}
+
+// Where the read-out shows 0 for Z, once it was touched off.
+void LatheView::showZero() {
+  constexpr double kSize = 0.03, kStep = 1e-3;  // of the length of the bar; mm
+  const ManualLatheTool* const lathe = tool();
+  std::pair<double, double> zero;
+  if (lathe && lathe->isTouchedOff()[1]) {
+    const double z = lathe->base() + lathe->moment()->tip.y() - lathe->readout().y();
+    zero = {kStep * std::round(z / kStep), kSize * lathe->moment()->profile.length()};
+  }
+  if (std::exchange(m_zero, zero) == zero) return;
+  m_zeroLayer->setLines(zero.second > 0.0 ? zeroSymbol(zero.first, zero.second, tr("Workpiece zero")) : nullptr);
+}
+
+// A tool that jumps is a surprise.
+void LatheView::sayUndone(const ManualLatheTool& lathe) {
+  if (std::exchange(m_returns, lathe.returnCount()) >= lathe.returnCount()) return;
+  emit message({Message::Weight::Info, tr("The tool was moved"),
+                tr("The material that came back is where it was, so it stands where it was before that pass."),
+                tr("The spindle turns as before.")});
 }
 
 void LatheView::feel() {

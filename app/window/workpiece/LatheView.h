@@ -14,6 +14,7 @@ class QDockWidget;
 namespace handwheel {
 
 class LathePanel;
+class PathLayer;
 class ManualLatheTool;
 class WorkpieceDocument;
 struct LatheChannel;
@@ -49,6 +50,8 @@ class LatheView : public QObject {
   void sound();
   void push(const Vec3& way);
   void mount(const QString& tool);
+  void showZero();
+  void sayUndone(const ManualLatheTool& lathe);
 
   WindowContext m_window;
   QPointer<QDockWidget> m_dock;
@@ -56,7 +59,10 @@ class LatheView : public QObject {
   QTimer m_refresh;   // while the lathe runs
   QTimer m_sounding;  // while something turns
   TurningSound m_turning;
-  bool m_wasLive = false;
+  std::shared_ptr<PathLayer> m_zeroLayer;
+  std::pair<double, double> m_zero;      // mm: z of the zero that is drawn, and its size; 0: none is
+  int m_returns = 0;                     // of the tool, as they were told last
+  std::pair<bool, bool> m_was;           // live, and with a pass under way
   bool m_isPushed = false;               // a space mouse moves the slides
   int m_quiet = 0;                       // timeouts of m_sounding since the lathe was live
   std::shared_ptr<LatheChannel> m_felt;  // null: nothing of a lathe is felt

@@ -223,9 +223,12 @@ void WorkpieceUi::explainLocks() {
 NextStep WorkpieceUi::nextStep() {
   if (!document() || document()->document.history()->count() > 0) return {};
   const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
+  const bool isAssigned = static_cast<bool>(document()->document.file().assigned);
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Stock of %1.").arg(sizeText(document()->document)),
-          isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
-                : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
+          isAssigned
+              ? tr("It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.")
+          : isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
+                  : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
           panelActions()};
 }
 

@@ -11,20 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-// All recurse no deeper than what parseJson() lets in.
-json keysBeyond(const json& read, const json& known) {
-  json beyond = json::object();
-  for (const auto& [key, value] : read.items()) {
-    const auto found = known.find(key);
-    if (found == known.end()) {
-      beyond[key] = value;
-    } else if (value.is_object() && found->is_object()) {
-      json inner = keysBeyond(value, *found);
-      if (!inner.empty()) beyond[key] = std::move(inner);
-    }
-  }
-  return beyond;
-}
+// All of these recurse no deeper than what parseJson() lets in.
 
 // Without what stood in objects that were known and are gone.
 json withoutDeleted(const json& unknown, const json& known, const json& ours) {
@@ -48,6 +35,25 @@ void put(json& onto, json&& ours) {
 }
 
 }  // namespace
+
+json keysBeyond(const json& read, const json& known) {
+  json beyond = json::object();
+  for (const auto& [key, value] : read.items()) {
+    const auto found = known.find(key);
+    if (found == known.end()) {
+      beyond[key] = value;
+    } else if (value.is_object() && found->is_object()) {
+      json inner = keysBeyond(value, *found);
+      if (!inner.empty()) beyond[key] = std::move(inner);
+    }
+  }
+  return beyond;
+}
+
+json withUnknown(json unknown, json ours) {
+  put(unknown, std::move(ours));
+  return unknown;
+}
 
 Container unknownPart(const Container& read, const Container& known, std::span<const std::string> ownFolders) {
   Container unknown;

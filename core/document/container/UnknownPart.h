@@ -4,9 +4,17 @@
 
 #include "document/Container.h"
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 
 namespace handwheel {
+
+// The keys of an object that `known` does not have, in objects at any depth. Arrays and values count as a whole.
+nlohmann::json keysBeyond(const nlohmann::json& read, const nlohmann::json& known);
+
+// The unknown keys of an object with ours over them: objects are merged key by key, at any depth; everything else is
+// ours.
+nlohmann::json withUnknown(nlohmann::json unknown, nlohmann::json ours);
 
 // The part of a container that this program does not know. These are keys, in objects at any depth, that `known` does
 // not have, and blobs that it does not have and that are not below a folder of ours ("mesh/"). Arrays and values count

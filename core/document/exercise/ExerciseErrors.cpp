@@ -33,12 +33,23 @@ const ErrorDescription ExerciseError::WithoutScheme{
 const ErrorDescription ExerciseError::WithoutTarget{
     .id = "WithoutTarget",
     .sentences = {translatable("ErrorText", "the exercise has no target, so there is nothing to draw")},
-    .advice = {translatable("ErrorText", "Turn a model solution and take it as the target.")}};
+    .advice = {translatable("ErrorText", "Import a target, or turn a model solution and take it as the target.")}};
+
+const ErrorDescription ExerciseError::NothingTurned{
+    .id = "NothingTurned",
+    .sentences = {translatable("ErrorText", "nothing was turned in the work that was begun; it is the bar itself")},
+    .advice = {translatable("ErrorText", "Turn the part first, or import the target from a drawing.")}};
 
 const ErrorDescription ExerciseError::FieldRefused{
     .id = "FieldRefused",
     .sentences = {translatable("ErrorText", "%1: %2")},
     .advice = {translatable("ErrorText", "Give this field of the exercise another value.")}};
+
+const ErrorDescription ExerciseError::MarkUnknown{
+    .id = "MarkUnknown",
+    .sentences = {translatable("ErrorText", "%1: there is no mark “%2”")},
+    .advice = {translatable("ErrorText", "Put “;” between the names of several marks. There are: %3."),
+               translatable("ErrorText", "Add what is marked in “Marks” first.")}};
 
 const ErrorDescription ExerciseError::Fixed{
     .id = "Fixed",

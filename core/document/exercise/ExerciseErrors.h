@@ -13,7 +13,9 @@ extern const ErrorDescription OtherWork;       // {reason} the work cannot be of
 extern const ErrorDescription NotHandedIn;     // the file is no work that was handed in
 extern const ErrorDescription WithoutScheme;   // the exercise is a student's, which has no marking scheme
 extern const ErrorDescription WithoutTarget;   // the exercise has no target that could be drawn
+extern const ErrorDescription NothingTurned;   // the work that is to become the target is the untouched bar
 extern const ErrorDescription FieldRefused;    // {field, in the words of the window, what is wrong}
+extern const ErrorDescription MarkUnknown;     // {step, what is no mark, the marks} a step is to wait for it
 extern const ErrorDescription Fixed;           // a student's copy cannot be changed
 
 }  // namespace handwheel::ExerciseError

@@ -4,6 +4,7 @@
 
 #include "base/JsonFields.h"
 #include "base/JsonText.h"
+#include "document/container/UnknownPart.h"
 
 #include <algorithm>
 
@@ -92,6 +93,30 @@ void visitAttemptTexts(Texts& attempt, const auto& visit) {
 constexpr const char *kSteps = "steps", *kCriteria = "criteria";                          // of an exercise
 constexpr const char *kSeconds = "seconds", *kHintsSeen = "hints", *kStepsDone = "done";  // of an attempt
 
+// A row with what this program does not know of it.
+Json withOthers(Json row, const std::string& others) {
+  if (others.empty()) return row;
+  return withUnknown(Json::parse(others, nullptr, false), std::move(row));
+}
+
+Json rowJson(const MarkingCriterion& c) {
+  Json row = Json::object();
+  visitCriterion(c, ExerciseFieldWriter(row));
+  return row;
+}
+
+Json rowJson(const ExerciseStep& step) {
+  Json row = Json::object();
+  visitStep(step, ExerciseFieldWriter(row));
+  return row;
+}
+
+template <class Row>
+std::string othersOf(const Json& read, const Row& row) {
+  const Json beyond = read.is_object() ? keysBeyond(read, rowJson(row)) : Json::object();
+  return beyond.empty() ? std::string() : beyond.dump();
+}
+
 // Keeps the last row of an exercise, or takes it out and says why.
 template <class Row>
 void keepIfSound(Exercise& exercise, std::vector<Row>& rows, std::vector<Error>& damage) {
@@ -106,10 +131,8 @@ void keepIfSound(Exercise& exercise, std::vector<Row>& rows, std::vector<Error>&
 Json toJson(const Exercise& exercise) {
   Json json = Json::object(), steps = Json::array(), criteria = Json::array();
   visitHead(exercise, ExerciseFieldWriter(json));
-  for (const ExerciseStep& step : exercise.steps)
-    visitStep(step, ExerciseFieldWriter(steps.emplace_back(Json::object())));
-  for (const MarkingCriterion& c : exercise.criteria)
-    visitCriterion(c, ExerciseFieldWriter(criteria.emplace_back(Json::object())));
+  for (const ExerciseStep& step : exercise.steps) steps.push_back(withOthers(rowJson(step), step.others));
+  for (const MarkingCriterion& c : exercise.criteria) criteria.push_back(withOthers(rowJson(c), c.others));
   json[kSteps] = std::move(steps);
   json[kCriteria] = std::move(criteria);
   return json;
@@ -131,7 +154,9 @@ Exercise exerciseFrom(const Json& json, std::vector<Error>& damage) {
       tooMany("criteria", criteria.size(), Exercise::kMostCriteria);
       break;
     }
-    visitCriterion(exercise.criteria.emplace_back(), ExerciseFieldReader(each));
+    MarkingCriterion& c = exercise.criteria.emplace_back();
+    visitCriterion(c, ExerciseFieldReader(each));
+    c.others = othersOf(each, c);
     keepIfSound(exercise, exercise.criteria, damage);
   }
   for (const Json& each : steps) {
@@ -139,7 +164,9 @@ Exercise exerciseFrom(const Json& json, std::vector<Error>& damage) {
       tooMany("steps", steps.size(), Exercise::kMostSteps);
       break;
     }
-    visitStep(exercise.steps.emplace_back(), ExerciseFieldReader(each));
+    ExerciseStep& step = exercise.steps.emplace_back();
+    visitStep(step, ExerciseFieldReader(each));
+    step.others = othersOf(each, step);
     keepIfSound(exercise, exercise.steps, damage);
   }
   return exercise;

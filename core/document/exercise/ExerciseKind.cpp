@@ -7,6 +7,7 @@
 #include "document/Container.h"
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
+#include "document/container/UnknownPart.h"
 #include "document/exercise/ExerciseDocument.h"
 #include "document/exercise/ExerciseErrors.h"
 #include "document/exercise/ExerciseJson.h"
@@ -24,7 +25,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kDescriptionEnding = ".exercise.json";
-constexpr const char *kSolution = "solution", *kWork = "work";
+constexpr const char *kSolution = "solution", *kWork = "work", *kTask = "task";
 
 const ExerciseSnapshot& exerciseOf(const Snapshot& content) {
   return static_cast<const ExerciseSnapshot&>(content);
@@ -61,6 +62,22 @@ Result<SnapshotPointer> readInner(const Container& container, const char* name, 
   if (content || content.error().code == ErrorCode::Cancelled) return content;
   damage.push_back(content.error());
   return SnapshotPointer();
+}
+
+Json withOthers(const ExerciseSnapshot& exercise, Json ours) {
+  return exercise.others ? withUnknown(*exercise.others, std::move(ours)) : ours;
+}
+
+// Keeps what this program does not know of the JSON that an exercise was read from. known: keys that are read besides
+// those of descriptions.
+void keepOthers(ExerciseSnapshot& exercise, const Json& read, std::initializer_list<const char*> known) {
+  Json others = keysBeyond(read, ExerciseKind::description(exercise));
+  for (const char* const key : known) others.erase(key);
+  others.erase(kTask);  // the subject knows what else it reads
+  if (const auto task = read.find(kTask); task != read.end())
+    if (Json ofTask = exercise.subject->unknownKeys(*task, *exercise.task); !ofTask.empty())
+      others[kTask] = std::move(ofTask);
+  if (!others.empty()) exercise.others = std::make_shared<const Json>(std::move(others));
 }
 
 // Of a description without one: the same for each reading of it, of the teacher and the students.
@@ -120,9 +137,10 @@ Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::f
   if (!path.string().ends_with(kDescriptionEnding))
     return exercise.subject->exportDrawing(exercise.exercise, *exercise.task, path, progress);
   WrittenFile file;
-  Json json = exercise.others ? *exercise.others : Json::object();
-  json.update(description(exercise));
+  Json json = withOthers(exercise, description(exercise));
   if (exercise.solution) json[kSolution] = exercise.subject->describeWork(*exercise.task, *exercise.solution);
+  const bool isAsDescribed = exercise.solution && exercise.solution == exercise.madeOfDescription;
+  if (isAsDescribed && !json[kSolution].is_null()) json[kSolution] = *exercise.describedSolution;
   if (exercise.solution && json[kSolution].is_null())
     file.notes.push_back({QT_TRANSLATE_NOOP("Note",
                                             "A description cannot hold a model solution that was made by hand. "
@@ -141,7 +159,7 @@ void ExerciseKind::save(const Snapshot& content, Container& container) const {
   const ExerciseSnapshot& exercise = exerciseOf(content);
   Json& document = (*container.manifest)["document"];
   if (!document.is_object()) document = Json::object();
-  document.update(description(exercise));
+  document.update(withOthers(exercise, description(exercise)));
   document["attempt"] = exercise.attempt ? toJson(*exercise.attempt) : Json();
   writeInner(container, kSolution, exercise.subject->kind(), exercise.solution);
   writeInner(container, kWork, exercise.subject->kind(), exercise.work);
@@ -168,6 +186,7 @@ Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vect
   if (!work) return work.error();
   exercise.solution = std::move(solution.value());
   exercise.work = std::move(work.value());
+  keepOthers(exercise, *document, {kSolution, kWork, "attempt"});
   return SnapshotPointer(std::make_shared<const ExerciseSnapshot>(std::move(exercise)));
 }
 
@@ -183,7 +202,7 @@ Result<ExerciseSnapshot> ExerciseKind::read(const Json& document, std::vector<Er
     if (c.tolerance.empty() || c.hasLimit()) continue;
     if (const Status applied = exercise.subject->applyTolerance(c); !applied) damage.push_back(applied.error());
   }
-  exercise.task = exercise.subject->fromJson(document.value("task", Json()), damage);
+  exercise.task = exercise.subject->fromJson(document.value(kTask, Json()), damage);
   exercise.key = stringAt(document, "key");
   if (exercise.key.size() > 100) {
     exercise.key.clear();
@@ -231,15 +250,13 @@ Result<SnapshotPointer> ExerciseKind::fromDescription(const Json& given, Progres
       return Error{ErrorCode::ElementMalformed, {namedInErrors(c), "it gives points without a limit"}, {}, {}};
   }
   if (exercise.key.empty()) exercise.key = keyOf(exercise);
-  Json others = given;
-  const Json written = description(exercise);
-  for (const auto& known : written.items()) others.erase(known.key());
-  others.erase(kSolution);
-  if (!others.empty()) exercise.others = std::make_shared<const Json>(std::move(others));
+  keepOthers(exercise, given, {kSolution});
   if (const auto solution = given.find(kSolution); solution != given.end() && !solution->is_null()) {
     Result<SnapshotPointer> made = exercise.subject->makeWork(*exercise.task, *solution, progress);
     if (!made) return made.error();
     exercise.solution = std::move(made.value());
+    exercise.describedSolution = std::make_shared<const Json>(*solution);
+    exercise.madeOfDescription = exercise.solution;
   }
   const auto isForStudents = given.find("for_students");
   if (isForStudents != given.end() && isForStudents->is_boolean() && isForStudents->get<bool>())
@@ -250,7 +267,7 @@ Result<SnapshotPointer> ExerciseKind::fromDescription(const Json& given, Progres
 Json ExerciseKind::description(const ExerciseSnapshot& exercise) {
   Json json = toJson(exercise.exercise);
   json["subject"] = exercise.subject->id();
-  json["task"] = exercise.subject->toJson(*exercise.task);
+  json[kTask] = exercise.subject->toJson(*exercise.task);
   json["key"] = exercise.key;
   json["for_students"] = exercise.isForStudents;
   return json;

@@ -4,6 +4,8 @@
 
 #include "base/NumberText.h"
 #include "document/Utf8.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ShippedExercises.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -253,14 +255,32 @@ Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, cons
   return Done{};
 }
 
-Status setField(const Exercise& exercise, ExerciseStep& step, const std::string& field, const std::string& id,
-                const PropertyValue& value) {
+std::string headingOf(const Exercise& exercise, std::size_t step) {
+  return std::to_string(step + 1) + ". " + exercise.steps[step].title;
+}
+
+Error markUnknown(const Exercise& exercise, std::size_t step, const std::string& name) {
+  std::vector<std::string> ids;
+  for (const MarkingCriterion& c : exercise.criteria) ids.push_back(c.id);
+  Error error{ExerciseError::MarkUnknown, {headingOf(exercise, step), name}, {}, {}};
+  if (!ids.empty()) error.arguments.push_back(joined(shownNames(exercise, std::move(ids)), kListSign));
+  return error;
+}
+
+// Marks are named in the words that the user sees.
+Status setStepField(ExerciseSnapshot& exercise, std::size_t row, const std::string& field, const std::string& id,
+                    const PropertyValue& value) {
+  const Exercise shown = inLanguage(exercise);
+  ExerciseStep& step = exercise.exercise.steps[row];
   const auto* text = std::get_if<std::string>(&value);
   if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
   if (field == "title") step.title = *text;
   if (field == "text") step.text = *text;
   if (field == "hints") step.hints = split(*text, kHintSign);
-  if (field == "criteria") step.criteria = idsOf(exercise, split(*text, kListSign));
+  if (field != "criteria") return Done{};
+  step.criteria = idsOf(shown, split(*text, kListSign));
+  for (const std::string& each : step.criteria)
+    if (!shown.find(each)) return markUnknown(shown, row, each);
   return Done{};
 }
 
@@ -290,8 +310,7 @@ std::optional<Status> setOwn(ExerciseSnapshot& exercise, const std::string& id, 
   }
   for (std::size_t i = 0; i < exercise.exercise.steps.size(); ++i) {
     const std::string prefix = stepPrefix(i);
-    if (id.starts_with(prefix))
-      return setField(exercise.exercise, exercise.exercise.steps[i], id.substr(prefix.size()), id, value);
+    if (id.starts_with(prefix)) return setStepField(exercise, i, id.substr(prefix.size()), id, value);
   }
   return std::nullopt;
 }
@@ -307,7 +326,7 @@ std::string stepPrefix(std::size_t step) {
 }
 
 std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise) {
-  const Exercise& e = exercise.exercise;
+  const Exercise e = inLanguage(exercise);
   const std::string group = QT_TRANSLATE_NOOP("Property", "Exercise");
   std::vector<Property> all = {property("title", group, QT_TRANSLATE_NOOP("Property", "Title"), e.title),
                                property("author", group, QT_TRANSLATE_NOOP("Property", "Author"), e.author),
@@ -324,12 +343,12 @@ std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise) {
   }
   for (std::size_t i = 0; i < e.steps.size(); ++i) {
     const ExerciseStep& step = e.steps[i];
-    const std::string prefix = stepPrefix(i), heading = std::to_string(i + 1) + ". " + step.title;
+    const std::string prefix = stepPrefix(i), heading = headingOf(e, i);
     for (auto&& [id, label, value] :
          {std::tuple{"title", QT_TRANSLATE_NOOP("Property", "Title"), step.title},
           std::tuple{"text", QT_TRANSLATE_NOOP("Property", "Text"), step.text},
           std::tuple{"hints", QT_TRANSLATE_NOOP("Property", "Hints, with | between"), joined(step.hints, kHintSign)},
-          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met"),
+          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met, with ; between"),
                      joined(shownNames(e, step.criteria), kListSign)}}) {
       all.push_back(property(prefix + id, heading, label, value));
       all.back().groupTranslated = false;

@@ -34,6 +34,8 @@ ExerciseSnapshot forStudents(ExerciseSnapshot exercise) {
   exercise.work.reset();
   exercise.attempt.reset();
   exercise.others.reset();
+  exercise.describedSolution.reset();
+  exercise.madeOfDescription.reset();
   exercise.isForStudents = true;
   return exercise;
 }

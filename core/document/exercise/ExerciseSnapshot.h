@@ -21,9 +21,13 @@ struct ExerciseSnapshot : Snapshot {
   SnapshotPointer work;                      // of the student, as far as it is; null: nothing yet
   std::optional<Attempt> attempt;            // present since the student has begun
   bool isForStudents = false;                // it has no answers, and cannot be changed
-  // What the description that it was read from has beside what this program knows: it is written back into
-  // descriptions. Null: nothing.
+  // What the file that it was read from has beside what this program knows: it is written back into files. What rows
+  // have is in them. Null: nothing.
   std::shared_ptr<const nlohmann::json> others;
+  // The model solution as it was described, and what was made of that: as long as this is the model solution it is
+  // written as it was read. Null: it was not described.
+  std::shared_ptr<const nlohmann::json> describedSolution;
+  SnapshotPointer madeOfDescription;
 };
 
 // The exercise for students: without marking scheme, model solution and work.

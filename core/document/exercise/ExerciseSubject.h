@@ -73,6 +73,8 @@ class ExerciseSubject {
   virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;
   // Accepts any JSON; what it cannot take is added to the damage and replaced by that of the blank task.
   virtual TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const = 0;
+  // The keys of a task that fromJson() does not know: an object, empty where there are none.
+  virtual nlohmann::json unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const = 0;
   // The properties of a task that teachers change. Errors of a change: as Document::propertyEdit().
   virtual std::vector<Property> properties(const ExerciseTask& task) const = 0;
   virtual Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
@@ -89,8 +91,19 @@ class ExerciseSubject {
                                            Progress progress) const = 0;
   // The description that makeWork() makes this work from; null: none can hold it, as work that was done by hand.
   virtual nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const = 0;
-  // A task whose target is what this work made, for teachers who turn the model solution first.
+  // A task whose target is what this work made, for teachers who turn the model solution first. Errors:
+  // ExerciseError::NothingTurned, ElementMalformed.
   virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
+  // The extensions of the files that a target is imported from: ".step", …
+  virtual std::vector<std::string> targetEndings() const = 0;
+  struct ImportedTask {
+    TaskPointer task;
+    std::vector<Note> notes;  // what the teacher should know of it
+  };
+  // A task whose target is in a file: a drawing, a solid, a mesh or a document of our own. Blocks. Errors: those of the
+  // readers, FormatUnknown; the subject is the path.
+  virtual Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
+                                                  Progress progress) const = 0;
   // A task whose target is in round sizes, as a drawing has them. step: mm; hollow corners of up to largestFillet (mm)
   // become sharp. Errors: ExerciseError::WithoutTarget, those of the target in such a step.
   struct RoundedTask {

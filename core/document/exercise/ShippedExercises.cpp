@@ -14,6 +14,7 @@ constexpr std::string_view kShippedKey = "handwheel-";
 
 // The texts of resources/samples/exercises, which is what tools/exercises wrote; a test compares them.
 constexpr const char* kTexts[] = {
+    QT_TRANSLATE_NOOP("Exercise", "turning tool"),
     QT_TRANSLATE_NOOP("Exercise", "Ball"),
     QT_TRANSLATE_NOOP("Exercise", "A ball of 36 mm on a neck of 12 mm."),
     QT_TRANSLATE_NOOP("Exercise", "Rough"),

@@ -167,6 +167,13 @@ std::vector<DisplayPart> LatheDisplay::parts(double turns, const ProfilePoint& t
   return all;
 }
 
+std::vector<std::vector<Vec3>> LatheDisplay::tipMark(const ProfilePoint& tip) const {
+  constexpr double kArm = 3.0;  // mm
+  const Vec3 at(tip.x(), 0.0, tip.y() + m_base);
+  return {{at - kArm * Vec3::UnitX(), at + kArm * Vec3::UnitX()},
+          {at - kArm * Vec3::UnitZ(), at + kArm * Vec3::UnitZ()}};
+}
+
 std::vector<std::vector<Vec3>> LatheDisplay::outline(const LatheTool& tool, const ProfilePoint& tip) const {
   std::vector<std::vector<Vec3>> lines;
   const auto draw = [&](const RoundedSection& section) {

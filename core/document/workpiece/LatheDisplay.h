@@ -20,6 +20,8 @@ class LatheDisplay {
   std::vector<DisplayPart> parts(double turns, const ProfilePoint& tip, const LatheTool* tool, double quillTip) const;
 
   // The nose and the outline of a tool's sections in the plane y = 0, for the view.
+  // A cross at the tip, which the read-out is of.
+  std::vector<std::vector<Vec3>> tipMark(const ProfilePoint& tip) const;
   std::vector<std::vector<Vec3>> outline(const LatheTool& tool, const ProfilePoint& tip) const;
 
  private:

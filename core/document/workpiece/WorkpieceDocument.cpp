@@ -16,6 +16,7 @@ std::vector<Property> WorkpieceDocument::properties() const {
   for (Property& own : all) {
     const auto field = fieldNamed(own.id);
     if (file().assigned && field && isOfAnExercise(*field)) own.editable = false;
+    if (field == WorkpieceField::Material) own.value = materialInWords(m_workpiece->material);
   }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
@@ -28,8 +29,10 @@ Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string&
   if (m_workpiece->part && isOfTheBar(*field)) return Error{WorkpieceError::SizeFixed, {}, {}, {}};
   const Status checked = checkValue(*field, value);
   if (!checked) return checked.error();
-  if (propertyOf(*m_workpiece, *field).value == value) return std::unique_ptr<Edit>();
-  return std::unique_ptr<Edit>(std::make_unique<WorkpieceEdit>(*field, value));
+  const PropertyValue stored =
+      *field == WorkpieceField::Material ? PropertyValue(materialOfWords(std::get<std::string>(value))) : value;
+  if (propertyOf(*m_workpiece, *field).value == stored) return std::unique_ptr<Edit>();
+  return std::unique_ptr<Edit>(std::make_unique<WorkpieceEdit>(*field, stored));
 }
 
 void WorkpieceDocument::addCrashes(std::span<const LatheCollision> crashes) {

@@ -3,9 +3,9 @@
 #include "document/workpiece/WorkpieceKind.h"
 
 #include "document/AtomicFile.h"
-#include "document/DocumentErrors.h"
 #include "document/formats/MeshExport.h"
 #include "document/workpiece/DrawingExport.h"
+#include "document/workpiece/DrawnWorkpiece.h"
 #include "document/workpiece/FinishReport.h"
 #include "document/workpiece/TargetBlobs.h"
 #include "document/workpiece/TargetImport.h"
@@ -93,16 +93,20 @@ std::vector<FileFormat> WorkpieceKind::formats() const {
     format.reads = false;
     all.push_back(std::move(format));
   }
-  for (FileFormat& format : drawingFormats()) all.push_back(std::move(format));
+  for (FileFormat& format : drawingFormats()) {
+    format.reads = format.name != "PDF";
+    all.push_back(std::move(format));
+  }
   return all;
 }
 
-bool WorkpieceKind::recognises(std::string_view, std::string_view) const {
-  return false;
+bool WorkpieceKind::recognises(std::string_view head, std::string_view) const {
+  return looksLikeDrawing(head);
 }
 
-Result<OpenedFile> WorkpieceKind::import(const std::filesystem::path&, const ReadOptions&, Progress) const {
-  return Error{DocumentError::FormatUnknown, {}, {}, {}};
+Result<OpenedFile> WorkpieceKind::import(const std::filesystem::path& path, const ReadOptions&,
+                                         Progress progress) const {
+  return openDrawing(*this, path, progress);
 }
 
 Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::filesystem::path& path,

@@ -3,9 +3,11 @@
 #include "document/workpiece/WorkpieceProperties.h"
 
 #include "document/Utf8.h"
+#include "machining/force/WorkMaterials.h"
 
+#include <QCoreApplication>
 #include <QString>
-#include <QtGlobal>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -95,6 +97,18 @@ Status checkValue(WorkpieceField field, const PropertyValue& value) {
         ErrorCode::ValueOutOfRange, {property.id, text(*number), text(property.least), text(property.largest)}, {}, {}};
   }
   return Done{};
+}
+
+std::string materialInWords(const std::string& name) {
+  const auto& all = WorkMaterials::standard().all();
+  const bool isKnown = std::any_of(all.begin(), all.end(), [&](const WorkMaterial& each) { return each.name == name; });
+  return isKnown ? QCoreApplication::translate("Property", name.c_str()).toStdString() : name;
+}
+
+std::string materialOfWords(const std::string& words) {
+  for (const WorkMaterial& each : WorkMaterials::standard().all())
+    if (materialInWords(each.name) == words) return each.name;
+  return words;
 }
 
 bool isOfTheBar(WorkpieceField field) {

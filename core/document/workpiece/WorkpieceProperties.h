@@ -32,6 +32,11 @@ bool isOfAnExercise(WorkpieceField field);
 // Returns the workpiece with another value of a field, which must have been checked.
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value);
 
+// A material that the program knows, as the language of the window calls it, and back; other texts as they are. Files
+// have the English name.
+std::string materialInWords(const std::string& name);
+std::string materialOfWords(const std::string& words);
+
 // The properties of all fields, and those derived from them.
 std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece);
 

@@ -106,7 +106,7 @@ std::optional<SizeDeviations> isoDeviations(double nominal, std::string_view tol
   }
   if (upperCount != 0 && upperCount != letters) return std::nullopt;
   const std::string_view letter(lowered, letters);
-  if (letter == "js") return SizeDeviations{-0.5 * *width, 0.5 * *width};
+  if (letter == "js" || letter == "it") return SizeDeviations{-0.5 * *width, 0.5 * *width};
   const auto ofShaft = shaft(letter, grade, *stepOf(nominal), *width);
   if (upperCount == 0 || !ofShaft) return ofShaft;
   // Of holes above the nominal size only: those below it have corrections that depend on the grade.

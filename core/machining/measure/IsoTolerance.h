@@ -21,9 +21,10 @@ inline constexpr double kLargestToleratedSize = 120.0;
 // to kLargestToleratedSize. None for others.
 std::optional<double> standardTolerance(double nominal, int grade);
 
-// The deviations of a tolerance class of ISO 286-2: "h10", "H7", "js9", "f7". Shafts d, e, f, g, h, js, k, m, n, p;
-// holes D, E, F, G, H, JS, which mirror the shafts without a correction. None for other classes and sizes: those take
-// explicit limits.
+// The deviations of a tolerance class of ISO 286-2: "h10", "H7", "js9", "f7". A grade alone, "IT10", says how wide the
+// tolerance is and not where it lies: half of it is taken on both sides, as of js10. Shafts d, e, f, g, h, js, k, m, n,
+// p; holes D, E, F, G, H, JS, which mirror the shafts without a correction. None for other classes and sizes: those
+// take explicit limits.
 std::optional<SizeDeviations> isoDeviations(double nominal, std::string_view toleranceClass);
 
 }  // namespace handwheel

@@ -171,7 +171,8 @@ void alongContour(CyclePath& path, const std::vector<ToolMove>& contour, double 
   path.rapid({contour.front().from.x(), path.at().y()});
   path.feed(contour.front().from);
   for (const ToolMove& move : contour) path.along(move);
-  path.feed({above, path.at().y()});
+  // Outward only: a taper that ends in the bar has led further already.
+  path.feed({std::max(above, path.at().x()), path.at().y()});
 }
 
 // mm, beyond the lower end of the target. The nose goes that far with its centre, and has its radius below it.

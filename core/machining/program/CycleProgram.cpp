@@ -64,7 +64,7 @@ Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect,
     const Result<BoreTools> tools = boreTools(task.target, settings.drill, task.tools);
     if (!tools) return tools.error();
     program.tools[settings.drillTool] = programToolOf(tools->drill, dialect);
-    program.tools[settings.boreTool] = programToolOf(tools->bar, dialect);
+    if (tools->bar) program.tools[settings.boreTool] = programToolOf(tools->bar, dialect);
     Result<std::vector<ToolMove>> bored = drillAndBore(task.target, *tools, settings, below);
     if (!bored) return bored.error();
     moves = std::move(bored.value());

@@ -122,7 +122,9 @@ void ManualLatheTool::stopRapids() {
 // The pass that is being cut is ended, so that it is the last step. With nothing to undo it stops the lathe.
 ToolReply ManualLatheTool::undo() {
   if (!isLive()) return ToolReply::Ignored;
-  stop();
+  m_isDragging = false;
+  endPass(true);
+  if (!m_document.history()->canUndo()) stop();
   return m_document.history()->canUndo() ? ToolReply::Ignored : ToolReply::Used;
 }
 

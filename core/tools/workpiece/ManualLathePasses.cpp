@@ -82,6 +82,12 @@ SnapshotPointer ManualLatheTool::withWork() {
   return workpiece;
 }
 
+QString ManualLatheTool::underWay() const {
+  if (!moment()->isCut) return {};
+  const std::size_t before = m_part ? m_part->passes.size() : 0;
+  return QCoreApplication::translate("Tool", "Turning pass %1").arg(QLocale().toString(before + 1));
+}
+
 void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
   const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
   if (!last->isCut) return;
@@ -101,8 +107,26 @@ void ManualLatheTool::recordCrashes(const LatheMoment& moment) {
   m_document.addCrashes(std::span(all).subspan(std::exchange(m_recorded, all.size())));
 }
 
-// With another part, as by undo, the lathe is where it had made that one, and at rest: elsewhere its tool may be in
-// material that comes back. What was cut and is not in the document yet is dropped.
+// With another part, as by undo, the slides come to rest where they are; the spindle goes on. A tool that is in
+// material that came back is put where the lathe had made that part.
+void ManualLatheTool::follow(const LatheSetup& lathe) {
+  LatheState now = *m_machine;
+  now.demands = {};
+  now.rapids = {};
+  now.feed = now.lead = 0.0;
+  now.isNutClosed = false;
+  if (!LatheRun(lathe, m_tools, m_present.of(m_document.workpiece()).profile, now).isClear()) {
+    const LatheState place =
+        m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
+    now.wheels = place.wheels;
+    now.slides = place.slides;
+    now.tool = place.tool;
+    ++m_returns;
+  }
+  m_machine = now;
+}
+
+// What was cut and is not in the document yet is dropped.
 void ManualLatheTool::documentChanged() {
   if (m_isCommitting) return;
   m_isDragging = false;
@@ -113,13 +137,7 @@ void ManualLatheTool::documentChanged() {
   endSimulation();
   const auto before = std::exchange(m_part, m_document.workpiece().part);
   const bool isSame = before == m_part || (before && m_part && before->profile == m_part->profile);
-  if (!isSame || isDropped) {
-    LatheState place = m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
-    place.time = m_machine->time;
-    LatheMachine rested(lathe, place);
-    rested.stop();
-    m_machine = rested.state();
-  }
+  if (!isSame || isDropped) follow(lathe);
   m_gesture.restart();
 }
 

@@ -218,6 +218,7 @@ ToolPreview ManualLatheTool::preview() const {
   shown->parts.insert(shown->parts.end(), lathe.begin(), lathe.end());
   preview.replaced = std::move(shown);
   if (now->tool) preview.lines = m_display->outline(*now->tool, now->tip);
+  for (auto& line : m_display->tipMark(now->tip)) preview.lines.push_back(std::move(line));
   if (m_showsChips) {
     for (auto& curl : chipCurl(now->load, {now->tip.x(), 0.0, now->tip.y() + base()}, now->machine.turns))
       preview.lines.push_back(std::move(curl));

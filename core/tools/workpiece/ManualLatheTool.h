@@ -18,7 +18,8 @@ namespace handwheel {
 
 // Tool that works a part on a manual lathe. Keys and commands turn the handwheels and work the levers; the mouse drags
 // the tool in the plane through the axis, a haptic device holds it. What is cut until the tool has been clear for
-// kIdle, or the tool ends, is one undo step; undo stops the lathe and takes its tool back, too. A crash stops the
+// kIdle, or the tool ends, is one undo step; undo stops the slides, and
+// takes a tool out of the material that comes back. A crash stops the
 // lathe, is listed, and recorded in the document at once; no undo takes it back.
 class ManualLatheTool : public Tool, public WorkUnderWay {
  public:
@@ -51,6 +52,9 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   ProfilePoint readout() const;
   // Whether the tool in use was touched off, in X and in Z: before that the read-out means nothing.
   std::array<bool, 2> isTouchedOff() const;
+
+  // How often the tool had to be taken out of material that undo or redo brought back.
+  int returnCount() const { return m_returns; }
 
   // The roughness Ra of the part where the tip is, µm; none: it is not known, or there is no part. Of a file, paper or
   // disk: at the middle of its width.
@@ -85,6 +89,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   bool remembersSettings() const override { return false; }
   void settle() override;
   SnapshotPointer withWork() override;
+  QString underWay() const override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
@@ -103,6 +108,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   void commitPasses(const LatheSimulation& lathe);
   void recordCrashes(const LatheMoment& moment);
   void showLathe(const LatheSetup& setup);
+  void follow(const LatheSetup& setup);
 
   WorkpieceDocument& m_document;
   PresentPart m_present;
@@ -117,6 +123,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   std::vector<LatheCollision> m_collisions;  // of simulations before
   std::vector<LatheWarning> m_warnings;      // likewise
   std::size_t m_recorded = 0;                // crashes of this simulation that the document has
+  int m_returns = 0;
   bool m_isCommitting = false;
   bool m_isDragging = false;  // by the mouse
   bool m_isRapid = false;     // an action began a power traverse

@@ -95,7 +95,8 @@ class ClassTableTest : public QObject {
     QCOMPARE(
         QByteArray::fromStdString(table.csv()),
         QByteArray(
-            "\xEF\xBB\xBFStudent,File,Handed in,Minutes,Hints,Points,Percent,\"Diameter \"\"front\"\", 20\",Time\r\n"
+            "\xEF\xBB\xBFStudent,File,Handed in,Minutes,Hints,Points,Percent,\"Diameter \"\"front\"\", 20 "
+            "(points)\",Time (points)\r\n"
             "'=Bob,'=Bob.handwheel,2026-11-23T08:15:00Z,1.5,3,10,100,8,2\r\n"
             "\"Cleo, \"\"the 2nd\"\"\",\"Cleo, \"\"the 2nd\"\".handwheel\",2026-11-23T08:15:00Z,1.5,3,0,0,0,0\r\n"));
     QCOMPARE(ClassTable(Exercise()).csv(),

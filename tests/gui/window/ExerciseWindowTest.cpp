@@ -273,6 +273,32 @@ class ExerciseWindowTest : public QObject {
     QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
   }
 
+  // The marks of a step are checked in a menu, each in one undo step.
+  void theMarksOfAStep() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(2);
+    driver.find<QListWidget>("steps")->setCurrentRow(0);
+    const auto met = [&driver] {
+      Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
+      return static_cast<ExerciseDocument&>(shown).exercise().exercise.steps[0].criteria;
+    };
+    const auto before = met();
+    QMenu* menu = driver.find<QToolButton>("steps/marks")->menu();
+    emit menu->aboutToShow();
+    QVERIFY(menu->actions().size() > 2);
+    QVERIFY(!menu->actions()[1]->isChecked());
+    menu->actions()[1]->trigger();
+    QCOMPARE(met().size(), before.size() + 1);
+    emit menu->aboutToShow();
+    QVERIFY(menu->actions()[1]->isChecked());
+    menu->actions()[1]->trigger();
+    QVERIFY(met() == before);
+    driver.click("quickActions/undo");
+    QTRY_COMPARE(met().size(), before.size() + 1);
+  }
+
   // The dialog says how much that changes; one undo step.
   void theTargetInRoundSizes() {
     WindowDriver driver;
@@ -297,8 +323,8 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(task() == before);
   }
 
-  // The work that was begun becomes the target: here the bar itself, 50 × 100 mm, in one undo step.
-  void theTargetFromTheWork() {
+  // An untouched bar is no target, which is said.
+  void theBarIsNoTarget() {
     WindowDriver driver;
     driver.choose("newExercise");
     QVERIFY(driver.settle());
@@ -307,14 +333,44 @@ class ExerciseWindowTest : public QObject {
     const TaskPointer before = exercise.exercise().task;
     driver.choose("beginExercise");
     QVERIFY(driver.settle());
-    const StockCylinder stock = static_cast<WorkpieceDocument&>(tabs->current()->document).workpiece().stock;
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
     driver.choose("takeTarget");
     QVERIFY(driver.settle());
+    QTRY_VERIFY2(driver.text("messageText").contains("Nothing was turned"), qPrintable(driver.text("messageText")));
+    QVERIFY(exercise.exercise().task == before);
+  }
+
+  // A drawing becomes the target at the end of the bar, in one undo step; what is no drawing says so by its name.
+  void theTargetFromADrawing() {
+    const QTemporaryDir folder;
+    const auto put = [&folder](const char* name, const QByteArray& bytes) {
+      QFile file(folder.filePath(name));
+      if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no room for %s", name);
+      return file.fileName();
+    };
+    const QString shaft = put("shaft.svg",
+                              "<svg xmlns='http://www.w3.org/2000/svg' width='60mm' height='20mm' viewBox='0 0 60 20'>"
+                              "<line id='axis' x1='0' y1='20' x2='60' y2='20'/>"
+                              "<path d='M0,20 L0,2 L40,2 L40,8 L60,8 L60,20'/></svg>");
+    const QString text = put("notes.dxf", "hello");
+    WindowDriver driver;
+    driver.choose("newExercise");
+    QVERIFY(driver.settle());
+    auto& exercise = static_cast<ExerciseDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+    const TaskPointer before = exercise.exercise().task;
+    driver.choose("importExerciseTarget");
+    QVERIFY(driver.enterFileName("exerciseTargetDialog", text));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY2(driver.text("messageText").contains("notes.dxf"), qPrintable(driver.text("messageText")));
+    QVERIFY(exercise.exercise().task == before);
+    driver.choose("importExerciseTarget");
+    QVERIFY(driver.enterFileName("exerciseTargetDialog", shaft));
+    QVERIFY(driver.settle());
     const auto& task = static_cast<const TurningTask&>(*exercise.exercise().task);
-    QVERIFY(exercise.exercise().task != before && task.target);
-    QVERIFY(std::abs(task.target->largestRadius() - 0.5 * stock.diameter) < 1e-6);
-    QVERIFY(std::abs(task.target->upperEnd() - task.target->lowerEnd() - stock.length) < 1e-6);
+    QVERIFY(task.target);
+    QVERIFY(std::abs(task.target->largestRadius() - 18.0) < 1e-3);
+    QVERIFY(std::abs(task.target->length() - 60.0) < 1e-3);
+    QVERIFY(std::abs(task.target->upperEnd() - task.stock.length) < 1e-3);
     driver.click("quickActions/undo");
     QTRY_VERIFY(exercise.exercise().task == before);
   }

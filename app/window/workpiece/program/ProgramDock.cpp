@@ -3,19 +3,23 @@
 #include "window/workpiece/program/ProgramDock.h"
 
 #include "controls/ScrolledPanel.h"
+#include "document/workpiece/WorkpieceDocument.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
+#include "window/workpiece/ZeroSymbol.h"
 #include "window/workpiece/program/ProgramFile.h"
 #include "window/workpiece/program/ProgramSession.h"
+#include "window/workpiece/program/SimulationBanner.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -24,16 +28,27 @@ constexpr int kUsualWidth = 420;  // pixels
 }
 
 ProgramDock::ProgramDock(const WindowContext& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_toggle(tr("&Program"), this), m_layer(std::make_shared<PathLayer>()) {
+    : QObject(parent),
+      m_parts(parts),
+      m_toggle(tr("&Program"), this),
+      m_banner(new SimulationBanner(&parts.viewport)),
+      m_layer(std::make_shared<PathLayer>()),
+      m_zeroLayer(std::make_shared<PathLayer>()) {
   prepare(m_toggle, "programDockToggle", "program", tr("Run lathe programs on the part, and write them"));
   m_toggle.setCheckable(true);
   m_toggle.setShortcut(QKeySequence(Qt::Key_G));
-  m_parts.viewport.addLayer(m_layer);
+  for (const auto& layer : {m_layer, m_zeroLayer}) m_parts.viewport.addLayer(layer);
+  connect(m_banner, &SimulationBanner::cutRequested, this, [this] {
+    if (ProgramSession* const session = present()) session->cut();
+  });
+  connect(m_banner, &SimulationBanner::leaveRequested, this, [this] {
+    if (ProgramSession* const session = present()) session->leave();
+  });
   connect(&m_toggle, &QAction::triggered, this, &ProgramDock::open);
 }
 
 ProgramDock::~ProgramDock() {
-  m_parts.viewport.removeLayer(*m_layer);
+  for (const auto& layer : {m_layer, m_zeroLayer}) m_parts.viewport.removeLayer(*layer);
 }
 
 void ProgramDock::makeDock() {
@@ -68,7 +83,9 @@ ProgramSession* ProgramDock::present() {
 }
 
 void ProgramDock::setDocument(DocumentTab* document) {
+  if (m_document) disconnect(&m_document->document, &Document::changed, this, &ProgramDock::show);
   m_document = document;
+  if (document) connect(&document->document, &Document::changed, this, &ProgramDock::show);  // the zero moves with it
   follow();
 }
 
@@ -77,7 +94,9 @@ void ProgramDock::forget(DocumentTab* document) {
 }
 
 void ProgramDock::setVisible(bool isVisible) {
-  m_layer->setVisible(isVisible);
+  m_isVisible = isVisible;
+  for (const auto& layer : {m_layer, m_zeroLayer}) layer->setVisible(isVisible);
+  show();
 }
 
 bool ProgramDock::isSettled() const {
@@ -106,7 +125,29 @@ void ProgramDock::show() {
   const ProgramPicture picture = session ? session->picture() : ProgramPicture();
   m_layer->setLines(picture.lines);
   m_layer->setTool(picture.tool);
+  showZero(session != nullptr);
+  showBanner(session);
   emit partShown(picture.part);
+}
+
+void ProgramDock::showBanner(const ProgramSession* session) {
+  if (!m_banner) return;
+  if (session && m_isVisible && session->isSimulated())
+    m_banner->showFor(session->isCuttable(), session->cuttingTip());
+  else
+    m_banner->hide();
+}
+
+// On the axis, at the end of the bar.
+void ProgramDock::showZero(bool isShown) {
+  constexpr double kSize = 0.06;  // of the diameter of the bar
+  std::pair<double, double> zero;
+  if (isShown) {
+    const StockCylinder& stock = static_cast<const WorkpieceDocument&>(m_document->document).workpiece().stock;
+    zero = {stock.position + stock.length, kSize * stock.diameter};
+  }
+  if (std::exchange(m_zero, zero) == zero) return;
+  m_zeroLayer->setLines(isShown ? zeroSymbol(zero.first, zero.second, tr("Program zero")) : nullptr);
 }
 
 bool ProgramDock::take(const QString& path) {

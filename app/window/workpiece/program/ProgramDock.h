@@ -19,6 +19,7 @@ namespace handwheel {
 
 class PathLayer;
 class ProgramSession;
+class SimulationBanner;
 struct DisplayModel;
 
 // The dock “Program” of workpieces: a page for each document, made when it is first shown, and what it shows in the
@@ -53,13 +54,18 @@ class ProgramDock : public QObject {
   void follow();
   ProgramSession* present();
   void show();
+  void showBanner(const ProgramSession* session);
+  void showZero(bool isShown);
 
   WindowContext m_parts;
   QAction m_toggle;
   bool m_isOpen = false;  // as the user wants it, for any workpiece
   QPointer<QDockWidget> m_dock;
   QPointer<QStackedWidget> m_pages;
-  std::shared_ptr<PathLayer> m_layer;
+  QPointer<SimulationBanner> m_banner;
+  std::shared_ptr<PathLayer> m_layer, m_zeroLayer;
+  std::pair<double, double> m_zero;  // mm: z of the zero that is drawn, and its size; 0: none is
+  bool m_isVisible = true;           // the document is
   std::map<const DocumentTab*, std::unique_ptr<ProgramSession>> m_sessions;
   DocumentTab* m_document = nullptr;
 };

@@ -41,6 +41,15 @@ class ProgramSession : public QObject {
   bool isUnsaved() const;
   QString fileName() const;  // "shaft.ngc"
 
+  // The view shows what a run would cut, and the document has not.
+  bool isSimulated() const { return m_trial != nullptr; }
+  bool isCuttable() const;
+  QString cuttingTip() const;  // what cutting would do, or why it cannot
+  // Cuts the work with the program that was run; with crashes only after they were read.
+  void cut();
+  // Shows the part as it is; the text stays.
+  void leave();
+
   // Reads a program, and replaces the text by it, which the undo of the editor brings back.
   void read(const QString& path);
   void save(std::function<void(bool isSaved)> ended);
@@ -62,7 +71,8 @@ class ProgramSession : public QObject {
   void checked(const std::vector<Error>& problems, bool isJumping);  // to the first
   void run();
   void ran(ProgramTrial::Pointer trial, PathLayer::Lines lines, const std::vector<ProgramFinding>& limits);
-  void cut();
+  void askToCut();
+  void cutAnyway(const ProgramTrial::Pointer& trial);
   void setText(const QString& text, ProgramTools tools);
   void askForFile();
   void taken(const QString& path, const ProgramFile& file);

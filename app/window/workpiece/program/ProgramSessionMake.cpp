@@ -55,7 +55,7 @@ void ProgramSession::askForCycles() {
   const double drill = target ? drillFor(target->profile, shippedLatheTools()) : 0.0;
   auto* dialog = new NumbersDialog(
       tr("Rough and finish"),
-      tr("Writes a program that makes the target from this part, a bore that goes through included. It is simulated "
+      tr("Writes a program that makes the target from this part, a bore included, through or blind. It is simulated "
          "first, and refused where it collides or cuts into the target."),
       tr("&Write"),
       {{"cyclesDepth", tr("Depth of cut"), tr("mm"), usual.depth, 0.02, 100.0, tr("Of a roughing cut, on the radius")},
@@ -66,7 +66,7 @@ void ProgramSession::askForCycles() {
        {"cyclesSpeed", tr("Surface speed"), tr("m/min"), usual.speed, 1.0, 5000.0},
        {"cyclesMostSpindle", tr("Greatest spindle speed"), tr("r/min"), usual.mostSpindle, 1.0, kMostSpindle},
        {"cyclesDrill", tr("Drill for the bore"), tr("mm"), drill, 0.0, 100.0,
-        tr("Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it "
+        tr("Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it "
            "is.")}},
       m_parts.window);
   dialog->setObjectName(QStringLiteral("cyclesDialog"));

@@ -13,6 +13,7 @@
 #include "machining/TurningFidelity.h"
 #include "machining/program/ProgramCheck.h"
 #include "machining/program/ProgramErrors.h"
+#include "panels/MessageBar.h"
 #include "viewport/Viewport.h"
 #include "viewport/camera/CameraNavigation.h"
 #include "window/documents/DocumentTab.h"
@@ -150,12 +151,7 @@ void ProgramSession::ran(ProgramTrial::Pointer trial, PathLayer::Lines lines,
   findings.insert(findings.end(), limits.begin(), limits.end());
   m_panel->setFindings(std::move(findings));
   m_panel->setSummary(summaryOf(*m_trial));
-  const QString cutting = m_trial->collisionCount() == 0
-                              ? tr("Cut the part as the program does: one step of the history")
-                              : tr("Cut the part as the program does. Its collisions are recorded, as on the machine: "
-                                   "undo does not take them back.");
-  m_panel->setCuttable(m_trial->part() != nullptr,
-                       m_trial->part() ? cutting : tr("The program does not touch the part."));
+  m_panel->setCuttable(isCuttable(), cuttingTip());
   m_panel->player().setDuration(m_trial->steps().duration());
   m_picture.lines = std::move(lines);
   m_shown = {};
@@ -189,10 +185,55 @@ QString ProgramSession::summaryOf(const ProgramTrial& trial) const {
       .arg(programTime(trial.path().time), QLocale().toString(trial.removed(), 'f', 0), collisions);
 }
 
+bool ProgramSession::isCuttable() const {
+  return m_trial && m_trial->part();
+}
+
+QString ProgramSession::cuttingTip() const {
+  if (!isCuttable()) return tr("The program does not touch the part.");
+  return m_trial->collisionCount() == 0
+             ? tr("Cut the part as the program does: one step of the history")
+             : tr("Cut the part as the program does. Its collisions are shown and asked about before.");
+}
+
+void ProgramSession::leave() {
+  forgetRun();
+  m_panel->setSummary(tr("The view shows the part as it is. Run the program to see what it would cut."));
+}
+
 void ProgramSession::cut() {
-  if (!m_trial || !m_trial->part()) return;
+  if (!isCuttable()) return;
+  if (m_trial->collisionCount() > 0) return askToCut();
+  cutAnyway(m_trial);
+}
+
+// Before anything is struck. Not modal: the places are in the list, and can be looked at first.
+void ProgramSession::askToCut() {
+  constexpr int kMostPlaces = 3;
+  const auto count = static_cast<int>(m_trial->collisionCount());
+  QStringList places;
+  for (const ProgramFinding& each : findingsOf(*m_trial))
+    if (each.move && places.size() < kMostPlaces) places << tr("Line %1: %2").arg(each.line).arg(each.text);
+  if (count > places.size()) places << tr("…and %1 more, in the list of the program.").arg(count - places.size());
+  Message question{
+      Message::Weight::Warning, tr("The program has %n collision(s); nothing is cut yet", nullptr, count),
+      places.join(QLatin1Char(' ')),
+      tr("If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.")};
+  question.actionText = tr("Cut anyway");
+  question.action = [session = QPointer(this), trial = m_trial] {
+    if (session) session->cutAnyway(trial);
+  };
+  question.otherText = tr("Cancel");
+  question.other = [] {};
+  question.about = &m_document.document;
+  question.isOver = [session = QPointer(this), trial = m_trial] { return !session || session->m_trial != trial; };
+  emit message(question);
+}
+
+void ProgramSession::cutAnyway(const ProgramTrial::Pointer& asked) {
+  if (asked != m_trial) return m_panel->setSummary(tr("The program was changed since: run it again."));
   const QString text = m_path.isEmpty() ? tr("Run program") : tr("Run %1").arg(fileName());
-  const ProgramTrial::Pointer trial = m_trial;  // the commit lets go of it
+  const ProgramTrial::Pointer trial = asked;  // the commit lets go of it
   QString done = tr("Cut: %1 mm³ removed. Undo brings them back.").arg(QLocale().toString(trial->removed(), 'f', 0));
   if (const auto count = static_cast<int>(trial->collisionCount()); count > 0)
     done += QLatin1Char(' ') + tr("%n collision(s) recorded, which undo does not take back.", nullptr, count);

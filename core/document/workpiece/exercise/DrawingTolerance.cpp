@@ -36,6 +36,11 @@ std::optional<double> symmetricTolerance(const std::string& text) {
   return half;
 }
 
+// "10": not where the tolerance lies.
+bool isGradeAlone(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+}
+
 }  // namespace
 
 Status applyDrawingTolerance(MarkingCriterion& c) {
@@ -55,6 +60,8 @@ Status applyDrawingTolerance(MarkingCriterion& c) {
   if (!isOneOf(kSizes, c)) return malformedTolerance(c, "its figure takes limits, not a tolerance class");
   if (!c.nominal) return malformedTolerance(c, "its tolerance needs the nominal size");
   const auto deviations = isoDeviations(*c.nominal, c.tolerance);
+  if (!deviations && isGradeAlone(c.tolerance))
+    return malformedTolerance(c, "its tolerance class has no letter; give one, as in h10, H10 or js10");
   if (!deviations) return malformedTolerance(c, "its tolerance class is not known for this size; give limits instead");
   c.lower = *c.nominal + deviations->lower;
   c.upper = *c.nominal + deviations->upper;

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+// Its targets: TurningSubjectTarget.cpp.
 #include "document/workpiece/exercise/TurningSubject.h"
 
 #include "base/JsonText.h"
 #include "base/NumberText.h"
+#include "document/container/UnknownPart.h"
 #include "document/exercise/ExerciseErrors.h"
 #include "document/workpiece/DrawingExport.h"
 #include "document/workpiece/TurnedPartDisplay.h"
@@ -18,10 +21,8 @@
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/lathe/LatheMounting.h"
-#include "machining/refit/SampledProfile.h"
-#include "machining/target/RoundedTarget.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,6 +55,14 @@ void provideTools(LatheSetup& setup, const TurningTask& task) {
     setup = mounted(setup, tools, setup.stations.size() - 1, id);
   }
   if (setup.stations.empty()) setup.stations.emplace_back();
+}
+
+// In the language of the window: what the lathe calls it, or a name of the exercises that ship; else as the teacher
+// wrote it.
+std::string toolName(const AllowedTool& tool) {
+  const auto mounted = tool.tool.empty() ? nullptr : toolNamed(shippedLatheTools(), tool.tool);
+  if (!mounted) return QCoreApplication::translate("Exercise", tool.name.c_str()).toStdString();
+  return QCoreApplication::translate("LatheTool", titleOf(mounted->kind)).toStdString() + " " + mounted->designation;
 }
 
 // The machine of the exercise: so it stands when the student begins.
@@ -99,6 +108,17 @@ TaskPointer TurningSubject::fromJson(const nlohmann::json& json, std::vector<Err
   return std::make_shared<const TurningTask>(turningTaskFrom(json, damage));
 }
 
+// A target may be given as outer and inner points, too.
+nlohmann::json TurningSubject::unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const {
+  if (!json.is_object()) return nlohmann::json::object();
+  nlohmann::json beyond = keysBeyond(json, toJson(task));
+  const auto target = beyond.find("target");
+  if (target == beyond.end() || !target->is_object()) return beyond;
+  for (const char* const known : {"outer", "inner"}) target->erase(known);
+  if (target->empty()) beyond.erase(target);
+  return beyond;
+}
+
 std::vector<Property> TurningSubject::properties(const ExerciseTask& task) const {
   return propertiesOf(turningOf(task));
 }
@@ -121,7 +141,7 @@ std::vector<ExerciseText> TurningSubject::conditions(const ExerciseTask& task) c
        {shownText(turning.forceLimit), shownText(turning.powerLimit)}}};
   for (const AllowedTool& tool : turning.tools)
     lines.push_back(
-        {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {tool.name, shownText(tool.noseRadius)}});
+        {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {toolName(tool), shownText(tool.noseRadius)}});
   return lines;
 }
 
@@ -168,30 +188,6 @@ nlohmann::json TurningSubject::describeWork(const ExerciseTask& task, const Snap
   const WorkpieceSnapshot& workpiece = turnedOf(work);
   if ((workpiece.crashes && !workpiece.crashes->empty()) || !checkWork(task, work)) return {};
   return passesDescription(workpiece.part ? workpiece.part->passes : TurningPasses(), turning.lathe.spindleSpeed);
-}
-
-Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const Snapshot& work) const {
-  constexpr double kTolerance = 2e-3;  // mm
-  const WorkpieceSnapshot& workpiece = turnedOf(work);
-  const TurnedProfile profile = partOf(workpiece, turnSpacingSetting().standard).profile;
-  if (profile.pieces() > 1)
-    return Error{ErrorCode::ElementMalformed, {"target", "the part is in several pieces"}, {}, {}};
-  Result<TargetProfile> target = sectionOf(profile, kTolerance);
-  if (!target) return target.error();
-  TurningTask changed = turningOf(task);
-  changed.target = std::move(target.value());
-  return TaskPointer(std::make_shared<const TurningTask>(std::move(changed)));
-}
-
-Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,
-                                                                       double largestFillet) const {
-  TurningTask changed = turningOf(task);
-  if (!changed.target) return Error{ExerciseError::WithoutTarget, {}, {}, {}};
-  Result<TargetProfile> target = rounded(*changed.target, {step, largestFillet});
-  if (!target) return target.error();
-  const double change = largestDistance(*changed.target, *target);
-  changed.target = std::move(target.value());
-  return RoundedTask{std::make_shared<const TurningTask>(std::move(changed)), change};
 }
 
 std::vector<Figure> TurningSubject::measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,

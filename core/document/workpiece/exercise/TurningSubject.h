@@ -20,6 +20,7 @@ class TurningSubject : public ExerciseSubject {
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;
+  nlohmann::json unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const override;
   std::vector<Property> properties(const ExerciseTask& task) const override;
   Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
                                    const PropertyValue& value) const override;
@@ -34,6 +35,9 @@ class TurningSubject : public ExerciseSubject {
                                    Progress progress) const override;
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
+  std::vector<std::string> targetEndings() const override;
+  Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
+                                          Progress progress) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
   std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,

@@ -4,6 +4,7 @@
 
 #include "base/JsonText.h"
 #include "base/NumberText.h"
+#include "document/container/UnknownPart.h"
 #include "document/workpiece/exercise/TargetJson.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
@@ -103,6 +104,12 @@ Result<TurningTask> withTool(TurningTask task, const std::string& property, cons
   return task;
 }
 
+Json toolJson(const AllowedTool& tool) {
+  Json json = {{"name", tool.name}, {"nose_radius", tool.noseRadius}};
+  if (!tool.tool.empty()) json["tool"] = tool.tool;
+  return json;
+}
+
 Error outOfRange(const TaskNumber& number, double value) {
   return {ErrorCode::ValueOutOfRange,
           {number.id, shownText(value), shownText(number.least), shownText(number.largest)},
@@ -118,8 +125,8 @@ Json toJson(const TurningTask& task) {
   json["material"] = task.material;
   json["tools"] = Json::array();
   for (const AllowedTool& tool : task.tools) {
-    json["tools"].push_back({{"name", tool.name}, {"nose_radius", tool.noseRadius}});
-    if (!tool.tool.empty()) json["tools"].back()["tool"] = tool.tool;
+    const Json beyond = tool.others.empty() ? Json::object() : Json::parse(tool.others, nullptr, false);
+    json["tools"].push_back(withUnknown(beyond, toolJson(tool)));
   }
   json["target"] = nullptr;
   if (task.target) json["target"] = toJson(*task.target);
@@ -156,6 +163,8 @@ TurningTask turningTaskFrom(const Json& json, std::vector<Error>& damage) {
       const bool isSound = radius >= TurningPass::kLeastNose && radius <= TurningPass::kLargestNose &&
                            tool.name.size() <= Exercise::kLongestText && task.tools.size() < TurningTask::kMostTools &&
                            (tool.tool.empty() || toolNamed(shippedLatheTools(), tool.tool));
+      if (const Json beyond = each.is_object() ? keysBeyond(each, toolJson(tool)) : Json(); !beyond.empty())
+        tool.others = beyond.dump();
       if (isSound) {
         task.tools.push_back(std::move(tool));
       } else {

@@ -14,6 +14,7 @@ struct AllowedTool {
   std::string name;         // "right-hand turning tool"
   double noseRadius = 0.8;  // mm
   std::string tool = {};    // id of the one of the manual lathe; empty: it is only said
+  std::string others = {};  // what else the file has of it: a JSON object; empty: nothing
   bool operator==(const AllowedTool&) const = default;
 };
 

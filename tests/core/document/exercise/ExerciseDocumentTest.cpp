@@ -106,7 +106,12 @@ class ExerciseDocumentTest : public QObject {
     };
     QCOMPARE(field("criterion.d.nominal", std::string("x")), std::string("⌀30 h10, Nominal size (mm)"));
     QCOMPARE(field("criterion.d.tolerance", std::string("K7")), std::string("⌀30 h10, Tolerance on the drawing"));
-    QCOMPARE(field("step.2.criteria", std::string("none")), std::string("2. Finish, Done when met"));
+    // Of several marks the one that there is not, and those that there are.
+    const Status unknown = document->setProperty("step.2.criteria", std::string("⌀30 h10; none; N8"));
+    QVERIFY(!unknown && unknown.error().code == ExerciseError::MarkUnknown);
+    QCOMPARE(unknown.error().arguments[0], std::string("2. Finish"));
+    QCOMPARE(unknown.error().arguments[1], std::string("none"));
+    QVERIFY(unknown.error().arguments[2].find("⌀30 h10; 40 ±0.2; N8") == 0);
     QCOMPARE(field("diameter", 0.0).find("diameter"), std::string::npos);
     // Of a file: by the teacher's name, and by the id that the file has.
     MarkingCriterion c;

@@ -8,12 +8,16 @@
 #include "document/container/UnknownPart.h"
 #include "document/exercise/ExerciseErrors.h"
 #include "document/exercise/ExerciseJson.h"
+#include "document/exercise/ExerciseProperties.h"
+#include "document/exercise/ExerciseRows.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 
 #include <rapidcheck.h>
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
+#include <map>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -83,6 +87,43 @@ Exercise anyExercise() {
     exercise.steps.push_back(step);
   }
   return exercise;
+}
+
+Json exportedJson(const ExerciseSnapshot& exercise) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("exported.exercise.json");
+  if (!kindUnderTest().exportTo(exercise, path.toStdString(), {})) return {};
+  QFile file(path);
+  return file.open(QFile::ReadOnly) ? Json::parse(file.readAll().toStdString()) : Json();
+}
+
+// With keys that nobody knows in some of the objects of a description.
+Json withUnknownKeys(Json json) {
+  const auto add = [](Json& object) {
+    static const Json kValues[] = {7, "text", Json::array({1, {{"a", nullptr}}}), Json::object({{"b", true}}), nullptr};
+    for (int k = *rc::gen::inRange(0, 3); k > 0; --k)
+      object["x-" + std::to_string(k)] = kValues[*rc::gen::inRange<std::size_t>(0, std::size(kValues))];
+  };
+  add(json);
+  add(json["task"]);
+  add(json["task"]["target"]);
+  for (Json& tool : json["task"]["tools"]) add(tool);
+  for (Json& row : json["criteria"]) add(row);
+  for (Json& row : json["steps"]) add(row);
+  return json;
+}
+
+// The path of each such key with its value.
+std::map<std::string, Json> unknownOf(const Json& json, const std::string& at = {}) {
+  std::map<std::string, Json> all;
+  for (const auto& [key, value] : json.items()) {
+    const std::string path = at + "/" + key;
+    if (key.starts_with("x-"))
+      all[path] = value;
+    else if (value.is_structured())
+      all.merge(unknownOf(value, path));
+  }
+  return all;
 }
 
 }  // namespace
@@ -230,10 +271,16 @@ class ExerciseKindTest : public QObject {
     QVERIFY(file.open(QFile::ReadOnly));
     const Json read = Json::parse(file.readAll().toStdString());
     QVERIFY(read["faults"] == description["faults"]);
+    QVERIFY2(read["solution"] == description["solution"], read["solution"].dump().c_str());
+    // From a container it is described anew.
     Json& given = description["solution"]["passes"];
     for (Json& pass : given)
       if (!pass.contains("side")) pass["side"] = "outside";
-    QVERIFY2(read["solution"]["passes"] == given, read["solution"].dump().c_str());
+    std::vector<Error> damage;
+    const auto stored = savedAndLoaded(*before, damage);
+    QVERIFY(stored && damage.empty());
+    const Json anew = exportedJson(*stored);
+    QVERIFY2(anew["solution"]["passes"] == given, anew["solution"].dump().c_str());
     const auto opened = kindUnderTest().import(path, {}, {});
     QVERIFY(opened);
     const auto& after = static_cast<const ExerciseSnapshot&>(*opened->content);
@@ -250,6 +297,29 @@ class ExerciseKindTest : public QObject {
     byHand.solution = std::make_shared<const WorkpieceSnapshot>(work);
     const auto lossy = kindUnderTest().exportTo(byHand, path, {});
     QVERIFY(lossy && lossy->notes.size() == 1 && lossy->notes.front().isLoss);
+  }
+
+  // Whatever another program has written anywhere is there again after an autosave, edits of other fields and Save.
+  void nothingUnknownIsLost() {
+    QVERIFY(rc::check("unknown keys come back", [] {
+      const Json given = withUnknownKeys(shoulderDescription());
+      ExerciseSnapshot exercise = *exerciseFrom(kindUnderTest(), given);
+      if (*rc::gen::arbitrary<bool>()) {
+        std::vector<Error> damage;
+        const auto loaded = savedAndLoaded(exercise, damage);
+        RC_ASSERT(loaded && damage.empty());
+        exercise = *loaded;
+      }
+      if (*rc::gen::arbitrary<bool>()) exercise = withExerciseProperty(exercise, "criterion.d.points", 7.0).value();
+      const Json written = exportedJson(exercise);
+      RC_ASSERT(unknownOf(written) == unknownOf(given));
+      // Rows that move take theirs along, and students get none.
+      const Json moved = exportedJson(withMovedCriterion(exercise, 0, false));
+      RC_ASSERT(unknownOf(moved["criteria"][1]) == unknownOf(given["criteria"][0]));
+      const auto ofStudents = unknownOf(exportedJson(forStudents(exercise)));
+      RC_ASSERT(std::all_of(ofStudents.begin(), ofStudents.end(),
+                            [](const auto& each) { return each.first.starts_with("/task/tools/"); }));
+    }));
   }
 
   // A class that is not known must not become full marks for everybody.

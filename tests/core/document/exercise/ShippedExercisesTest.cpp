@@ -5,6 +5,7 @@
 #include "base/JsonText.h"
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
+#include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ShippedExercises.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
@@ -14,6 +15,7 @@
 #include <QRegularExpression>
 #include <QTranslator>
 #include <QtTest>
+#include <algorithm>
 #include <set>
 
 using namespace handwheel;
@@ -111,6 +113,7 @@ class ShippedExercisesTest : public QObject {
       QVERIFY(json["key"].get<std::string>().starts_with("handwheel-"));
       add(json["title"]);
       add(json["text"]);
+      for (const Json& tool : json["task"]["tools"]) add(tool["name"]);
       for (const Json& c : json["criteria"]) add(c["name"]);
       for (const Json& step : json["steps"]) {
         add(step["title"]);
@@ -141,6 +144,17 @@ class ShippedExercisesTest : public QObject {
     QCOMPARE(shown.steps[0].title, std::string("MEASURE"));
     QCOMPARE(shown.steps[0].text, std::string("In my words."));
     QCOMPARE(shown.steps[0].hints[0], std::string("TWO OR THREE PASSES ARE ENOUGH."));
+    // So are the fields of the editor, and the tools among the conditions.
+    const ExerciseKind kind(turningOnly());
+    const auto shipped = exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/shaft.exercise.json")));
+    const auto fields = exerciseProperties(*shipped);
+    QVERIFY(std::any_of(fields.begin(), fields.end(), [](const Property& p) {
+      return p.id == "title" && p.value == PropertyValue(std::string("SHAFT WITH SHOULDERS"));
+    }));
+    bool hasTool = false;
+    for (const ExerciseText& line : shipped->subject->conditions(*shipped->task))
+      hasTool = hasTool || (!line.arguments.empty() && line.arguments.front() == "TURNING TOOL");
+    QVERIFY(hasTool);
     exercise.key = newExerciseKey();
     QCOMPARE(inLanguage(exercise).title, std::string("Thread M20"));
     QCoreApplication::removeTranslator(&translator);

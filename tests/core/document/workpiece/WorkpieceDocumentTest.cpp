@@ -9,6 +9,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <limits>
 #include <map>
 
@@ -21,6 +22,7 @@ class WorkpieceDocumentTest : public QObject {
   void blankIsABarOfFifty();
   void propertiesAreListed();
   void setsProperties();
+  void materialsInTheLanguageOfTheWindow();
   void sameValueIsNoStep();
   void stepsOfOnePropertyMerge();
   void refusesValues_data();
@@ -120,6 +122,27 @@ void WorkpieceDocumentTest::setsProperties() {
   QVERIFY(document->revision() > revision);
   QVERIFY(document->isModified());
   QCOMPARE(std::get<double>(propertyOf(*document, "volume").value), M_PI * 100 * 30);
+}
+
+// Shown and typed in the language of the window; kept, and so written, in English.
+void WorkpieceDocumentTest::materialsInTheLanguageOfTheWindow() {
+  struct German : QTranslator {
+    bool isEmpty() const override { return false; }
+    QString translate(const char*, const char* text, const char*, int) const override {
+      return QLatin1String(text) == QLatin1String("Brass") ? QStringLiteral("Messing") : QString();
+    }
+  } translator;
+  const auto document = blankDocument();
+  QVERIFY(document->setProperty("material", std::string("Brass")));
+  QCoreApplication::installTranslator(&translator);
+  QVERIFY(propertyOf(*document, "material").value == PropertyValue(std::string("Messing")));
+  QVERIFY(document->setProperty("material", std::string("Messing")));
+  QCOMPARE(document->history()->count(), 1);
+  QVERIFY(document->setProperty("material", std::string("own alloy")));
+  QVERIFY(propertyOf(*document, "material").value == PropertyValue(std::string("own alloy")));
+  QVERIFY(document->setProperty("material", std::string("Messing")));
+  QCoreApplication::removeTranslator(&translator);
+  QCOMPARE(valueOf(*document).material, std::string("Brass"));
 }
 
 void WorkpieceDocumentTest::sameValueIsNoStep() {

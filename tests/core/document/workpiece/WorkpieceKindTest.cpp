@@ -248,7 +248,8 @@ void WorkpieceKindTest::meshesAreClosed_data() {
   QTest::addColumn<QString>("ending");
   QTest::addColumn<bool>("isSingle");
   for (const FileFormat& format : WorkpieceKind().formats()) {
-    QVERIFY(format.writes && !format.reads);
+    QVERIFY(format.writes);
+    QCOMPARE(format.reads, format.name == "DXF" || format.name == "SVG");  // drawings open as targets
     if (format.name == "STEP") continue;
     for (const std::string& ending : format.endings) {
       if (ending == ".dxf" || ending == ".svg" || ending == ".pdf") continue;  // drawings
@@ -295,12 +296,15 @@ void WorkpieceKindTest::cancelledWritesNothing() {
   }
 }
 
-// They are read as meshes.
+// Solids are read as meshes; of foreign files only drawings are workpieces.
 void WorkpieceKindTest::foreignFilesAreNotRead() {
   QVERIFY(!m_kind.recognises("ISO-10303-21;\nHEADER;", "bar.step"));
-  const auto opened = m_kind.import(at("bar.step"), {}, {});
+  QVERIFY(!m_kind.recognises("solid bar\nfacet normal 0 0 1\n", "bar.stl"));
+  QVERIFY(m_kind.recognises("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n", "bar.dxf"));
+  QVERIFY(m_kind.recognises("<svg xmlns='http://www.w3.org/2000/svg'/>", "bar.svg"));
+  const auto opened = m_kind.import(at("bar.dxf"), {}, {});
   QVERIFY(!opened);
-  QCOMPARE(opened.error().code, DocumentError::FormatUnknown);
+  QCOMPARE(opened.error().code, ErrorCode::FileMissing);
   const std::vector<FileFormat> formats = m_kind.formats();
   QCOMPARE(std::count_if(formats.begin(), formats.end(), [](const FileFormat& f) { return f.name == "STEP"; }), 1);
 }

@@ -101,6 +101,31 @@ class WorkpieceTargetTest : public QObject {
     }
   }
 
+  // A drawing opens as a bar that it can be turned from, with the drawing as target; Save never replaces it.
+  void drawingsAreOpened() {
+    const TargetProfile shaft = steppedShaft();
+    std::vector<std::unique_ptr<DocumentKind>> own;
+    own.push_back(std::make_unique<WorkpieceKind>());
+    const DocumentKinds kinds(std::move(own));
+    for (const char* name : {"opened.dxf", "opened.svg"}) {
+      const auto path = at(name);
+      QVERIFY(exportDrawing(shaft, {}, path, {}).hasValue());
+      const auto opened = kinds.open(path, {});
+      QVERIFY(opened.hasValue() && opened->file.wouldLoseDataOnOverwrite() && !opened->file.isContainer);
+      const auto& bar = static_cast<const WorkpieceSnapshot&>(*opened->content);
+      QVERIFY(bar.target && !bar.part);
+      QVERIFY(std::abs(bar.target->profile.volume() - shaft.volume()) < 1e-6 * shaft.volume());
+      QCOMPARE(bar.stock.diameter, 42.0);  // of ⌀40 and 2 mm
+      QCOMPARE(bar.stock.length, 111.0);   // of 80 mm, 1 mm and 30 mm
+      QVERIFY(std::abs(bar.target->profile.upperEnd() - 110.0) < 1e-6);
+    }
+    QFile text(QString::fromStdString(at("text.dxf").string()));
+    QVERIFY(text.open(QIODevice::WriteOnly) && text.write("hello") == 5);
+    text.close();
+    const auto refused = kinds.open(at("text.dxf"), {});
+    QVERIFY(!refused && refused.error().code == DocumentError::FormatUnknown);
+  }
+
   void aDrawingAsPdf() {
     const auto path = at("shaft.pdf");
     WorkpieceSnapshot workpiece;

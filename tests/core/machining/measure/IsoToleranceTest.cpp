@@ -41,6 +41,8 @@ class IsoToleranceTest : public QObject {
     row(18, "h5", -8, 0);
     row(18.001, "h5", -9, 0);
     row(120, "h12", -350, 0);
+    row(25, "IT10", -42, 42);  // 84 µm wide: half on both sides
+    row(25, "js10", -42, 42);
     row(12, "d9", -93, -50);
     row(12, "E9", 32, 75);
   }

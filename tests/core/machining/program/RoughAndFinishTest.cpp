@@ -224,6 +224,65 @@ class RoughAndFinishTest : public QObject {
     QVERIFY(simulation.part().inner(static_cast<std::size_t>(std::lround(49.0 / kFine))) > 11.9);
   }
 
+  // Blind bores by simulation with the bodies of the tools: the volume that is bored is that of the drawing, but for
+  // the corner that the nose leaves, and nothing is cut too deep.
+  void boresBlind_data() {
+    QTest::addColumn<double>("wall");      // mm, radius
+    QTest::addColumn<double>("point");     // mm, of the bottom below the end of the wall, on the axis
+    QTest::addColumn<double>("expected");  // mm, diameter of the largest drill
+    const double slope = std::tan(59.0 * M_PI / 180.0);
+    QTest::newRow("flat") << 14.0 << 0.0 << 20.0;
+    QTest::newRow("flat, a smaller drill") << 9.5 << 0.0 << 16.0;
+    QTest::newRow("bored over the cone") << 14.0 << 14.0 / slope << 20.0;
+    QTest::newRow("drilled alone") << 10.0 << 10.0 / slope << 20.0;
+  }
+  void boresBlind() {
+    QFETCH(double, wall);
+    QFETCH(double, point);
+    QFETCH(double, expected);
+    const auto target = TargetProfile::make({{{0, -50}, {18, -50}},
+                                             {{18, -50}, {18, 0}},
+                                             {{18, 0}, {wall, 0}},
+                                             {{wall, 0}, {wall, -25}},
+                                             {{wall, -25}, {0, -25 - point}}});
+    QVERIFY(bool(target));
+    const LatheTools tools = shippedLatheTools();
+    QCOMPARE(drillFor(*target, tools), expected);
+    const StockCylinder stock{2.0 * kBarRadius, kBarLength, 0.0};
+    const TurnedProfile bar(stock, kFine);
+    const double base = -kBarLength;
+    const LatheSetup lathe = defaultLatheSetup(stock);
+    CycleSettings settings;
+    settings.drill = expected;
+    CycleTask task{*target, stock, bar, base, 20.0, tools, ProgramLathe{lathe.chuck, lathe.tailstock, nullptr}};
+    for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
+      const auto program = cycleProgram(task, dialect, settings);
+      QVERIFY2(bool(program), program ? "" : program.error().arguments.front().c_str());
+      ProgramSetup setup = usualSetup(dialect, stock, 20.0, settings.nose);
+      setup.tools = program->tools;
+      setup.lathe = task.lathe;
+      const auto path = runProgram(program->text, setup);
+      QVERIFY(bool(path));
+      ProgramSimulation simulation(bar, *path, setup);
+      QVERIFY(simulation.run({}));
+      QCOMPARE(simulation.collisionCount(), std::size_t{0});
+      double bored = 0.0, tooDeep = 0.0;
+      const TurnedProfile& part = simulation.part();
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const double z = part.z(i) + base;
+        if (z > -kFine) continue;  // the face itself
+        bored += M_PI * part.inner(i) * part.inner(i) * part.spacing();
+        const double drawn = z >= -25.0 ? wall : point > 0.0 ? wall * std::max(0.0, 1.0 + (z + 25.0) / point) : 0.0;
+        const double steep = std::abs(z + 25.0) < kFine ? wall : point > 0.0 ? wall / point * kFine : 0.0;
+        tooDeep = std::max(tooDeep, part.inner(i) - drawn - steep);
+      }
+      const double volume = M_PI * wall * wall * (25.0 + point / 3.0);
+      const double slack = M_PI * wall * wall * 2.0 * kFine + 0.3 * 2.0 * M_PI * wall * 0.4 * 0.4;
+      QVERIFY2(std::abs(bored - volume) < slack, qPrintable(QString("%1 of %2").arg(bored).arg(volume)));
+      QVERIFY2(tooDeep < 5e-3, qPrintable(QString::number(tooDeep)));
+    }
+  }
+
   void refusesWhatCannotBeBored() {
     const LatheTools tools = shippedLatheTools();
     const auto tube = [](double radius) {
@@ -237,9 +296,21 @@ class RoughAndFinishTest : public QObject {
             !boreTools(tube(12.0), 19.0, tools));
     QVERIFY(!boreTools(tube(4.0), 6.0, tools));  // no bar is so thin
     QCOMPARE(drillFor(tube(4.0), tools), 0.0);
-    const auto cup = TargetProfile::make(
-        {{{0, -50}, {18, -50}}, {{18, -50}, {18, 0}}, {{18, 0}, {12, 0}}, {{12, 0}, {12, -30}}, {{12, -30}, {0, -30}}});
-    QVERIFY(bool(cup) && !boreTools(*cup, 20.0, tools) && drillFor(*cup, tools) == 0.0);
+    // A bottom of 90°, and a bore that is open at the chuck only.
+    const auto cup = [](double depthOnAxis) {
+      return TargetProfile::make({{{0, -50}, {18, -50}},
+                                  {{18, -50}, {18, 0}},
+                                  {{18, 0}, {12, 0}},
+                                  {{12, 0}, {12, -30}},
+                                  {{12, -30}, {0, -depthOnAxis}}});
+    };
+    QVERIFY(boreTools(cup(30.0).value(), 20.0, tools) && !boreTools(cup(42.0).value(), 20.0, tools));
+    const auto hat = TargetProfile::make({{{0, -20}, {12, -20}},
+                                          {{12, -20}, {12, -50}},
+                                          {{12, -50}, {18, -50}},
+                                          {{18, -50}, {18, 0}},
+                                          {{18, 0}, {0, 0}}});
+    QVERIFY(bool(hat) && !boreTools(*hat, 20.0, tools) && drillFor(*hat, tools) == 0.0);
     const BoreTools of20 = boreTools(tube(12.0), 20.0, tools).value();
     CycleSettings settings;
     settings.drill = 20.0;

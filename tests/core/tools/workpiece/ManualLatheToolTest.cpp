@@ -139,10 +139,9 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(triangles() == bar);
   }
 
-  // The lathe is where it was before, at rest, and its tool not in the material that is back.
+  // The spindle goes on and the slides rest; a tool that is in the material that is back is put where it was before.
   void undoTakesBackThePassAndTheTool() {
     HandLathe lathe;
-    const std::array<double, kLatheAxes> begin = lathe.machine().slides;
     QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
     const std::array<double, kLatheAxes> first = lathe.machine().slides;
     QVERIFY(lathe.cutTo(21.0));  // not in the document yet
@@ -150,16 +149,20 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.document.history()->count(), 2);
     QCOMPARE(lathe.document.history()->index(), 1);
     QVERIFY(lathe.machine().slides == first);
-    QVERIFY(lathe.machine().direction == 0 && lathe.machine().speed == 0.0 && lathe.machine().feed == 0.0);
+    QVERIFY(lathe.machine().direction == 1 && lathe.machine().speed != 0.0 && lathe.machine().feed == 0.0);
+    QCOMPARE(lathe.tool->returnCount(), 1);
     QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);
     lathe.document.history()->redo();
     QVERIFY(std::abs(lathe.radiusAt(95.0) - 21.0) < 0.02);
-    QVERIFY(lathe.slide(kCrossAxis) < 21.0 + 1e-9);
+    QVERIFY(lathe.machine().slides == first);
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 110.0));
+    const std::array<double, kLatheAxes> clear = lathe.machine().slides;
     lathe.undo();
     lathe.undo();
     QVERIFY(!lathe.document.workpiece().part);
-    QVERIFY(lathe.machine().slides == begin);
-    QVERIFY(lathe.wind(LatheAxis::Carriage, 110.0));  // it can be moved
+    QVERIFY(lathe.machine().slides == clear);  // of all that came back
+    QCOMPARE(lathe.tool->returnCount(), 1);
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 115.0));  // it can be moved
     QVERIFY(lathe.tool->collisions().empty());
   }
 

@@ -124,6 +124,30 @@ class ProgramWindowTest : public QObject {
     QVERIFY(!window.driver.find<QPushButton>("programCut")->isEnabled());  // it was run on another part
   }
 
+  // What a run shows is marked as such; who leaves it sees the part as it is.
+  void aRunIsMarkedAsSimulated() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    auto* banner = window.driver.find<QWidget>("simulationBanner");
+    QVERIFY(!banner->isVisible());
+    QVERIFY(window.run(kTurned));
+    QVERIFY(banner->isVisible() && window.session().picture().part);
+    window.driver.click("simulationLeave");
+    QVERIFY(window.driver.settle());
+    QVERIFY(!banner->isVisible() && !window.session().picture().part);
+    QCOMPARE(window.editor().toPlainText(), QString::fromLatin1(kTurned));
+    window.driver.click("programRun");
+    QVERIFY(window.driver.settle());
+    QVERIFY(banner->isVisible());
+    window.driver.choose("programDockToggle");
+    QTRY_VERIFY(!banner->isVisible());
+    window.driver.choose("programDockToggle");
+    QTRY_VERIFY(banner->isVisible());
+    window.driver.click("simulationCut");
+    QVERIFY(window.driver.settle());
+    QVERIFY(!banner->isVisible() && window.document().workpiece().part);
+  }
+
   // All errors are listed; a click on one puts the cursor there; nothing runs.
   void errorsAreListedAtTheirPlaces() {
     ProgramWindow window;
@@ -238,9 +262,17 @@ class ProgramWindowTest : public QObject {
     QVERIFY2(
         window.findings().item(0)->text().startsWith("Line 4") && window.findings().item(0)->text().contains("meets"),
         qPrintable(window.findings().item(0)->text()));
+    // Asked about before anything is struck.
+    const WorkpieceDocument& document = window.document();
     window.driver.click("programCut");
     QVERIFY(window.driver.settle());
-    const WorkpieceDocument& document = window.document();
+    QVERIFY2(window.driver.text("messageText").contains("Line 4"), qPrintable(window.driver.text("messageText")));
+    QVERIFY(!document.workpiece().part && !document.workpiece().crashes);
+    window.driver.click("messageOther");
+    QVERIFY(!document.workpiece().part && !document.workpiece().crashes);
+    window.driver.click("programCut");
+    window.driver.click("messageAction");
+    QVERIFY(window.driver.settle());
     QVERIFY(document.workpiece().part && document.workpiece().crashes && document.workpiece().crashes->size() == 1);
     window.document().history()->undo();
     QVERIFY(window.driver.settle());

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/path/PathLayer.h"
+
+#include <QString>
+
+namespace handwheel {
+
+// The symbol of a zero on the axis of a lathe, with its name, and arrows along X and Z where they count up: X outward,
+// on the side of the tool, Z away from the chuck. zero: mm, z in the scene; size: mm, radius of its circle. Any thread.
+PathLayer::Lines zeroSymbol(double zero, double size, const QString& name);
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace handwheel {
+
+// What lies over the view while that shows what a program would cut: nothing of it is in the document yet. Window
+// thread.
+class SimulationBanner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit SimulationBanner(QWidget* view);
+
+  // isCuttable: the program touches the part; why: tool tip of the button.
+  void showFor(bool isCuttable, const QString& why);
+
+ signals:
+  void cutRequested();
+  void leaveRequested();  // the part as it is
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void place();
+
+  QLabel* m_text;
+  QPushButton* m_cut;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+
+namespace handwheel {
+
+// Whether a file is a drawing, which opens as a bar with a target: by its first bytes.
+bool looksLikeDrawing(std::string_view head);
+
+// Reads a drawing as a new bar with what is drawn as its target. The bar is 2 mm or a little more thicker than the
+// part, and longer by 1 mm to be faced and 30 mm for chuck and parting. The drawing itself counts as not kept: no
+// saving of the bar may replace it. Blocks. Errors: those of importTarget(), of checkValue().
+Result<OpenedFile> openDrawing(const DocumentKind& kind, const std::filesystem::path& path, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The targets of exercises of turning: from work, from a file, in round sizes.
+#include "base/NumberText.h"
+#include "document/exercise/ExerciseErrors.h"
+#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/exercise/TurningSubject.h"
+#include "machining/refit/SampledProfile.h"
+#include "machining/target/RoundedTarget.h"
+
+#include <QtGlobal>
+
+namespace handwheel {
+
+namespace {
+
+TaskPointer withTarget(const ExerciseTask& task, TargetProfile target) {
+  TurningTask changed = static_cast<const TurningTask&>(task);
+  changed.target = std::move(target);
+  return std::make_shared<const TurningTask>(std::move(changed));
+}
+
+// Where the zero of a drawing is says nothing of the bar: such a part ends where the bar ends.
+TargetProfile placed(const ImportedTarget& imported, const StockCylinder& stock, bool isOwn) {
+  if (isOwn) return placedTarget(imported, stock)->profile;
+  const double move = stock.position + stock.length - imported.profile.upperEnd();
+  return move == 0.0 ? imported.profile : imported.profile.moved(move);
+}
+
+std::vector<Note> notesOnSize(const TargetProfile& target, const StockCylinder& stock) {
+  constexpr double kSlack = 1e-3;  // mm
+  const double diameter = 2.0 * target.largestRadius();
+  if (diameter <= stock.diameter + kSlack && target.lowerEnd() >= stock.position - kSlack) return {};
+  return {{QT_TRANSLATE_NOOP("Note",
+                             "The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar "
+                             "to a larger size, then import the target again."),
+           {roundedText(diameter, 6), roundedText(target.length(), 6), roundedText(stock.diameter, 6),
+            roundedText(stock.length, 6)}}};
+}
+
+}  // namespace
+
+Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const Snapshot& work) const {
+  constexpr double kTolerance = 2e-3;  // mm
+  const auto& workpiece = static_cast<const WorkpieceSnapshot&>(work);
+  if (!workpiece.part || workpiece.part->passes.empty()) return Error{ExerciseError::NothingTurned, {}, {}, {}};
+  const TurnedProfile& profile = workpiece.part->profile;
+  if (profile.pieces() > 1)
+    return Error{ErrorCode::ElementMalformed, {"target", "the part is in several pieces"}, {}, {}};
+  Result<TargetProfile> target = sectionOf(profile, kTolerance);
+  if (!target) return target.error();
+  return handwheel::withTarget(task, std::move(target.value()));
+}
+
+std::vector<std::string> TurningSubject::targetEndings() const {
+  return handwheel::targetEndings();
+}
+
+Result<ExerciseSubject::ImportedTask> TurningSubject::withImportedTarget(const ExerciseTask& task,
+                                                                         const std::filesystem::path& path,
+                                                                         Progress progress) const {
+  Result<ImportedTarget> imported = importTarget(path, UnturnedFaces::Refuse, progress);
+  if (!imported) return imported.error();
+  const StockCylinder& stock = static_cast<const TurningTask&>(task).stock;
+  TargetProfile target = placed(*imported, stock, isContainerName(path));
+  std::vector<Note> notes = notesOnSize(target, stock);
+  notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
+  return ImportedTask{handwheel::withTarget(task, std::move(target)), std::move(notes)};
+}
+
+Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,
+                                                                       double largestFillet) const {
+  const auto& before = static_cast<const TurningTask&>(task).target;
+  if (!before) return Error{ExerciseError::WithoutTarget, {}, {}, {}};
+  Result<TargetProfile> target = rounded(*before, {step, largestFillet});
+  if (!target) return target.error();
+  const double change = largestDistance(*before, *target);
+  return RoundedTask{handwheel::withTarget(task, std::move(target.value())), change};
+}
+
+}  // namespace handwheel
