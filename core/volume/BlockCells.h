@@ -5,7 +5,6 @@
 #include "volume/CellPolygons.h"
 #include "volume/SparseVolume.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -33,7 +32,7 @@ class BlockCells {
       const std::size_t at = place(i & 7, i >> 3 & 7, i >> 6);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const int from = m_samples[at], to = m_samples[at + kSteps[axis]];
-        if ((from > 0) != (to > 0)) visit(3 * static_cast<std::size_t>(i) + axis, shareTo(from, to));
+        if ((from > 0) != (to > 0)) visit(3 * static_cast<std::size_t>(i) + axis, shareToSurface(from, to));
       }
     }
   }
@@ -65,11 +64,6 @@ class BlockCells {
 
   static std::size_t place(int x, int y, int z) {
     return (static_cast<std::size_t>(z) * kSide + static_cast<std::size_t>(y)) * kSide + static_cast<std::size_t>(x);
-  }
-  // Away from the ends, so that triangles keep an area when their points are rounded to single precision.
-  static double shareTo(int from, int to) {
-    constexpr double kLeast = 0.01;
-    return std::clamp(static_cast<double>(from) / (from - to), kLeast, 1.0 - kLeast);
   }
   static Edge edgeOf(const VoxelIndex& cell, int edge);
 

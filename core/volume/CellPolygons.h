@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,13 @@ struct CellPolygons {
   // Made once. Thread-safe.
   static const CellPolygons& table();
 };
+
+// Where the surface crosses an edge with these depths at its ends, as a share of it: away from the ends, so that
+// triangles keep an area when their points are rounded to single precision.
+inline double shareToSurface(double from, double to) {
+  constexpr double kLeast = 0.01;
+  return std::clamp(from / (from - to), kLeast, 1.0 - kLeast);
+}
 
 // The corners of an edge, the lower first.
 std::array<int, 2> cornersOfCellEdge(int edge);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "volume/BlockTriangles.h"
 #include "volume/SparseVolume.h"
 
 #include <map>
@@ -11,21 +12,19 @@
 
 namespace handwheel {
 
-// Triangles for a graphics card. Those of one piece share their vertices; pieces do not.
-struct VolumeTriangles {
-  std::vector<float> points;          // x y z …, mm from the origin of the piece
-  std::vector<float> normals;         // of length 1, outwards
-  std::vector<std::int32_t> corners;  // three to a triangle
-
-  std::size_t count() const { return corners.size() / 3; }
-};
-
-// The surface of a volume in 64³ of its cells.
+// The surface of a volume in 64³ of its cells. Points count from its origin.
 struct VolumePiece {
-  Vec3 origin = Vec3::Zero();  // mm
-  Box box;                     // of its points, mm
-  VolumeTriangles fine;        // of marching cubes, as surfaceOf() makes them
-  VolumeTriangles coarse;      // of every fourth sample: for views that move
+  // The part of the triangles that is in the cells of one block.
+  struct BlockPart {
+    std::uint16_t block;  // z y x, three bits each
+    std::uint32_t firstPoint, firstCorner;
+  };
+
+  Vec3 origin = Vec3::Zero();    // mm
+  Box box;                       // of its points, mm
+  VolumeTriangles fine;          // of marching cubes, as surfaceOf() makes them
+  VolumeTriangles coarse;        // of every fourth sample: for views that move
+  std::vector<BlockPart> parts;  // of the fine ones, by block
 };
 
 // The surface of a volume for its display, in pieces, so that only those are made anew that an edit touches. Normals
@@ -43,11 +42,12 @@ class VolumeSurface {
   std::size_t triangleCount() const;
   std::size_t bytes() const;  // of all pieces
 
-  // Makes the pieces anew that have to do with these blocks, after they have changed. On all threads of the arena.
+  // Makes anew what has to do with these blocks, after they have changed. On all threads of the arena; O(changed
+  // blocks), and a copy of the pieces that they are in.
   void update(const SparseVolume& volume, std::span<const VoxelIndex> changedBlocks);
 
  private:
-  void make(const SparseVolume& volume, const std::vector<Key>& keys, Progress progress);
+  void set(const Key& key, Piece piece);
 
   std::map<Key, Piece> m_pieces;
 };

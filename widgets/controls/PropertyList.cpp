@@ -153,7 +153,6 @@ void PropertyList::addHeading(const Property& property) {
       makeHeading(group, property.groupTranslated ? QCoreApplication::translate("Property", group.c_str())
                                                   : QString::fromStdString(group));
   heading->setProperty("strong", true);
-  heading->setWordWrap(true);  // else a long one widens the page beyond the panel
   m_headings.push_back(heading);
   m_column->addSpacing(m_rows.empty() ? 0 : 8);
   m_column->addWidget(heading);
@@ -163,6 +162,7 @@ QWidget* PropertyList::makeHeading(const std::string& group, const QString& text
   if (!m_openAtFirst.contains(group)) {
     auto* label = new QLabel(text, m_page);
     label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);  // else a long one widens the page beyond the panel
     return label;
   }
   auto* button = new QToolButton(m_page);
