@@ -75,6 +75,10 @@
         <source>Percent</source>
         <translation>Prozent</translation>
     </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished">Punkte</translation>
+    </message>
 </context>
 <context>
     <name>ClosePrompt</name>
@@ -1055,10 +1059,6 @@
         <translation>Die Übung hat kein Ziel, also gibt es nichts zu zeichnen</translation>
     </message>
     <message>
-        <source>Turn a model solution and take it as the target.</source>
-        <translation>Drehen Sie eine Musterlösung und übernehmen Sie sie als Ziel.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is neither a path of the cell nor a file</source>
         <translation>„%1“ ist weder eine Bahn der Zelle noch eine Datei</translation>
     </message>
@@ -1389,6 +1389,54 @@
     <message>
         <source>Choose smaller voxels.</source>
         <translation>Wählen Sie kleinere Voxel.</translation>
+    </message>
+    <message>
+        <source>Import a target, or turn a model solution and take it as the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was turned in the work that was begun; it is the bar itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the part first, or import the target from a drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there is no mark “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put “;” between the names of several marks. There are: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add what is marked in “Marks” first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no drill “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no material “%1” to be drilled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;handwheel help drill&apos; lists the materials.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path takes %1 s, and %2 s can be drilled at this rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose fewer cycles a second, or a part of the path.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2629,6 +2677,10 @@
         <source>a saved document as a robot</source>
         <translation>ein gespeichertes Dokument als Roboter</translation>
     </message>
+    <message>
+        <source>its tolerance class has no letter; give one, as in h10, H10 or js10</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3007,6 +3059,10 @@
     <message>
         <source>Depth of the bowl 39 ±0.5</source>
         <translation>Tiefe des Kelchs 39 ±0,5</translation>
+    </message>
+    <message>
+        <source>turning tool</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4415,6 +4471,152 @@
         <source>The work is not in the description.</source>
         <translation>Die Arbeit steht nicht in der Beschreibung.</translation>
     </message>
+    <message>
+        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then import the target again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The numbered columns are the points of these criteria:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PathRemark</name>
+    <message>
+        <source>not verified since a robot was moved, added or removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the path was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since other joints were moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the bodies were changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the allowed pairs were changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the tool centre point was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the clearance was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be verified</source>
+        <translation type="unfinished">kann nicht geprüft werden</translation>
+    </message>
+    <message>
+        <source>line cannot be followed, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1, %2</translation>
+    </message>
+    <message>
+        <source>free but for links without meshes, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line cannot be followed (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1, clearance %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions but for links without meshes (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verified at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight line to place %1 leaves the reach of the arm or the limits of its joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion is proven to keep %1 from everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion is proven free of collisions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least clearance: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle time: %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln collision(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln Kollision</numerusform>
+            <numerusform>%Ln Kollisionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1; %2 has moved since</source>
+        <translation type="unfinished">%1; %2 hat sich seitdem bewegt</translation>
+    </message>
+    <message>
+        <source>too few places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path needs at least two places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verifying…</source>
+        <translation type="unfinished">wird geprüft…</translation>
+    </message>
+    <message>
+        <source>The path is being verified.</source>
+        <translation type="unfinished">Die Bahn wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Not verified since the document was opened: select the path, or choose Verify all paths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -5374,10 +5576,6 @@
         <translation>Hinweise, mit | getrennt</translation>
     </message>
     <message>
-        <source>Done when met</source>
-        <translation>Erledigt, wenn erfüllt</translation>
-    </message>
-    <message>
         <source>Lathe</source>
         <translation>Drehmaschine</translation>
     </message>
@@ -5946,10 +6144,6 @@
         <translation>Der Zelle</translation>
     </message>
     <message>
-        <source>Of the body</source>
-        <translation>Des Körpers</translation>
-    </message>
-    <message>
         <source>Turns about</source>
         <translation>Dreht sich um</translation>
     </message>
@@ -6180,6 +6374,122 @@
     <message>
         <source>Grey cast iron, 200 HB</source>
         <translation>Grauguss, 200 HB</translation>
+    </message>
+    <message>
+        <source>Done when met, with ; between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Process of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Carve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attract</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth (mouse)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror across X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror across Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror across Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ball or burr</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Twist drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle (r/min)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed by the mouse (mm/s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thrust (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque (N·mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest thrust (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest torque (N·mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removed (mm³)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work (J)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Breakthrough after (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycles a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erosion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished">Bahn</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7716,6 +8026,102 @@
         <source>Make mesh</source>
         <translation>Netz erzeugen</translation>
     </message>
+    <message>
+        <source>place it there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select a body or robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move it without snapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move clay along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>discard the stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carve clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inflate clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flatten clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attract clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinch clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape the clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>discard the hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill: −%1 mm³, at most %2 N and %3 N·mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>breakthrough: release the button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drill across the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drill along the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation type="unfinished">Bohrer</translation>
+    </message>
+    <message>
+        <source>Turning pass %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -7758,6 +8164,14 @@
     <message>
         <source>Ctrl</source>
         <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+hold</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8315,10 +8729,6 @@
         <translation>Plant eine Bahn zwischen Stellungen, die bewiesen kollisionsfrei ist</translation>
     </message>
     <message>
-        <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
-        <translation>Fügt die Stellung des Roboters hinter dem gewählten Punkt als kritische Stellung ein</translation>
-    </message>
-    <message>
         <source>Let the robot come to the selected place earlier</source>
         <translation>Lässt den Roboter früher zum gewählten Punkt kommen</translation>
     </message>
@@ -8331,20 +8741,12 @@
         <translation>Bewegt den Werkzeugmittelpunkt auf einer geraden Linie zum Punkt</translation>
     </message>
     <message>
-        <source>Prove each motion free of collisions, or list all that collides</source>
-        <translation>Beweist jede Bewegung kollisionsfrei, oder zeigt alle Kollisionen</translation>
-    </message>
-    <message>
         <source>Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions</source>
         <translation>Schreibt die Bahn für eine Steuerung (RAPID, KRL, Fanuc, URScript, CSV, JSON), wenn sie kollisionsfrei ist</translation>
     </message>
     <message>
         <source>Read a program of a controller as a path of this cell</source>
         <translation>Liest das Programm einer Steuerung als Bahn dieser Zelle</translation>
-    </message>
-    <message>
-        <source>Read the pairs of links that may touch, and named states</source>
-        <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen</translation>
     </message>
     <message>
         <source>Open a robot program</source>
@@ -8361,33 +8763,6 @@
     <message>
         <source>Semantic descriptions (*.srdf *.xml);;All files (*)</source>
         <translation>Semantische Beschreibungen (*.srdf *.xml);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Verifying the path</source>
-        <translation>Bahn wird geprüft</translation>
-    </message>
-    <message>
-        <source>cannot be verified</source>
-        <translation>kann nicht geprüft werden</translation>
-    </message>
-    <message>
-        <source>verifying…</source>
-        <translation>wird geprüft…</translation>
-    </message>
-    <message>
-        <source>free of collisions, %1 s</source>
-        <translation>kollisionsfrei, %1 s</translation>
-    </message>
-    <message>
-        <source>line cannot be followed</source>
-        <translation>Linie kann nicht gefahren werden</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln collision(s)</source>
-        <translation>
-            <numerusform>%Ln Kollision</numerusform>
-            <numerusform>%Ln Kollisionen</numerusform>
-        </translation>
     </message>
     <message>
         <source>Open a robot cell first.</source>
@@ -8476,10 +8851,6 @@
     <message>
         <source>Rename %1</source>
         <translation>%1 umbenennen</translation>
-    </message>
-    <message>
-        <source>Read %1</source>
-        <translation>%1 lesen</translation>
     </message>
     <message>
         <source>Export a robot program</source>
@@ -8571,10 +8942,6 @@
         <translation>Fährt die kritischen Punkte in der Reihenfolge und in den Stellungen an, die am wenigsten Zeit brauchen</translation>
     </message>
     <message>
-        <source>free of collisions but for links without meshes, %1 s</source>
-        <translation>kollisionsfrei bis auf Glieder ohne Netze, %1 s</translation>
-    </message>
-    <message>
         <source>Store a configuration or a target first: where the path is to begin or end.</source>
         <translation>Speichern Sie zuerst eine Stellung oder ein Ziel: wo die Bahn beginnen oder enden soll.</translation>
     </message>
@@ -8659,10 +9026,6 @@
         <translation>Plant von jetzt an für den gewählten Roboter; die anderen bleiben stehen, wo sie sind</translation>
     </message>
     <message>
-        <source>%1; %2 has moved since</source>
-        <translation>%1; %2 hat sich seitdem bewegt</translation>
-    </message>
-    <message>
         <source>Choose the robot that the path is of first.</source>
         <translation>Wählen Sie zuerst den Roboter, zu dem die Bahn gehört.</translation>
     </message>
@@ -8673,6 +9036,109 @@
     <message>
         <source>Select a configuration, a path, a place, a target or a robot first.</source>
         <translation>Wählen Sie zuerst eine Stellung, eine Bahn, einen Punkt, ein Ziel oder einen Roboter.</translation>
+    </message>
+    <message>
+        <source>%1 was verified: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln motion(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln point(s) of them looked at.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be planned anew, and stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the process of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save in:</source>
+        <translation type="unfinished">Speichern in:</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name had no ending of a language, so that of %1 was added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verif&amp;y all paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert where the robot stands behind the selected place as a critical configuration; before the goal, if that or the path is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prove each motion of the selected path free of collisions, or list all that collides; also once more, if it is proven already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify all paths of the robot that is planned for that are not verified as they are now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cell has no path yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read %1 for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of links that may touch</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln named state(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln entry(ies) name links or joints that the robot does not have, and were left out; see the log.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was read for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the robot that the file is of, and read it again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9436,6 +9902,30 @@
         <source>Down</source>
         <translation>Nach unten</translation>
     </message>
+    <message>
+        <source>Remove the selected row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected row up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected row down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done when met</source>
+        <translation type="unfinished">Erledigt, wenn erfüllt</translation>
+    </message>
+    <message>
+        <source>Choose the marks that tick this step once Measure finds them right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the marks of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>
@@ -9470,6 +9960,14 @@
     <message>
         <source>: at least %1%2</source>
         <translation>: mindestens %1%2</translation>
+    </message>
+    <message>
+        <source>Save a file for the teacher, with the part and all of its passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write your name above first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9724,6 +10222,46 @@
         <source>A lesson of about five minutes: the program says what to do, and measures the part.</source>
         <translation>Eine Lektion von etwa fünf Minuten: Das Programm sagt, was zu tun ist, und misst das Teil.</translation>
     </message>
+    <message>
+        <source>&amp;Import target…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a target</source>
+        <translation type="unfinished">Ein Ziel importieren</translation>
+    </message>
+    <message>
+        <source>Turned parts (%1)</source>
+        <translation type="unfinished">Drehteile (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished">%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 was not taken as the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import target</source>
+        <translation type="unfinished">Ziel importieren</translation>
+    </message>
+    <message>
+        <source>Target read from %1</source>
+        <translation type="unfinished">Ziel aus %1 gelesen</translation>
+    </message>
+    <message>
+        <source>%1 is the target now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Marks” says what is measured of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -9889,8 +10427,8 @@
         <translation>Sie wurde von einer neueren Version von Handwheel geschrieben; was diese Version nicht kennt, wird nicht gezeigt.</translation>
     </message>
     <message>
-        <source>%1 contains more than a surface</source>
-        <translation>%1 enthält mehr als die Oberfläche</translation>
+        <source>Not all of %1 is kept</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10561,6 +11099,22 @@
         <source>Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the carriage moves.</source>
         <translation>Berühren Sie die Planfläche der Stange mit dem Werkzeug, geben Sie ihre Höhe unten ein, und drücken Sie „Z ankratzen“, bevor sich der Bettschlitten bewegt.</translation>
     </message>
+    <message>
+        <source>%1 has no zero yet. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter at the tip, from the workpiece zero as it was touched off; outward is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius at the tip, from the workpiece zero as it was touched off; outward is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the workpiece zero as it was touched off; away from the chuck is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -10571,6 +11125,22 @@
     <message>
         <source>The tool was not mounted</source>
         <translation>Das Werkzeug wurde nicht eingespannt</translation>
+    </message>
+    <message>
+        <source>Workpiece zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material that came back is where it was, so it stands where it was before that pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle turns as before.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10651,12 +11221,12 @@
         <translation>Die Zeit ist um</translation>
     </message>
     <message>
-        <source>Time since the beginning</source>
-        <translation>Zeit seit Beginn</translation>
-    </message>
-    <message>
         <source>Show another hint</source>
         <translation>Noch einen Hinweis zeigen</translation>
+    </message>
+    <message>
+        <source>Time since the beginning, in minutes and seconds</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10885,6 +11455,10 @@
     <message>
         <source>Measure how fast each setting of the panel “Fidelity” is on this machine: about half a minute</source>
         <translation>Messen, wie schnell jede Einstellung des Felds „Genauigkeit“ auf diesem Rechner ist: etwa eine halbe Minute</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11143,6 +11717,17 @@
     <message>
         <source>Finding the edges of %1</source>
         <translation>Kanten von %1 werden gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PathChecks</name>
+    <message>
+        <source>On the way to place %1: %2 with %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verifying %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11428,6 +12013,10 @@
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Program zero</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11859,16 +12448,8 @@
         <translation>Kollision: ein Vorschub in das Material bei rückwärts laufender Spindel (M4), nach ⌀ %1, Z %2.</translation>
     </message>
     <message>
-        <source>Writes a program that makes the target from this part, a bore that goes through included. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation>Schreibt ein Programm, das aus diesem Teil das Ziel macht, einschließlich einer durchgehenden Bohrung. Es wird zuerst simuliert und abgelehnt, wenn es kollidiert oder in das Ziel schneidet.</translation>
-    </message>
-    <message>
         <source>Drill for the bore</source>
         <translation>Bohrer für die Bohrung</translation>
-    </message>
-    <message>
-        <source>Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
-        <translation>Durchmesser. Eine durchgehende Bohrung wird gebohrt und mit einem Innendrehmeißel geschruppt und geschlichtet; 0 lässt sie, wie sie ist.</translation>
     </message>
     <message>
         <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
@@ -11882,10 +12463,6 @@
         <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
         <translation>Kollision: %3 trifft auf %4, auf dem Weg nach ⌀ %1, Z %2.</translation>
     </message>
-    <message>
-        <source>Cut the part as the program does. Its collisions are recorded, as on the machine: undo does not take them back.</source>
-        <translation>Das Teil schneiden wie das Programm. Seine Kollisionen werden aufgezeichnet, wie an der Maschine: „Rückgängig“ nimmt sie nicht zurück.</translation>
-    </message>
     <message numerus="yes">
         <source>%n collision(s) recorded, which undo does not take back.</source>
         <translation>
@@ -11896,6 +12473,64 @@
     <message>
         <source>Change the tools of the program</source>
         <translation>Werkzeuge des Programms ändern</translation>
+    </message>
+    <message>
+        <source>Writes a program that makes the target from this part, a bore included, through or blind. It is simulated first, and refused where it collides or cuts into the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does. Its collisions are shown and asked about before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view shows the part as it is. Run the program to see what it would cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>…and %1 more, in the list of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The program has %n collision(s); nothing is cut yet</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>The program was changed since: run it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PropertyList</name>
+    <message>
+        <source>Hide the fields of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the fields of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12584,20 +13219,32 @@
         <translation>Alle Stellungen sehen, in denen der Arm eine Pose seines Werkzeugs erreicht: Schulter, Ellbogen und Handgelenk</translation>
     </message>
     <message>
-        <source>Place a body with &amp;handles</source>
-        <translation>Körper &amp;mit Griffen platzieren</translation>
-    </message>
-    <message>
-        <source>Move and turn the selected body along and about axes</source>
-        <translation>Den ausgewählten Körper entlang von Achsen bewegen und um sie drehen</translation>
-    </message>
-    <message>
         <source>Lay a body &amp;face to face</source>
         <translation>Körper Fläche &amp;auf Fläche legen</translation>
     </message>
     <message>
         <source>Lay a body with one of its faces on a face of another</source>
         <translation>Einen Körper mit einer seiner Flächen auf eine Fläche eines anderen legen</translation>
+    </message>
+    <message>
+        <source>Place a body or robot with &amp;handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move and turn the selected body, or the base of the selected robot, along and about axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything in the cell is measured from the base of its first robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the bodies and the other robots.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12927,6 +13574,29 @@
     <message>
         <source>In a tool, a shortcut must be a single key press.</source>
         <translation>In einem Werkzeug muss ein Kürzel aus einem einzigen Tastendruck bestehen.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SimulationBanner</name>
+    <message>
+        <source>Simulated – not cut yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cut the work</source>
+        <translation type="unfinished">Werkstück &amp;zerspanen</translation>
+    </message>
+    <message>
+        <source>The view shows what the program would cut. The document, and what is saved, is the part before it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the part as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the simulation; the program stays as it is</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13679,6 +14349,34 @@
         <source>&amp;Volume</source>
         <translation>&amp;Volumen</translation>
     </message>
+    <message>
+        <source>New &amp;clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with a ball of clay to be shaped by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape &amp;clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add, carve, smooth and move clay by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill into the volume, with thrust and torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::WorkpieceUi</name>
@@ -13769,6 +14467,10 @@
     <message>
         <source>The bar is that of the exercise.</source>
         <translation>Die Stange gehört zur Übung.</translation>
+    </message>
+    <message>
+        <source>It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -74,6 +74,10 @@
         <source>Percent</source>
         <translation>百分比</translation>
     </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished">点</translation>
+    </message>
 </context>
 <context>
     <name>ClosePrompt</name>
@@ -1054,10 +1058,6 @@
         <translation>练习没有目标，因此没有可绘制的内容</translation>
     </message>
     <message>
-        <source>Turn a model solution and take it as the target.</source>
-        <translation>请车出一个示范解答，并将其设为目标。</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is neither a path of the cell nor a file</source>
         <translation>“%1”既不是单元中的路径，也不是文件</translation>
     </message>
@@ -1388,6 +1388,54 @@
     <message>
         <source>Choose smaller voxels.</source>
         <translation>请选择更小的体素。</translation>
+    </message>
+    <message>
+        <source>Import a target, or turn a model solution and take it as the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was turned in the work that was begun; it is the bar itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the part first, or import the target from a drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there is no mark “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put “;” between the names of several marks. There are: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add what is marked in “Marks” first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no drill “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no material “%1” to be drilled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;handwheel help drill&apos; lists the materials.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path takes %1 s, and %2 s can be drilled at this rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose fewer cycles a second, or a part of the path.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2628,6 +2676,10 @@
         <source>a saved document as a robot</source>
         <translation>把已保存的文档当作机器人</translation>
     </message>
+    <message>
+        <source>its tolerance class has no letter; give one, as in h10, H10 or js10</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3006,6 +3058,10 @@
     <message>
         <source>Depth of the bowl 39 ±0.5</source>
         <translation>杯身深度 39 ±0.5</translation>
+    </message>
+    <message>
+        <source>turning tool</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4407,6 +4463,151 @@
         <source>The work is not in the description.</source>
         <translation>作业不在描述文件中。</translation>
     </message>
+    <message>
+        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then import the target again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The numbered columns are the points of these criteria:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PathRemark</name>
+    <message>
+        <source>not verified since a robot was moved, added or removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the path was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since other joints were moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the bodies were changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the allowed pairs were changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the tool centre point was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified since the clearance was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be verified</source>
+        <translation type="unfinished">无法验证</translation>
+    </message>
+    <message>
+        <source>line cannot be followed, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1，%2</translation>
+    </message>
+    <message>
+        <source>free but for links without meshes, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line cannot be followed (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished">%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1, clearance %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions but for links without meshes (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verified at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight line to place %1 leaves the reach of the arm or the limits of its joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion is proven to keep %1 from everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion is proven free of collisions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least clearance: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle time: %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln collision(s)</source>
+        <translation type="unfinished">
+            <numerusform>%Ln 处碰撞</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1; %2 has moved since</source>
+        <translation type="unfinished">%1；此后 %2 已移动</translation>
+    </message>
+    <message>
+        <source>too few places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path needs at least two places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verifying…</source>
+        <translation type="unfinished">正在验证…</translation>
+    </message>
+    <message>
+        <source>The path is being verified.</source>
+        <translation type="unfinished">正在验证路径。</translation>
+    </message>
+    <message>
+        <source>Not verified since the document was opened: select the path, or choose Verify all paths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -5366,10 +5567,6 @@
         <translation>提示（以 | 分隔）</translation>
     </message>
     <message>
-        <source>Done when met</source>
-        <translation>完成条件</translation>
-    </message>
-    <message>
         <source>Lathe</source>
         <translation>车床</translation>
     </message>
@@ -5938,10 +6135,6 @@
         <translation>单元的</translation>
     </message>
     <message>
-        <source>Of the body</source>
-        <translation>物体的</translation>
-    </message>
-    <message>
         <source>Turns about</source>
         <translation>转动中心</translation>
     </message>
@@ -6172,6 +6365,122 @@
     <message>
         <source>Grey cast iron, 200 HB</source>
         <translation>灰铸铁，200 HB</translation>
+    </message>
+    <message>
+        <source>Done when met, with ; between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Process of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">添加</translation>
+    </message>
+    <message>
+        <source>Carve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attract</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth (mouse)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror across X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror across Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror across Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ball or burr</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Twist drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle (r/min)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed by the mouse (mm/s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thrust (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque (N·mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest thrust (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest torque (N·mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removed (mm³)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work (J)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Breakthrough after (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycles a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erosion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished">路径</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7671,6 +7980,102 @@
         <source>Make mesh</source>
         <translation>生成网格</translation>
     </message>
+    <message>
+        <source>place it there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select a body or robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move it without snapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move clay along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>discard the stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carve clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inflate clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flatten clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attract clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinch clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape the clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>discard the hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill: −%1 mm³, at most %2 N and %3 N·mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>breakthrough: release the button</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drill across the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drill along the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation type="unfinished">钻头</translation>
+    </message>
+    <message>
+        <source>Turning pass %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -7713,6 +8118,14 @@
     <message>
         <source>Ctrl</source>
         <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+hold</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8266,10 +8679,6 @@
         <translation>在位形之间规划一条已证明无碰撞的路径</translation>
     </message>
     <message>
-        <source>Insert where the robot stands behind the selected place, as a critical configuration</source>
-        <translation>将机器人当前位形作为关键位形插入所选位置之后</translation>
-    </message>
-    <message>
         <source>Let the robot come to the selected place earlier</source>
         <translation>让机器人更早到达所选位置</translation>
     </message>
@@ -8282,20 +8691,12 @@
         <translation>使工具中心点沿直线移到该位置</translation>
     </message>
     <message>
-        <source>Prove each motion free of collisions, or list all that collides</source>
-        <translation>证明每个运动无碰撞，或列出所有碰撞</translation>
-    </message>
-    <message>
         <source>Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions</source>
         <translation>将无碰撞的路径写为控制器程序（RAPID、KRL、Fanuc、URScript、CSV、JSON）</translation>
     </message>
     <message>
         <source>Read a program of a controller as a path of this cell</source>
         <translation>将控制器程序读为此单元的路径</translation>
-    </message>
-    <message>
-        <source>Read the pairs of links that may touch, and named states</source>
-        <translation>读取可接触的连杆对和命名状态</translation>
     </message>
     <message>
         <source>Open a robot program</source>
@@ -8312,32 +8713,6 @@
     <message>
         <source>Semantic descriptions (*.srdf *.xml);;All files (*)</source>
         <translation>语义描述 (*.srdf *.xml);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Verifying the path</source>
-        <translation>正在验证路径</translation>
-    </message>
-    <message>
-        <source>cannot be verified</source>
-        <translation>无法验证</translation>
-    </message>
-    <message>
-        <source>verifying…</source>
-        <translation>正在验证…</translation>
-    </message>
-    <message>
-        <source>free of collisions, %1 s</source>
-        <translation>无碰撞，%1 s</translation>
-    </message>
-    <message>
-        <source>line cannot be followed</source>
-        <translation>无法沿直线运动</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln collision(s)</source>
-        <translation>
-            <numerusform>%Ln 处碰撞</numerusform>
-        </translation>
     </message>
     <message>
         <source>Open a robot cell first.</source>
@@ -8428,10 +8803,6 @@
         <translation>重命名 %1</translation>
     </message>
     <message>
-        <source>Read %1</source>
-        <translation>读取 %1</translation>
-    </message>
-    <message>
         <source>Export a robot program</source>
         <translation>导出机器人程序</translation>
     </message>
@@ -8518,10 +8889,6 @@
         <translation>以用时最少的顺序和位形经过各关键位置</translation>
     </message>
     <message>
-        <source>free of collisions but for links without meshes, %1 s</source>
-        <translation>无碰撞（没有网格的连杆除外），%1 s</translation>
-    </message>
-    <message>
         <source>Store a configuration or a target first: where the path is to begin or end.</source>
         <translation>请先保存位形或目标点，作为路径的起点或终点。</translation>
     </message>
@@ -8606,10 +8973,6 @@
         <translation>从现在起为所选机器人规划；其他机器人保持不动</translation>
     </message>
     <message>
-        <source>%1; %2 has moved since</source>
-        <translation>%1；此后 %2 已移动</translation>
-    </message>
-    <message>
         <source>Choose the robot that the path is of first.</source>
         <translation>请先选择该路径所属的机器人。</translation>
     </message>
@@ -8620,6 +8983,104 @@
     <message>
         <source>Select a configuration, a path, a place, a target or a robot first.</source>
         <translation>请先选择位形、路径、位置、目标点或机器人。</translation>
+    </message>
+    <message>
+        <source>%1 was verified: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln motion(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln point(s) of them looked at.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 could not be planned anew, and stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be planned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the process of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save in:</source>
+        <translation type="unfinished">保存到：</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name had no ending of a language, so that of %1 was added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verif&amp;y all paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert where the robot stands behind the selected place as a critical configuration; before the goal, if that or the path is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prove each motion of the selected path free of collisions, or list all that collides; also once more, if it is proven already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify all paths of the robot that is planned for that are not verified as they are now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cell has no path yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read %1 for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of links that may touch</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln named state(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln entry(ies) name links or joints that the robot does not have, and were left out; see the log.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was read for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the robot that the file is of, and read it again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9381,6 +9842,30 @@
         <source>Down</source>
         <translation>下移</translation>
     </message>
+    <message>
+        <source>Remove the selected row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected row up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected row down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done when met</source>
+        <translation type="unfinished">完成条件</translation>
+    </message>
+    <message>
+        <source>Choose the marks that tick this step once Measure finds them right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the marks of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>
@@ -9415,6 +9900,14 @@
     <message>
         <source>: at least %1%2</source>
         <translation>：最小 %1%2</translation>
+    </message>
+    <message>
+        <source>Save a file for the teacher, with the part and all of its passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write your name above first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9667,6 +10160,46 @@
         <source>A lesson of about five minutes: the program says what to do, and measures the part.</source>
         <translation>约五分钟的课程：程序告诉您该做什么，并测量零件。</translation>
     </message>
+    <message>
+        <source>&amp;Import target…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a target</source>
+        <translation type="unfinished">导入目标</translation>
+    </message>
+    <message>
+        <source>Turned parts (%1)</source>
+        <translation type="unfinished">车削件 (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished">正在读取 %1</translation>
+    </message>
+    <message>
+        <source>%1 was not taken as the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import target</source>
+        <translation type="unfinished">导入目标</translation>
+    </message>
+    <message>
+        <source>Target read from %1</source>
+        <translation type="unfinished">已从 %1 读取目标</translation>
+    </message>
+    <message>
+        <source>%1 is the target now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Marks” says what is measured of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -9831,8 +10364,8 @@
         <translation>此文件由较新版本的 Handwheel 写入；本版本不认识的内容不会显示。</translation>
     </message>
     <message>
-        <source>%1 contains more than a surface</source>
-        <translation>%1 不只包含表面</translation>
+        <source>Not all of %1 is kept</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10494,6 +11027,22 @@
         <source>Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the carriage moves.</source>
         <translation>用刀具接触棒料端面，在下方输入其高度，并在大拖板移动之前按“对刀 Z”。</translation>
     </message>
+    <message>
+        <source>%1 has no zero yet. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter at the tip, from the workpiece zero as it was touched off; outward is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius at the tip, from the workpiece zero as it was touched off; outward is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the workpiece zero as it was touched off; away from the chuck is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -10504,6 +11053,22 @@
     <message>
         <source>The tool was not mounted</source>
         <translation>刀具未安装</translation>
+    </message>
+    <message>
+        <source>Workpiece zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material that came back is where it was, so it stands where it was before that pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle turns as before.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10584,12 +11149,12 @@
         <translation>时间到</translation>
     </message>
     <message>
-        <source>Time since the beginning</source>
-        <translation>开始后的时间</translation>
-    </message>
-    <message>
         <source>Show another hint</source>
         <translation>显示另一条提示</translation>
+    </message>
+    <message>
+        <source>Time since the beginning, in minutes and seconds</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10818,6 +11383,10 @@
     <message>
         <source>Measure how fast each setting of the panel “Fidelity” is on this machine: about half a minute</source>
         <translation>“保真度”面板的每项设置在本机有多快：大约半分钟</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11071,6 +11640,17 @@
     <message>
         <source>Finding the edges of %1</source>
         <translation>正在查找 %1 的边</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PathChecks</name>
+    <message>
+        <source>On the way to place %1: %2 with %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verifying %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11356,6 +11936,10 @@
     <message>
         <source>Program</source>
         <translation>程序</translation>
+    </message>
+    <message>
+        <source>Program zero</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11785,16 +12369,8 @@
         <translation>碰撞：主轴反转（M4）时切入材料，到 ⌀ %1，Z %2。</translation>
     </message>
     <message>
-        <source>Writes a program that makes the target from this part, a bore that goes through included. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation>编写由此零件加工出目标的程序，包括通孔。程序会先经仿真，若发生碰撞或切入目标则被拒绝。</translation>
-    </message>
-    <message>
         <source>Drill for the bore</source>
         <translation>内孔的钻头</translation>
-    </message>
-    <message>
-        <source>Diameter. A bore that goes through is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
-        <translation>直径。通孔先钻孔，再用镗刀粗镗和精镗；0 表示保持原样。</translation>
     </message>
     <message>
         <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
@@ -11808,10 +12384,6 @@
         <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
         <translation>碰撞：%3 与 %4 相碰，在移往 ⌀ %1，Z %2 途中。</translation>
     </message>
-    <message>
-        <source>Cut the part as the program does. Its collisions are recorded, as on the machine: undo does not take them back.</source>
-        <translation>按程序切削零件。其碰撞会像在机床上一样被记录：撤销不会将其取消。</translation>
-    </message>
     <message numerus="yes">
         <source>%n collision(s) recorded, which undo does not take back.</source>
         <translation>
@@ -11821,6 +12393,63 @@
     <message>
         <source>Change the tools of the program</source>
         <translation>更改程序的刀具</translation>
+    </message>
+    <message>
+        <source>Writes a program that makes the target from this part, a bore included, through or blind. It is simulated first, and refused where it collides or cuts into the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does. Its collisions are shown and asked about before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view shows the part as it is. Run the program to see what it would cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>…and %1 more, in the list of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The program has %n collision(s); nothing is cut yet</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>The program was changed since: run it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PropertyList</name>
+    <message>
+        <source>Hide the fields of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the fields of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12498,20 +13127,32 @@
         <translation>查看机械臂到达其工具某一位姿的所有方式：肩部、肘部和腕部</translation>
     </message>
     <message>
-        <source>Place a body with &amp;handles</source>
-        <translation>用操纵柄放置物体(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Move and turn the selected body along and about axes</source>
-        <translation>沿轴移动、绕轴转动所选物体</translation>
-    </message>
-    <message>
         <source>Lay a body &amp;face to face</source>
         <translation>面对面贴放物体(&amp;F)</translation>
     </message>
     <message>
         <source>Lay a body with one of its faces on a face of another</source>
         <translation>将物体以其一个面贴放到另一物体的面上</translation>
+    </message>
+    <message>
+        <source>Place a body or robot with &amp;handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move and turn the selected body, or the base of the selected robot, along and about axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything in the cell is measured from the base of its first robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the bodies and the other robots.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12838,6 +13479,29 @@
     <message>
         <source>In a tool, a shortcut must be a single key press.</source>
         <translation>在工具中，快捷键只能是一次按键。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SimulationBanner</name>
+    <message>
+        <source>Simulated – not cut yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cut the work</source>
+        <translation type="unfinished">切削工件(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The view shows what the program would cut. The document, and what is saved, is the part before it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the part as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the simulation; the program stays as it is</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13586,6 +14250,34 @@
         <source>&amp;Volume</source>
         <translation>体素模型(&amp;O)</translation>
     </message>
+    <message>
+        <source>New &amp;clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with a ball of clay to be shaped by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape &amp;clay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add, carve, smooth and move clay by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill into the volume, with thrust and torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::WorkpieceUi</name>
@@ -13676,6 +14368,10 @@
     <message>
         <source>The bar is that of the exercise.</source>
         <translation>棒料由练习规定。</translation>
+    </message>
+    <message>
+        <source>It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
