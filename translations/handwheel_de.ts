@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished">Punkte</translation>
+        <translation>Punkte</translation>
     </message>
 </context>
 <context>
@@ -1392,51 +1392,51 @@
     </message>
     <message>
         <source>Import a target, or turn a model solution and take it as the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren Sie ein Ziel, oder drehen Sie eine Musterlösung, und übernehmen Sie sie als Ziel.</translation>
     </message>
     <message>
         <source>nothing was turned in the work that was begun; it is the bar itself</source>
-        <translation type="unfinished"></translation>
+        <translation>an der begonnenen Arbeit wurde nichts gedreht; sie ist die Stange selbst</translation>
     </message>
     <message>
         <source>Turn the part first, or import the target from a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen Sie zuerst das Teil, oder importieren Sie das Ziel aus einer Zeichnung.</translation>
     </message>
     <message>
         <source>%1: there is no mark “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: es gibt kein Kriterium „%2“</translation>
     </message>
     <message>
         <source>Put “;” between the names of several marks. There are: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen Sie „;“ zwischen die Namen mehrerer Kriterien. Es gibt: %3.</translation>
     </message>
     <message>
         <source>Add what is marked in “Marks” first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie zuerst unter „Bewertung“ hinzu, was bewertet wird.</translation>
     </message>
     <message>
         <source>there is no drill “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Bohrer „%1“</translation>
     </message>
     <message>
         <source>Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben Sie ball, burr oder twist mit einem Durchmesser von 0,05 bis 200 mm, zum Beispiel ball:6.</translation>
     </message>
     <message>
         <source>there is no material “%1” to be drilled</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Werkstoff „%1“ zum Bohren</translation>
     </message>
     <message>
         <source>&apos;handwheel help drill&apos; lists the materials.</source>
-        <translation type="unfinished"></translation>
+        <translation>„handwheel help drill“ führt die Werkstoffe auf.</translation>
     </message>
     <message>
         <source>the path takes %1 s, and %2 s can be drilled at this rate</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bahn dauert %1 s, und bei dieser Taktrate lassen sich %2 s bohren</translation>
     </message>
     <message>
         <source>Choose fewer cycles a second, or a part of the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie weniger Rechentakte je Sekunde oder nur einen Teil der Bahn.</translation>
     </message>
 </context>
 <context>
@@ -2679,7 +2679,7 @@
     </message>
     <message>
         <source>its tolerance class has no letter; give one, as in h10, H10 or js10</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Toleranzklasse hat keinen Buchstaben; geben Sie einen an, wie in h10, H10 oder js10</translation>
     </message>
 </context>
 <context>
@@ -3062,7 +3062,7 @@
     </message>
     <message>
         <source>turning tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmeißel</translation>
     </message>
 </context>
 <context>
@@ -4473,149 +4473,149 @@
     </message>
     <message>
         <source>The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung ist das Ziel einer neuen Stange von ⌀%1 × %2 mm. Im Feld „Rohteil“ lassen sich andere Maße eingeben; für eine Übung verwenden Sie „Ziel importieren…“ in deren Feld.</translation>
     </message>
     <message>
         <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then import the target again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel, ⌀%1 × %2 mm, passt nicht in die Stange von ⌀%3 × %4 mm. Stellen Sie die Stange größer ein, und importieren Sie das Ziel dann erneut.</translation>
     </message>
     <message>
         <source>The numbered columns are the points of these criteria:</source>
-        <translation type="unfinished"></translation>
+        <translation>Die nummerierten Spalten sind die Punkte für diese Kriterien:</translation>
     </message>
 </context>
 <context>
     <name>PathRemark</name>
     <message>
         <source>not verified since a robot was moved, added or removed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit ein Roboter bewegt, hinzugefügt oder entfernt wurde</translation>
     </message>
     <message>
         <source>not verified since the path was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit die Bahn geändert wurde</translation>
     </message>
     <message>
         <source>not verified since other joints were moved</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit andere Gelenke bewegt wurden</translation>
     </message>
     <message>
         <source>not verified since the bodies were changed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit die Körper geändert wurden</translation>
     </message>
     <message>
         <source>not verified since the allowed pairs were changed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit die erlaubten Paare geändert wurden</translation>
     </message>
     <message>
         <source>not verified since the tool centre point was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit der Werkzeugmittelpunkt geändert wurde</translation>
     </message>
     <message>
         <source>not verified since the clearance was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft, seit der Abstand geändert wurde</translation>
     </message>
     <message>
         <source>not verified yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht geprüft</translation>
     </message>
     <message>
         <source>cannot be verified</source>
-        <translation type="unfinished">kann nicht geprüft werden</translation>
+        <translation>kann nicht geprüft werden</translation>
     </message>
     <message>
         <source>line cannot be followed, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie nicht abfahrbar, %1</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1, %2</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>free but for links without meshes, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>frei bis auf Glieder ohne Netze, %1</translation>
     </message>
     <message>
         <source>free, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>frei, %1</translation>
     </message>
     <message>
         <source>line cannot be followed (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie nicht abfahrbar (%1)</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1, clearance %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Abstand %2</translation>
     </message>
     <message>
         <source>free of collisions but for links without meshes (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>kollisionsfrei bis auf Glieder ohne Netze (%1)</translation>
     </message>
     <message>
         <source>free of collisions (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>kollisionsfrei (%1)</translation>
     </message>
     <message>
         <source>Verified at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geprüft am %1.</translation>
     </message>
     <message>
         <source>The straight line to place %1 leaves the reach of the arm or the limits of its joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gerade Linie zu Punkt %1 verlässt die Reichweite des Arms oder die Grenzen seiner Gelenke.</translation>
     </message>
     <message>
         <source>Every motion is proven to keep %1 from everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für jede Bewegung ist bewiesen, dass sie zu allem %1 Abstand hält.</translation>
     </message>
     <message>
         <source>Every motion is proven free of collisions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Bewegung ist bewiesen kollisionsfrei.</translation>
     </message>
     <message>
         <source>Least clearance: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Abstand: %1.</translation>
     </message>
     <message>
         <source>Cycle time: %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Taktzeit: %1 s.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln collision(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln Kollision</numerusform>
             <numerusform>%Ln Kollisionen</numerusform>
         </translation>
     </message>
     <message>
         <source>%1; %2 has moved since</source>
-        <translation type="unfinished">%1; %2 hat sich seitdem bewegt</translation>
+        <translation>%1; %2 hat sich seitdem bewegt</translation>
     </message>
     <message>
         <source>too few places</source>
-        <translation type="unfinished"></translation>
+        <translation>zu wenige Punkte</translation>
     </message>
     <message>
         <source>A path needs at least two places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Bahn braucht mindestens zwei Punkte.</translation>
     </message>
     <message>
         <source>verifying…</source>
-        <translation type="unfinished">wird geprüft…</translation>
+        <translation>wird geprüft…</translation>
     </message>
     <message>
         <source>The path is being verified.</source>
-        <translation type="unfinished">Die Bahn wird geprüft.</translation>
+        <translation>Die Bahn wird geprüft.</translation>
     </message>
     <message>
         <source>Not verified since the document was opened: select the path, or choose Verify all paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit dem Öffnen des Dokuments nicht geprüft: Wählen Sie die Bahn aus, oder wählen Sie „Alle Bahnen prüfen“.</translation>
     </message>
     <message>
         <source>Before: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuvor: %1</translation>
     </message>
 </context>
 <context>
@@ -6377,119 +6377,119 @@
     </message>
     <message>
         <source>Done when met, with ; between</source>
-        <translation type="unfinished"></translation>
+        <translation>Erledigt, wenn erfüllt, mit ; getrennt</translation>
     </message>
     <message>
         <source>Its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>Process of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeitung der Bahn</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">Hinzufügen</translation>
+        <translation>Auftragen</translation>
     </message>
     <message>
         <source>Carve</source>
-        <translation type="unfinished"></translation>
+        <translation>Abtragen</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Attract</source>
-        <translation type="unfinished"></translation>
+        <translation>Anziehen</translation>
     </message>
     <message>
         <source>Pinch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusammenziehen</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion</translation>
     </message>
     <message>
         <source>Depth (mouse)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe (Maus)</translation>
     </message>
     <message>
         <source>Falloff</source>
-        <translation type="unfinished"></translation>
+        <translation>Abfall zum Rand</translation>
     </message>
     <message>
         <source>Mirror across X</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiegeln in X</translation>
     </message>
     <message>
         <source>Mirror across Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiegeln in Y</translation>
     </message>
     <message>
         <source>Mirror across Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiegeln in Z</translation>
     </message>
     <message>
         <source>Ball or burr</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel oder Frässtift</translation>
     </message>
     <message>
         <source>Twist drill</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiralbohrer</translation>
     </message>
     <message>
         <source>Spindle (r/min)</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel (1/min)</translation>
     </message>
     <message>
         <source>Feed by the mouse (mm/s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub mit der Maus (mm/s)</translation>
     </message>
     <message>
         <source>Thrust (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschubkraft (N)</translation>
     </message>
     <message>
         <source>Torque (N·mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment (N·mm)</translation>
     </message>
     <message>
         <source>Largest thrust (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Vorschubkraft (N)</translation>
     </message>
     <message>
         <source>Largest torque (N·mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Größtes Drehmoment (N·mm)</translation>
     </message>
     <message>
         <source>Removed (mm³)</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgetragen (mm³)</translation>
     </message>
     <message>
         <source>Work (J)</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit (J)</translation>
     </message>
     <message>
         <source>Breakthrough after (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchbruch nach (s)</translation>
     </message>
     <message>
         <source>Cycles a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechentakte je Sekunde</translation>
     </message>
     <message>
         <source>Erosion</source>
-        <translation type="unfinished"></translation>
+        <translation>Erosion</translation>
     </message>
     <message>
         <source>Path</source>
-        <translation type="unfinished">Bahn</translation>
+        <translation>Bahn</translation>
     </message>
     <message>
         <source>Verification</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
 </context>
 <context>
@@ -8028,99 +8028,99 @@
     </message>
     <message>
         <source>place it there</source>
-        <translation type="unfinished"></translation>
+        <translation>dort platzieren</translation>
     </message>
     <message>
         <source>select a body or robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper oder Roboter auswählen</translation>
     </message>
     <message>
         <source>move it without snapping</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Einrasten bewegen</translation>
     </message>
     <message>
         <source>add clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton auftragen</translation>
     </message>
     <message>
         <source>carve</source>
-        <translation type="unfinished"></translation>
+        <translation>abtragen</translation>
     </message>
     <message>
         <source>move clay along</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton mitziehen</translation>
     </message>
     <message>
         <source>discard the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Strich verwerfen</translation>
     </message>
     <message>
         <source>Add clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton auftragen</translation>
     </message>
     <message>
         <source>Carve clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton abtragen</translation>
     </message>
     <message>
         <source>Inflate clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton aufblähen</translation>
     </message>
     <message>
         <source>Smooth clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton glätten</translation>
     </message>
     <message>
         <source>Flatten clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton ebnen</translation>
     </message>
     <message>
         <source>Move clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton verschieben</translation>
     </message>
     <message>
         <source>Attract clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton anziehen</translation>
     </message>
     <message>
         <source>Pinch clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton zusammenziehen</translation>
     </message>
     <message>
         <source>%1: %2 mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 mm³</translation>
     </message>
     <message>
         <source>shape the clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton formen</translation>
     </message>
     <message>
         <source>discard the hole</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohrung verwerfen</translation>
     </message>
     <message>
         <source>Drill: −%1 mm³, at most %2 N and %3 N·mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohren: −%1 mm³, höchstens %2 N und %3 N·mm</translation>
     </message>
     <message>
         <source>breakthrough: release the button</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchbruch: Taste loslassen</translation>
     </message>
     <message>
         <source>drill across the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>senkrecht zur Oberfläche bohren</translation>
     </message>
     <message>
         <source>drill along the view</source>
-        <translation type="unfinished"></translation>
+        <translation>in Blickrichtung bohren</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation type="unfinished">Bohrer</translation>
+        <translation>Bohren</translation>
     </message>
     <message>
         <source>Turning pass %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehschnitt %1</translation>
     </message>
 </context>
 <context>
@@ -8167,11 +8167,11 @@
     </message>
     <message>
         <source>Hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten</translation>
     </message>
     <message>
         <source>Shift+hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Halten</translation>
     </message>
 </context>
 <context>
@@ -9039,106 +9039,106 @@
     </message>
     <message>
         <source>%1 was verified: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde geprüft: %2</translation>
     </message>
     <message numerus="yes">
         <source>%Ln motion(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Bewegung</numerusform>
+            <numerusform>%Ln Bewegungen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln point(s) of them looked at.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Stelle davon betrachtet.</numerusform>
+            <numerusform>%Ln Stellen davon betrachtet.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 could not be planned anew, and stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnte nicht neu geplant werden und bleibt, wie es ist</translation>
     </message>
     <message>
         <source>%1 could not be planned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnte nicht geplant werden</translation>
     </message>
     <message>
         <source>Change the process of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeitung von %1 ändern</translation>
     </message>
     <message>
         <source>Save in:</source>
-        <translation type="unfinished">Speichern in:</translation>
+        <translation>Speichern in:</translation>
     </message>
     <message>
         <source>%1 is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist schon vorhanden</translation>
     </message>
     <message>
         <source>The name had no ending of a language, so that of %1 was added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name hatte keine Endung einer Sprache, daher wurde die von %1 angefügt.</translation>
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Verif&amp;y all paths</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle Bahnen prüfen</translation>
     </message>
     <message>
         <source>Insert where the robot stands behind the selected place as a critical configuration; before the goal, if that or the path is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt die jetzige Stellung des Roboters hinter dem gewählten Punkt als kritische Stellung ein; vor dem Ziel der Bahn, wenn dieses oder die Bahn gewählt ist</translation>
     </message>
     <message>
         <source>Prove each motion of the selected path free of collisions, or list all that collides; also once more, if it is proven already</source>
-        <translation type="unfinished"></translation>
+        <translation>Beweist, dass jede Bewegung der gewählten Bahn kollisionsfrei ist, oder listet alle Kollisionen auf; auch noch einmal, wenn es schon bewiesen ist</translation>
     </message>
     <message>
         <source>Verify all paths of the robot that is planned for that are not verified as they are now</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüft alle Bahnen des Roboters, für den geplant wird, die nicht in ihrem jetzigen Stand geprüft sind</translation>
     </message>
     <message>
         <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen: für den gewählten Roboter, sonst für den, für den geplant wird</translation>
     </message>
     <message>
         <source>The cell has no path yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zelle hat noch keine Bahn.</translation>
     </message>
     <message>
         <source>Read %1 for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 für %2 lesen</translation>
     </message>
     <message numerus="yes">
         <source>%Ln pair(s) of links that may touch</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Paar von Gliedern, die sich berühren dürfen</numerusform>
+            <numerusform>%Ln Paare von Gliedern, die sich berühren dürfen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln named state(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln benannte Stellung.</numerusform>
+            <numerusform>%Ln benannte Stellungen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln entry(ies) name links or joints that the robot does not have, and were left out; see the log.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Eintrag nennt Glieder oder Gelenke, die der Roboter nicht hat, und wurde ausgelassen; siehe Protokoll.</numerusform>
+            <numerusform>%Ln Einträge nennen Glieder oder Gelenke, die der Roboter nicht hat, und wurden ausgelassen; siehe Protokoll.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was read for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde für %2 gelesen</translation>
     </message>
     <message>
         <source>Select the robot that the file is of, and read it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie den Roboter, zu dem die Datei gehört, und lesen Sie sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -9904,27 +9904,27 @@
     </message>
     <message>
         <source>Remove the selected row</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Zeile entfernen</translation>
     </message>
     <message>
         <source>Move the selected row up</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Zeile nach oben verschieben</translation>
     </message>
     <message>
         <source>Move the selected row down</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Zeile nach unten verschieben</translation>
     </message>
     <message>
         <source>Done when met</source>
-        <translation type="unfinished">Erledigt, wenn erfüllt</translation>
+        <translation>Erledigt, wenn erfüllt</translation>
     </message>
     <message>
         <source>Choose the marks that tick this step once Measure finds them right</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kriterien wählen, die diesen Schritt abhaken, sobald „Messen“ sie als erfüllt erkennt</translation>
     </message>
     <message>
         <source>Choose the marks of a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterien eines Schritts wählen</translation>
     </message>
 </context>
 <context>
@@ -9963,11 +9963,11 @@
     </message>
     <message>
         <source>Save a file for the teacher, with the part and all of its passes</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei für die Lehrkraft speichern, mit dem Teil und allen seinen Schnitten</translation>
     </message>
     <message>
         <source>Write your name above first</source>
-        <translation type="unfinished"></translation>
+        <translation>Tragen Sie zuerst oben Ihren Namen ein</translation>
     </message>
 </context>
 <context>
@@ -10224,43 +10224,43 @@
     </message>
     <message>
         <source>&amp;Import target…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel &amp;importieren…</translation>
     </message>
     <message>
         <source>Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>Einlesen, was Schüler herstellen sollen, aus DXF, SVG, STEP, einem Netz oder einem Werkstück</translation>
     </message>
     <message>
         <source>Import a target</source>
-        <translation type="unfinished">Ein Ziel importieren</translation>
+        <translation>Ein Ziel importieren</translation>
     </message>
     <message>
         <source>Turned parts (%1)</source>
-        <translation type="unfinished">Drehteile (%1)</translation>
+        <translation>Drehteile (%1)</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished">%1 wird gelesen</translation>
+        <translation>%1 wird gelesen</translation>
     </message>
     <message>
         <source>%1 was not taken as the target</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht als Ziel übernommen</translation>
     </message>
     <message>
         <source>Import target</source>
-        <translation type="unfinished">Ziel importieren</translation>
+        <translation>Ziel importieren</translation>
     </message>
     <message>
         <source>Target read from %1</source>
-        <translation type="unfinished">Ziel aus %1 gelesen</translation>
+        <translation>Ziel aus %1 gelesen</translation>
     </message>
     <message>
         <source>%1 is the target now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist jetzt das Ziel</translation>
     </message>
     <message>
         <source>“Marks” says what is measured of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Bewertung“ sagt, was daran gemessen wird.</translation>
     </message>
 </context>
 <context>
@@ -10428,7 +10428,7 @@
     </message>
     <message>
         <source>Not all of %1 is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 bleibt nicht alles erhalten</translation>
     </message>
 </context>
 <context>
@@ -11101,19 +11101,19 @@
     </message>
     <message>
         <source>%1 has no zero yet. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat noch keinen Nullpunkt. %2</translation>
     </message>
     <message>
         <source>Diameter at the tip, from the workpiece zero as it was touched off; outward is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser an der Spitze, vom Werkstücknullpunkt aus, wie er angekratzt wurde; nach außen ist positiv</translation>
     </message>
     <message>
         <source>Radius at the tip, from the workpiece zero as it was touched off; outward is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius an der Spitze, vom Werkstücknullpunkt aus, wie er angekratzt wurde; nach außen ist positiv</translation>
     </message>
     <message>
         <source>From the workpiece zero as it was touched off; away from the chuck is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Werkstücknullpunkt aus, wie er angekratzt wurde; vom Futter weg ist positiv</translation>
     </message>
 </context>
 <context>
@@ -11128,19 +11128,19 @@
     </message>
     <message>
         <source>Workpiece zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstücknullpunkt</translation>
     </message>
     <message>
         <source>The tool was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug wurde bewegt</translation>
     </message>
     <message>
         <source>The material that came back is where it was, so it stands where it was before that pass.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo es war, ist jetzt wieder Werkstoff; daher steht es dort, wo es vor diesem Schnitt stand.</translation>
     </message>
     <message>
         <source>The spindle turns as before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spindel dreht sich wie zuvor.</translation>
     </message>
 </context>
 <context>
@@ -11226,7 +11226,7 @@
     </message>
     <message>
         <source>Time since the beginning, in minutes and seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit seit dem Beginn, in Minuten und Sekunden</translation>
     </message>
 </context>
 <context>
@@ -11458,7 +11458,7 @@
     </message>
     <message>
         <source>&amp;Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig: %1</translation>
     </message>
 </context>
 <context>
@@ -11723,11 +11723,11 @@
     <name>handwheel::PathChecks</name>
     <message>
         <source>On the way to place %1: %2 with %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Weg zu Punkt %1: %2 mit %3</translation>
     </message>
     <message>
         <source>Verifying %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geprüft</translation>
     </message>
 </context>
 <context>
@@ -12016,7 +12016,7 @@
     </message>
     <message>
         <source>Program zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Programmnullpunkt</translation>
     </message>
 </context>
 <context>
@@ -12476,61 +12476,61 @@
     </message>
     <message>
         <source>Writes a program that makes the target from this part, a bore included, through or blind. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt ein Programm, das aus diesem Teil das Ziel macht, auch mit einer Durchgangs- oder Sacklochbohrung. Es wird zuerst simuliert und abgelehnt, wo es kollidiert oder in das Ziel schneidet.</translation>
     </message>
     <message>
         <source>Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser. Eine Durchgangs- oder Sacklochbohrung wird gebohrt und mit einem Innendrehmeißel geschruppt und geschlichtet; 0 lässt sie, wie sie ist.</translation>
     </message>
     <message>
         <source>Cut the part as the program does. Its collisions are shown and asked about before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil schneiden wie das Programm. Kollisionen werden vorher gezeigt, und es wird nachgefragt.</translation>
     </message>
     <message>
         <source>The view shows the part as it is. Run the program to see what it would cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht zeigt das Teil, wie es ist. Führen Sie das Programm aus, um zu sehen, was es abtragen würde.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>…and %1 more, in the list of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>… und %1 weitere, in der Liste des Programms.</translation>
     </message>
     <message numerus="yes">
         <source>The program has %n collision(s); nothing is cut yet</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Das Programm hat %n Kollision; noch ist nichts zerspant</numerusform>
+            <numerusform>Das Programm hat %n Kollisionen; noch ist nichts zerspant</numerusform>
         </translation>
     </message>
     <message>
         <source>If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn Sie trotzdem zerspanen, werden Kollisionen wie an der Maschine aufgezeichnet, und „Rückgängig“ nimmt sie nicht zurück.</translation>
     </message>
     <message>
         <source>Cut anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem zerspanen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>The program was changed since: run it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm wurde seitdem geändert: Führen Sie es erneut aus.</translation>
     </message>
 </context>
 <context>
     <name>handwheel::PropertyList</name>
     <message>
         <source>Hide the fields of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder von „%1“ ausblenden</translation>
     </message>
     <message>
         <source>Show the fields of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder von „%1“ zeigen</translation>
     </message>
 </context>
 <context>
@@ -13228,23 +13228,23 @@
     </message>
     <message>
         <source>Place a body or robot with &amp;handles</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Körper oder Roboter mit Griffen platzieren</translation>
     </message>
     <message>
         <source>Move and turn the selected body, or the base of the selected robot, along and about axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Den gewählten Körper oder die Basis des gewählten Roboters entlang von Achsen bewegen und um Achsen drehen</translation>
     </message>
     <message>
         <source>%1 cannot be moved</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht bewegen</translation>
     </message>
     <message>
         <source>Everything in the cell is measured from the base of its first robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles in der Zelle wird von der Basis ihres ersten Roboters aus gemessen.</translation>
     </message>
     <message>
         <source>Move the bodies and the other robots.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen Sie die Körper und die anderen Roboter.</translation>
     </message>
 </context>
 <context>
@@ -13580,23 +13580,23 @@
     <name>handwheel::SimulationBanner</name>
     <message>
         <source>Simulated – not cut yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliert – noch nicht zerspant</translation>
     </message>
     <message>
         <source>&amp;Cut the work</source>
-        <translation type="unfinished">Werkstück &amp;zerspanen</translation>
+        <translation>Werkstück &amp;zerspanen</translation>
     </message>
     <message>
         <source>The view shows what the program would cut. The document, and what is saved, is the part before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht zeigt, was das Programm abtragen würde. Das Dokument, und was gespeichert wird, ist das Teil davor.</translation>
     </message>
     <message>
         <source>Show the part as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil zeigen, wie es ist</translation>
     </message>
     <message>
         <source>Leave the simulation; the program stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation verlassen; das Programm bleibt, wie es ist</translation>
     </message>
 </context>
 <context>
@@ -14351,31 +14351,31 @@
     </message>
     <message>
         <source>New &amp;clay</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;Tonkugel</translation>
     </message>
     <message>
         <source>Start with a ball of clay to be shaped by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Kugel aus Ton beginnen, die von Hand geformt wird</translation>
     </message>
     <message>
         <source>Shape &amp;clay</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ton formen</translation>
     </message>
     <message>
         <source>Add, carve, smooth and move clay by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton von Hand auftragen, abtragen, glätten und verschieben</translation>
     </message>
     <message>
         <source>&amp;Drill</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bohren</translation>
     </message>
     <message>
         <source>Drill into the volume, with thrust and torque</source>
-        <translation type="unfinished"></translation>
+        <translation>In das Volumen bohren, mit Vorschubkraft und Drehmoment</translation>
     </message>
     <message>
         <source>%1 triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Dreiecke</translation>
     </message>
 </context>
 <context>
@@ -14470,7 +14470,7 @@
     </message>
     <message>
         <source>It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist die Stange der Übung. Das Feld „Lektion“ sagt, was zu tun ist; „Drehen“ und „Drehmaschine“ bearbeiten sie.</translation>
     </message>
 </context>
 </TS>

@@ -76,7 +76,7 @@
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished">点</translation>
+        <translation>分</translation>
     </message>
 </context>
 <context>
@@ -1391,51 +1391,51 @@
     </message>
     <message>
         <source>Import a target, or turn a model solution and take it as the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>请导入目标，或车削一个参考答案并将其设为目标。</translation>
     </message>
     <message>
         <source>nothing was turned in the work that was begun; it is the bar itself</source>
-        <translation type="unfinished"></translation>
+        <translation>已开始的作业中没有车削任何内容；它仍是原棒料</translation>
     </message>
     <message>
         <source>Turn the part first, or import the target from a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先车削零件，或从图纸导入目标。</translation>
     </message>
     <message>
         <source>%1: there is no mark “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：没有评分项“%2”</translation>
     </message>
     <message>
         <source>Put “;” between the names of several marks. There are: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>多个评分项的名称之间请用“;”分隔。现有：%3。</translation>
     </message>
     <message>
         <source>Add what is marked in “Marks” first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先在“评分”中添加要评分的内容。</translation>
     </message>
     <message>
         <source>there is no drill “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>没有钻头“%1”</translation>
     </message>
     <message>
         <source>Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.</source>
-        <translation type="unfinished"></translation>
+        <translation>请写 ball、burr 或 twist，并给出 0.05 至 200 mm 的直径，例如 ball:6。</translation>
     </message>
     <message>
         <source>there is no material “%1” to be drilled</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可钻削的材料“%1”</translation>
     </message>
     <message>
         <source>&apos;handwheel help drill&apos; lists the materials.</source>
-        <translation type="unfinished"></translation>
+        <translation>“handwheel help drill”列出所有材料。</translation>
     </message>
     <message>
         <source>the path takes %1 s, and %2 s can be drilled at this rate</source>
-        <translation type="unfinished"></translation>
+        <translation>路径需要 %1 s，而以此频率最多只能钻 %2 s</translation>
     </message>
     <message>
         <source>Choose fewer cycles a second, or a part of the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>请减少每秒周期数，或只取路径的一部分。</translation>
     </message>
 </context>
 <context>
@@ -2678,7 +2678,7 @@
     </message>
     <message>
         <source>its tolerance class has no letter; give one, as in h10, H10 or js10</source>
-        <translation type="unfinished"></translation>
+        <translation>其公差带代号没有字母；请给出字母，如 h10、H10 或 js10</translation>
     </message>
 </context>
 <context>
@@ -3061,7 +3061,7 @@
     </message>
     <message>
         <source>turning tool</source>
-        <translation type="unfinished"></translation>
+        <translation>车刀</translation>
     </message>
 </context>
 <context>
@@ -4465,148 +4465,148 @@
     </message>
     <message>
         <source>The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>该图纸是 ⌀%1 × %2 mm 新棒料的目标。可在“毛坯”面板中输入其他尺寸；用于练习时，请使用其面板中的“导入目标…”。</translation>
     </message>
     <message>
         <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then import the target again.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标（⌀%1 × %2 mm）超出棒料（⌀%3 × %4 mm）。请将棒料设为更大的尺寸，然后重新导入目标。</translation>
     </message>
     <message>
         <source>The numbered columns are the points of these criteria:</source>
-        <translation type="unfinished"></translation>
+        <translation>带编号的各列为以下评分项的得分：</translation>
     </message>
 </context>
 <context>
     <name>PathRemark</name>
     <message>
         <source>not verified since a robot was moved, added or removed</source>
-        <translation type="unfinished"></translation>
+        <translation>移动、添加或移除机器人后尚未验证</translation>
     </message>
     <message>
         <source>not verified since the path was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>更改路径后尚未验证</translation>
     </message>
     <message>
         <source>not verified since other joints were moved</source>
-        <translation type="unfinished"></translation>
+        <translation>移动其他关节后尚未验证</translation>
     </message>
     <message>
         <source>not verified since the bodies were changed</source>
-        <translation type="unfinished"></translation>
+        <translation>更改物体后尚未验证</translation>
     </message>
     <message>
         <source>not verified since the allowed pairs were changed</source>
-        <translation type="unfinished"></translation>
+        <translation>更改允许接触的对后尚未验证</translation>
     </message>
     <message>
         <source>not verified since the tool centre point was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>更改工具中心点后尚未验证</translation>
     </message>
     <message>
         <source>not verified since the clearance was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>更改间隙后尚未验证</translation>
     </message>
     <message>
         <source>not verified yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未验证</translation>
     </message>
     <message>
         <source>cannot be verified</source>
-        <translation type="unfinished">无法验证</translation>
+        <translation>无法验证</translation>
     </message>
     <message>
         <source>line cannot be followed, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法沿直线运动，%1</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1，%2</translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>free but for links without meshes, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>除无网格的连杆外无碰撞，%1</translation>
     </message>
     <message>
         <source>free, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无碰撞，%1</translation>
     </message>
     <message>
         <source>line cannot be followed (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>无法沿直线运动（%1）</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished">%1（%2）</translation>
+        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1, clearance %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，间隙 %2</translation>
     </message>
     <message>
         <source>free of collisions but for links without meshes (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>除无网格的连杆外无碰撞（%1）</translation>
     </message>
     <message>
         <source>free of collisions (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>无碰撞（%1）</translation>
     </message>
     <message>
         <source>Verified at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>验证时间：%1。</translation>
     </message>
     <message>
         <source>The straight line to place %1 leaves the reach of the arm or the limits of its joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>到位置 %1 的直线超出机械臂的可达范围或其关节限位。</translation>
     </message>
     <message>
         <source>Every motion is proven to keep %1 from everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>已证明每个运动与所有物体都至少保持 %1 的间隙。</translation>
     </message>
     <message>
         <source>Every motion is proven free of collisions.</source>
-        <translation type="unfinished"></translation>
+        <translation>已证明每个运动均无碰撞。</translation>
     </message>
     <message>
         <source>Least clearance: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小间隙：%1。</translation>
     </message>
     <message>
         <source>Cycle time: %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>循环时间：%1 s。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln collision(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%Ln 处碰撞</numerusform>
         </translation>
     </message>
     <message>
         <source>%1; %2 has moved since</source>
-        <translation type="unfinished">%1；此后 %2 已移动</translation>
+        <translation>%1；此后 %2 已移动</translation>
     </message>
     <message>
         <source>too few places</source>
-        <translation type="unfinished"></translation>
+        <translation>位置过少</translation>
     </message>
     <message>
         <source>A path needs at least two places.</source>
-        <translation type="unfinished"></translation>
+        <translation>路径至少需要两个位置。</translation>
     </message>
     <message>
         <source>verifying…</source>
-        <translation type="unfinished">正在验证…</translation>
+        <translation>正在验证…</translation>
     </message>
     <message>
         <source>The path is being verified.</source>
-        <translation type="unfinished">正在验证路径。</translation>
+        <translation>正在验证路径。</translation>
     </message>
     <message>
         <source>Not verified since the document was opened: select the path, or choose Verify all paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开文档后尚未验证：请选择该路径，或选择“验证所有路径”。</translation>
     </message>
     <message>
         <source>Before: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此前：%1</translation>
     </message>
 </context>
 <context>
@@ -6368,119 +6368,119 @@
     </message>
     <message>
         <source>Done when met, with ; between</source>
-        <translation type="unfinished"></translation>
+        <translation>完成条件（以 ; 分隔）</translation>
     </message>
     <message>
         <source>Its own</source>
-        <translation type="unfinished"></translation>
+        <translation>自身的</translation>
     </message>
     <message>
         <source>Process of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>路径的加工参数</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">添加</translation>
+        <translation>添加</translation>
     </message>
     <message>
         <source>Carve</source>
-        <translation type="unfinished"></translation>
+        <translation>挖去</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>移动</translation>
     </message>
     <message>
         <source>Attract</source>
-        <translation type="unfinished"></translation>
+        <translation>吸引</translation>
     </message>
     <message>
         <source>Pinch</source>
-        <translation type="unfinished"></translation>
+        <translation>捏合</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation type="unfinished"></translation>
+        <translation>操作</translation>
     </message>
     <message>
         <source>Depth (mouse)</source>
-        <translation type="unfinished"></translation>
+        <translation>深度（鼠标）</translation>
     </message>
     <message>
         <source>Falloff</source>
-        <translation type="unfinished"></translation>
+        <translation>衰减</translation>
     </message>
     <message>
         <source>Mirror across X</source>
-        <translation type="unfinished"></translation>
+        <translation>X 向镜像</translation>
     </message>
     <message>
         <source>Mirror across Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y 向镜像</translation>
     </message>
     <message>
         <source>Mirror across Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Z 向镜像</translation>
     </message>
     <message>
         <source>Ball or burr</source>
-        <translation type="unfinished"></translation>
+        <translation>球头或旋转锉</translation>
     </message>
     <message>
         <source>Twist drill</source>
-        <translation type="unfinished"></translation>
+        <translation>麻花钻</translation>
     </message>
     <message>
         <source>Spindle (r/min)</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴转速 (r/min)</translation>
     </message>
     <message>
         <source>Feed by the mouse (mm/s)</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标进给 (mm/s)</translation>
     </message>
     <message>
         <source>Thrust (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>轴向力 (N)</translation>
     </message>
     <message>
         <source>Torque (N·mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩 (N·mm)</translation>
     </message>
     <message>
         <source>Largest thrust (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>最大轴向力 (N)</translation>
     </message>
     <message>
         <source>Largest torque (N·mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>最大扭矩 (N·mm)</translation>
     </message>
     <message>
         <source>Removed (mm³)</source>
-        <translation type="unfinished"></translation>
+        <translation>去除量 (mm³)</translation>
     </message>
     <message>
         <source>Work (J)</source>
-        <translation type="unfinished"></translation>
+        <translation>功 (J)</translation>
     </message>
     <message>
         <source>Breakthrough after (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>钻穿用时 (s)</translation>
     </message>
     <message>
         <source>Cycles a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒周期数</translation>
     </message>
     <message>
         <source>Erosion</source>
-        <translation type="unfinished"></translation>
+        <translation>侵蚀</translation>
     </message>
     <message>
         <source>Path</source>
-        <translation type="unfinished">路径</translation>
+        <translation>路径</translation>
     </message>
     <message>
         <source>Verification</source>
-        <translation type="unfinished"></translation>
+        <translation>验证</translation>
     </message>
 </context>
 <context>
@@ -7982,99 +7982,99 @@
     </message>
     <message>
         <source>place it there</source>
-        <translation type="unfinished"></translation>
+        <translation>放到此处</translation>
     </message>
     <message>
         <source>select a body or robot</source>
-        <translation type="unfinished"></translation>
+        <translation>选择物体或机器人</translation>
     </message>
     <message>
         <source>move it without snapping</source>
-        <translation type="unfinished"></translation>
+        <translation>移动（不吸附）</translation>
     </message>
     <message>
         <source>add clay</source>
-        <translation type="unfinished"></translation>
+        <translation>添加黏土</translation>
     </message>
     <message>
         <source>carve</source>
-        <translation type="unfinished"></translation>
+        <translation>挖去</translation>
     </message>
     <message>
         <source>move clay along</source>
-        <translation type="unfinished"></translation>
+        <translation>带动黏土移动</translation>
     </message>
     <message>
         <source>discard the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃此笔</translation>
     </message>
     <message>
         <source>Add clay</source>
-        <translation type="unfinished"></translation>
+        <translation>添加黏土</translation>
     </message>
     <message>
         <source>Carve clay</source>
-        <translation type="unfinished"></translation>
+        <translation>挖去黏土</translation>
     </message>
     <message>
         <source>Inflate clay</source>
-        <translation type="unfinished"></translation>
+        <translation>膨胀黏土</translation>
     </message>
     <message>
         <source>Smooth clay</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑黏土</translation>
     </message>
     <message>
         <source>Flatten clay</source>
-        <translation type="unfinished"></translation>
+        <translation>压平黏土</translation>
     </message>
     <message>
         <source>Move clay</source>
-        <translation type="unfinished"></translation>
+        <translation>移动黏土</translation>
     </message>
     <message>
         <source>Attract clay</source>
-        <translation type="unfinished"></translation>
+        <translation>吸引黏土</translation>
     </message>
     <message>
         <source>Pinch clay</source>
-        <translation type="unfinished"></translation>
+        <translation>捏合黏土</translation>
     </message>
     <message>
         <source>%1: %2 mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 mm³</translation>
     </message>
     <message>
         <source>shape the clay</source>
-        <translation type="unfinished"></translation>
+        <translation>塑造黏土</translation>
     </message>
     <message>
         <source>discard the hole</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃此孔</translation>
     </message>
     <message>
         <source>Drill: −%1 mm³, at most %2 N and %3 N·mm</source>
-        <translation type="unfinished"></translation>
+        <translation>钻孔：−%1 mm³，最大 %2 N 和 %3 N·mm</translation>
     </message>
     <message>
         <source>breakthrough: release the button</source>
-        <translation type="unfinished"></translation>
+        <translation>已钻穿：请松开按钮</translation>
     </message>
     <message>
         <source>drill across the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于表面钻孔</translation>
     </message>
     <message>
         <source>drill along the view</source>
-        <translation type="unfinished"></translation>
+        <translation>沿视线方向钻孔</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation type="unfinished">钻头</translation>
+        <translation>钻孔</translation>
     </message>
     <message>
         <source>Turning pass %1</source>
-        <translation type="unfinished"></translation>
+        <translation>车削走刀 %1</translation>
     </message>
 </context>
 <context>
@@ -8121,11 +8121,11 @@
     </message>
     <message>
         <source>Hold</source>
-        <translation type="unfinished"></translation>
+        <translation>按住</translation>
     </message>
     <message>
         <source>Shift+hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+按住</translation>
     </message>
 </context>
 <context>
@@ -8986,101 +8986,101 @@
     </message>
     <message>
         <source>%1 was verified: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已验证：%2</translation>
     </message>
     <message numerus="yes">
         <source>%Ln motion(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 个运动</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln point(s) of them looked at.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>检查了其中 %Ln 个点。</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 could not be planned anew, and stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 无法重新规划，保持不变</translation>
     </message>
     <message>
         <source>%1 could not be planned</source>
-        <translation type="unfinished"></translation>
+        <translation>无法规划 %1</translation>
     </message>
     <message>
         <source>Change the process of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1 的加工参数</translation>
     </message>
     <message>
         <source>Save in:</source>
-        <translation type="unfinished">保存到：</translation>
+        <translation>保存到：</translation>
     </message>
     <message>
         <source>%1 is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已存在</translation>
     </message>
     <message>
         <source>The name had no ending of a language, so that of %1 was added.</source>
-        <translation type="unfinished"></translation>
+        <translation>名称没有任何语言的扩展名，因此添加了 %1 的扩展名。</translation>
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>替换</translation>
     </message>
     <message>
         <source>Verif&amp;y all paths</source>
-        <translation type="unfinished"></translation>
+        <translation>验证所有路径(&amp;Y)</translation>
     </message>
     <message>
         <source>Insert where the robot stands behind the selected place as a critical configuration; before the goal, if that or the path is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>将机器人当前位形作为关键位形插入到所选位置之后；若所选为终点或路径，则插入到终点之前</translation>
     </message>
     <message>
         <source>Prove each motion of the selected path free of collisions, or list all that collides; also once more, if it is proven already</source>
-        <translation type="unfinished"></translation>
+        <translation>证明所选路径的每个运动均无碰撞，或列出所有碰撞；已证明的也可重新验证</translation>
     </message>
     <message>
         <source>Verify all paths of the robot that is planned for that are not verified as they are now</source>
-        <translation type="unfinished"></translation>
+        <translation>验证当前规划的机器人的所有路径中，尚未按当前状态验证的路径</translation>
     </message>
     <message>
         <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
-        <translation type="unfinished"></translation>
+        <translation>读取所选机器人（未选择时为当前规划的机器人）的允许接触的连杆对和命名状态</translation>
     </message>
     <message>
         <source>The cell has no path yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>单元中还没有路径。</translation>
     </message>
     <message>
         <source>Read %1 for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>为 %2 读取 %1</translation>
     </message>
     <message numerus="yes">
         <source>%Ln pair(s) of links that may touch</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 对允许接触的连杆</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln named state(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 个命名状态。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln entry(ies) name links or joints that the robot does not have, and were left out; see the log.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 个条目引用了机器人没有的连杆或关节，已略去；见日志。</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was read for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>已为 %2 读取 %1</translation>
     </message>
     <message>
         <source>Select the robot that the file is of, and read it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择该文件所属的机器人，然后重新读取。</translation>
     </message>
 </context>
 <context>
@@ -9844,27 +9844,27 @@
     </message>
     <message>
         <source>Remove the selected row</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所选行</translation>
     </message>
     <message>
         <source>Move the selected row up</source>
-        <translation type="unfinished"></translation>
+        <translation>上移所选行</translation>
     </message>
     <message>
         <source>Move the selected row down</source>
-        <translation type="unfinished"></translation>
+        <translation>下移所选行</translation>
     </message>
     <message>
         <source>Done when met</source>
-        <translation type="unfinished">完成条件</translation>
+        <translation>完成条件</translation>
     </message>
     <message>
         <source>Choose the marks that tick this step once Measure finds them right</source>
-        <translation type="unfinished"></translation>
+        <translation>选择评分项：当“测量”判定其合格后，此步骤即标为完成</translation>
     </message>
     <message>
         <source>Choose the marks of a step</source>
-        <translation type="unfinished"></translation>
+        <translation>选择步骤的评分项</translation>
     </message>
 </context>
 <context>
@@ -9903,11 +9903,11 @@
     </message>
     <message>
         <source>Save a file for the teacher, with the part and all of its passes</source>
-        <translation type="unfinished"></translation>
+        <translation>保存提交给教师的文件，包含零件及其所有走刀</translation>
     </message>
     <message>
         <source>Write your name above first</source>
-        <translation type="unfinished"></translation>
+        <translation>请先在上方填写您的姓名</translation>
     </message>
 </context>
 <context>
@@ -10162,43 +10162,43 @@
     </message>
     <message>
         <source>&amp;Import target…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入目标(&amp;I)…</translation>
     </message>
     <message>
         <source>Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>从 DXF、SVG、STEP、网格或工件读取学生要加工的形状</translation>
     </message>
     <message>
         <source>Import a target</source>
-        <translation type="unfinished">导入目标</translation>
+        <translation>导入目标</translation>
     </message>
     <message>
         <source>Turned parts (%1)</source>
-        <translation type="unfinished">车削件 (%1)</translation>
+        <translation>车削件 (%1)</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished">正在读取 %1</translation>
+        <translation>正在读取 %1</translation>
     </message>
     <message>
         <source>%1 was not taken as the target</source>
-        <translation type="unfinished"></translation>
+        <translation>未将 %1 采用为目标</translation>
     </message>
     <message>
         <source>Import target</source>
-        <translation type="unfinished">导入目标</translation>
+        <translation>导入目标</translation>
     </message>
     <message>
         <source>Target read from %1</source>
-        <translation type="unfinished">已从 %1 读取目标</translation>
+        <translation>已从 %1 读取目标</translation>
     </message>
     <message>
         <source>%1 is the target now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 现为目标</translation>
     </message>
     <message>
         <source>“Marks” says what is measured of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>“评分”说明对其测量哪些内容。</translation>
     </message>
 </context>
 <context>
@@ -10365,7 +10365,7 @@
     </message>
     <message>
         <source>Not all of %1 is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的内容未全部保留</translation>
     </message>
 </context>
 <context>
@@ -11029,19 +11029,19 @@
     </message>
     <message>
         <source>%1 has no zero yet. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 尚无零点。%2</translation>
     </message>
     <message>
         <source>Diameter at the tip, from the workpiece zero as it was touched off; outward is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖处的直径，从对刀所定的工件零点算起；向外为正</translation>
     </message>
     <message>
         <source>Radius at the tip, from the workpiece zero as it was touched off; outward is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>刀尖处的半径，从对刀所定的工件零点算起；向外为正</translation>
     </message>
     <message>
         <source>From the workpiece zero as it was touched off; away from the chuck is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>从对刀所定的工件零点算起；离开卡盘为正</translation>
     </message>
 </context>
 <context>
@@ -11056,19 +11056,19 @@
     </message>
     <message>
         <source>Workpiece zero</source>
-        <translation type="unfinished"></translation>
+        <translation>工件零点</translation>
     </message>
     <message>
         <source>The tool was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具已移动</translation>
     </message>
     <message>
         <source>The material that came back is where it was, so it stands where it was before that pass.</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复的材料占据了刀具所在的位置，因此刀具回到该次走刀之前的位置。</translation>
     </message>
     <message>
         <source>The spindle turns as before.</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴照常转动。</translation>
     </message>
 </context>
 <context>
@@ -11154,7 +11154,7 @@
     </message>
     <message>
         <source>Time since the beginning, in minutes and seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>自开始以来的时间（分和秒）</translation>
     </message>
 </context>
 <context>
@@ -11386,7 +11386,7 @@
     </message>
     <message>
         <source>&amp;Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销 %1(&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -11646,11 +11646,11 @@
     <name>handwheel::PathChecks</name>
     <message>
         <source>On the way to place %1: %2 with %3</source>
-        <translation type="unfinished"></translation>
+        <translation>前往位置 %1 途中：%2 与 %3</translation>
     </message>
     <message>
         <source>Verifying %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在验证 %1</translation>
     </message>
 </context>
 <context>
@@ -11939,7 +11939,7 @@
     </message>
     <message>
         <source>Program zero</source>
-        <translation type="unfinished"></translation>
+        <translation>程序零点</translation>
     </message>
 </context>
 <context>
@@ -12396,60 +12396,60 @@
     </message>
     <message>
         <source>Writes a program that makes the target from this part, a bore included, through or blind. It is simulated first, and refused where it collides or cuts into the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>编写由此零件加工出目标的程序，包括内孔（通孔或盲孔）。先经仿真；若发生碰撞或切入目标，则不予采用。</translation>
     </message>
     <message>
         <source>Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>直径。内孔（通孔或盲孔）先钻孔，再用镗刀粗镗和精镗；0 表示保持原样。</translation>
     </message>
     <message>
         <source>Cut the part as the program does. Its collisions are shown and asked about before.</source>
-        <translation type="unfinished"></translation>
+        <translation>按程序切削零件。切削前会显示其碰撞并询问。</translation>
     </message>
     <message>
         <source>The view shows the part as it is. Run the program to see what it would cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>视图显示零件的当前状态。运行程序可查看它将切削的结果。</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行：%2</translation>
     </message>
     <message>
         <source>…and %1 more, in the list of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>…还有 %1 项，见程序的列表。</translation>
     </message>
     <message numerus="yes">
         <source>The program has %n collision(s); nothing is cut yet</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>程序有 %n 处碰撞；尚未切削</numerusform>
         </translation>
     </message>
     <message>
         <source>If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.</source>
-        <translation type="unfinished"></translation>
+        <translation>如果仍要切削，碰撞会像在机床上一样被记录，撤销不会将其取消。</translation>
     </message>
     <message>
         <source>Cut anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>仍然切削</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>The program was changed since: run it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>程序此后已更改：请重新运行。</translation>
     </message>
 </context>
 <context>
     <name>handwheel::PropertyList</name>
     <message>
         <source>Hide the fields of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏 %1 的字段</translation>
     </message>
     <message>
         <source>Show the fields of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>显示 %1 的字段</translation>
     </message>
 </context>
 <context>
@@ -13136,23 +13136,23 @@
     </message>
     <message>
         <source>Place a body or robot with &amp;handles</source>
-        <translation type="unfinished"></translation>
+        <translation>用控制柄放置物体或机器人(&amp;H)</translation>
     </message>
     <message>
         <source>Move and turn the selected body, or the base of the selected robot, along and about axes</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轴移动、绕轴转动所选物体或所选机器人的基座</translation>
     </message>
     <message>
         <source>%1 cannot be moved</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 无法移动</translation>
     </message>
     <message>
         <source>Everything in the cell is measured from the base of its first robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>单元中的一切都以第一个机器人的基座为测量基准。</translation>
     </message>
     <message>
         <source>Move the bodies and the other robots.</source>
-        <translation type="unfinished"></translation>
+        <translation>请移动物体和其他机器人。</translation>
     </message>
 </context>
 <context>
@@ -13485,23 +13485,23 @@
     <name>handwheel::SimulationBanner</name>
     <message>
         <source>Simulated – not cut yet</source>
-        <translation type="unfinished"></translation>
+        <translation>仿真结果 – 尚未切削</translation>
     </message>
     <message>
         <source>&amp;Cut the work</source>
-        <translation type="unfinished">切削工件(&amp;C)</translation>
+        <translation>切削工件(&amp;C)</translation>
     </message>
     <message>
         <source>The view shows what the program would cut. The document, and what is saved, is the part before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>视图显示程序将切削的结果。文档以及保存的内容仍是切削之前的零件。</translation>
     </message>
     <message>
         <source>Show the part as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>显示零件的当前状态</translation>
     </message>
     <message>
         <source>Leave the simulation; the program stays as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>退出仿真；程序保持不变</translation>
     </message>
 </context>
 <context>
@@ -14252,31 +14252,31 @@
     </message>
     <message>
         <source>New &amp;clay</source>
-        <translation type="unfinished"></translation>
+        <translation>新建黏土(&amp;C)</translation>
     </message>
     <message>
         <source>Start with a ball of clay to be shaped by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>从一个可手动塑造的黏土球开始</translation>
     </message>
     <message>
         <source>Shape &amp;clay</source>
-        <translation type="unfinished"></translation>
+        <translation>塑造黏土(&amp;C)</translation>
     </message>
     <message>
         <source>Add, carve, smooth and move clay by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动添加、挖去、平滑和移动黏土</translation>
     </message>
     <message>
         <source>&amp;Drill</source>
-        <translation type="unfinished"></translation>
+        <translation>钻孔(&amp;D)</translation>
     </message>
     <message>
         <source>Drill into the volume, with thrust and torque</source>
-        <translation type="unfinished"></translation>
+        <translation>在体素模型中钻孔，带轴向力和扭矩</translation>
     </message>
     <message>
         <source>%1 triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个三角形</translation>
     </message>
 </context>
 <context>
@@ -14371,7 +14371,7 @@
     </message>
     <message>
         <source>It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.</source>
-        <translation type="unfinished"></translation>
+        <translation>棒料由练习规定。“课程”面板说明该做什么；用“车削”和“车床”进行切削。</translation>
     </message>
 </context>
 </TS>

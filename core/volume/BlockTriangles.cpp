@@ -17,36 +17,70 @@ class CellCube {
   // cells: along each axis.
   CellCube(const SparseVolume& volume, const VoxelIndex& first, int cells, int stride)
       : m_cells(cells), m_side(cells + 3), m_stride(stride), m_first(first), m_volume(volume) {
-    m_samples.reserve(static_cast<std::size_t>(m_side) * m_side * m_side);
+    m_samples.resize(static_cast<std::size_t>(m_side) * m_side * m_side);
+    if (stride == 1) {
+      copyBlocks();
+      return;
+    }
     const VolumeReader reader(volume);
+    std::size_t i = 0;
     for (int z = -1; z < m_side - 1; ++z)
       for (int y = -1; y < m_side - 1; ++y)
-        for (int x = -1; x < m_side - 1; ++x) m_samples.push_back(reader.sample(first + stride * VoxelIndex(x, y, z)));
+        for (int x = -1; x < m_side - 1; ++x) m_samples[i++] = reader.sample(first + stride * VoxelIndex(x, y, z));
   }
 
   VolumeTriangles triangles(const Vec3& origin) const {
     VolumeTriangles made;
+    made.points.reserve(400);
+    made.normals.reserve(400);
+    made.corners.reserve(600);
     std::vector<std::int32_t> known(3 * m_samples.size(), -1);  // vertices, by the edge's first sample and axis
     const CellPolygons& table = CellPolygons::table();
     for (int z = 0; z < m_cells; ++z)
-      for (int y = 0; y < m_cells; ++y)
-        for (int x = 0; x < m_cells; ++x)
-          for (const CellPolygons::EdgeTriangle& t : table.triangles[insideOf(x, y, z)])
+      for (int y = 0; y < m_cells; ++y) {
+        unsigned sides = sideOf(0, y, z);
+        for (int x = 0; x < m_cells; ++x) {
+          const unsigned next = sideOf(x + 1, y, z);
+          for (const CellPolygons::EdgeTriangle& t : table.triangles[sides | next << 1])
             for (const int edge : t) made.corners.push_back(vertexOf({x, y, z}, edge, origin, known, made));
+          sides = next;
+        }
+      }
     return made;
   }
 
  private:
+  // Each sample once, block by block.
+  void copyBlocks() {
+    const VoxelIndex low = m_first - VoxelIndex::Ones(), high = low + VoxelIndex::Constant(m_side - 1);
+    const VoxelIndex firstBlock = SparseVolume::blockOf(low), lastBlock = SparseVolume::blockOf(high);
+    for (int bz = firstBlock.z(); bz <= lastBlock.z(); ++bz)
+      for (int by = firstBlock.y(); by <= lastBlock.y(); ++by)
+        for (int bx = firstBlock.x(); bx <= lastBlock.x(); ++bx) {
+          const SparseVolume::View view = m_volume.view({bx, by, bz});
+          const std::int16_t uniform = view.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+          const VoxelIndex begin = (VolumeBlock::kSize * VoxelIndex(bx, by, bz)).cwiseMax(low);
+          const VoxelIndex end = (VolumeBlock::kSize * VoxelIndex(bx, by, bz) + VoxelIndex::Constant(7)).cwiseMin(high);
+          for (int z = begin.z(); z <= end.z(); ++z)
+            for (int y = begin.y(); y <= end.y(); ++y)
+              for (int x = begin.x(); x <= end.x(); ++x)
+                m_samples[place(VoxelIndex(x, y, z) - m_first)] =
+                    view.block ? view.block->depths[VolumeBlock::at(x & 7, y & 7, z & 7)] : uniform;
+        }
+  }
+
   std::size_t place(const VoxelIndex& at) const {
     return static_cast<std::size_t>(((at.z() + 1) * m_side + at.y() + 1) * m_side + at.x() + 1);
   }
   int sample(const VoxelIndex& at) const { return m_samples[place(at)]; }
 
-  unsigned insideOf(int x, int y, int z) const {
-    unsigned inside = 0;
-    for (int c = 0; c < 8; ++c)
-      if (sample({x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)}) > 0) inside |= 1u << c;
-    return inside;
+  // Which of the four corners of a cell with this x are inside, as bits 0, 2, 4 and 6.
+  unsigned sideOf(int x, int y, int z) const {
+    const std::size_t at = place({x, y, z});
+    const auto row = static_cast<std::size_t>(m_side), layer = row * row;
+    return static_cast<unsigned>(m_samples[at] > 0) | static_cast<unsigned>(m_samples[at + row] > 0) << 2 |
+           static_cast<unsigned>(m_samples[at + layer] > 0) << 4 |
+           static_cast<unsigned>(m_samples[at + layer + row] > 0) << 6;
   }
 
   std::int32_t vertexOf(const VoxelIndex& cell, int edge, const Vec3& origin, std::vector<std::int32_t>& known,

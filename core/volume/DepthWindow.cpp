@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::array<int, 3> kSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
 
-// Whether a neighbour along an axis lies within the window. place: index of a depth.
-bool hasNeighbour(int place, int axis, int direction) {
-  const int at = place / kSteps[static_cast<std::size_t>(axis)] % DepthWindow::kSide + direction;
-  return at >= 0 && at < DepthWindow::kSide;
-}
-
 // The distance at a place whose neighbours along the axes have these distances: |gradient| = 1, by the axes whose
 // neighbours are nearer (Rouy, Tourin 1992).
 float eikonal(std::array<float, 3> d) {
@@ -53,82 +47,126 @@ DepthWindow::DepthWindow(const SparseVolume& volume, const VoxelIndex& block) {
   }
 }
 
-// Along one axis after the other: the mean over a cube is that of means.
+// Along one axis after the other: the mean over a cube is that of means. Only what the block needs.
 void DepthWindow::average(int reach) {
   const float share = 1.0f / static_cast<float>(2 * reach + 1);
-  for (const int step : kSteps) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const Depths before = m_depths;
-    for (int place = 0; place < static_cast<int>(before.size()); ++place) {
-      const int at = place / step % kSide;
-      if (at < reach || at >= kSide - reach) continue;
-      float sum = 0.0f;
-      for (int k = -reach; k <= reach; ++k) sum += before[static_cast<std::size_t>(place + k * step)];
-      m_depths[static_cast<std::size_t>(place)] = share * sum;
+    std::array<int, 3> low, high;  // of the places that are averaged
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = k <= axis ? 0 : -reach;
+      high[k] = VolumeBlock::kSize + (k <= axis ? 0 : reach);
     }
+    for (int z = low[2]; z < high[2]; ++z)
+      for (int y = low[1]; y < high[1]; ++y)
+        for (int x = low[0]; x < high[0]; ++x) {
+          const auto place = static_cast<int>(index(x, y, z));
+          float sum = 0.0f;
+          for (int k = -reach; k <= reach; ++k) sum += before[static_cast<std::size_t>(place + k * kSteps[axis])];
+          m_depths[static_cast<std::size_t>(place)] = share * sum;
+        }
   }
 }
 
-void DepthWindow::redistance() {
-  constexpr float kUnknown = 1e3f, kMost = static_cast<float>(kLimit);
-  constexpr float kLeastSlope = 0.7f;  // in thin walls differences say less than the slope is
-  Depths distances;
-  distances.fill(kUnknown);
-  std::vector<int> layer, next, previous;
-  const int count = static_cast<int>(m_depths.size());
-  for (int place = 0; place < count; ++place) {
-    const float depth = m_depths[static_cast<std::size_t>(place)];
+namespace {
+
+using Depths = std::array<float, DepthWindow::kSide * DepthWindow::kSide * DepthWindow::kSide>;
+
+// Fast marching from the places beside the surface outwards, layer by layer, within a window but for its outermost
+// places: what these would change lies beyond the depths that are stored.
+class Marching {
+ public:
+  explicit Marching(const Depths& depths) : m_depths(depths) {
+    m_state.fill(kOutside);
+    m_distances.fill(kUnknown);
+    constexpr int n = DepthWindow::kSide;
+    for (int z = 1; z < n - 1; ++z)
+      for (int y = 1; y < n - 1; ++y)
+        for (int x = 1; x < n - 1; ++x) {
+          const auto place = static_cast<std::size_t>((z * n + y) * n + x);
+          m_state[place] = kFree;
+          begin(place);
+        }
+  }
+
+  const Depths& run() {
+    while (!m_layer.empty()) {
+      m_next.clear();
+      for (const std::uint16_t place : m_layer)
+        for (const int step : kSteps)
+          for (const int to : {place - step, place + step})
+            if (m_state[static_cast<std::size_t>(to)] == kFree) {
+              m_state[static_cast<std::size_t>(to)] = kKnown;
+              m_next.push_back(static_cast<std::uint16_t>(to));
+            }
+      m_found.clear();
+      for (const std::uint16_t place : m_next) m_found.push_back(eikonal(nearest(place)));
+      m_layer.clear();
+      for (std::size_t i = 0; i < m_next.size(); ++i) {
+        m_distances[m_next[i]] = m_found[i];
+        if (m_found[i] < static_cast<float>(DepthWindow::kLimit)) m_layer.push_back(m_next[i]);
+      }
+    }
+    return m_distances;
+  }
+
+ private:
+  enum State : std::uint8_t { kOutside, kFree, kKnown };
+  static constexpr float kUnknown = 1e3f;
+  static constexpr float kLeastSlope = 0.7f;  // in thin walls differences say less than the slope is
+
+  // A place beside the surface: its depth by the slope there.
+  void begin(std::size_t place) {
+    const float depth = m_depths[place];
     bool isBeside = false;
     float slope = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-      float steepest = 0.0f;
-      for (const int direction : {-1, 1}) {
-        if (!hasNeighbour(place, axis, direction)) continue;
-        const float other =
-            m_depths[static_cast<std::size_t>(place + direction * kSteps[static_cast<std::size_t>(axis)])];
-        if ((other > 0.0f) == (depth > 0.0f)) continue;
-        isBeside = true;
-        steepest = std::max(steepest, std::abs(depth - other));
-      }
-      if (steepest == 0.0f && hasNeighbour(place, axis, -1) && hasNeighbour(place, axis, 1)) {
-        const auto step = kSteps[static_cast<std::size_t>(axis)];
-        steepest = 0.5f * std::abs(m_depths[static_cast<std::size_t>(place + step)] -
-                                   m_depths[static_cast<std::size_t>(place - step)]);
-      }
+    for (const int step : kSteps) {
+      const float a = m_depths[place - static_cast<std::size_t>(step)],
+                  b = m_depths[place + static_cast<std::size_t>(step)];
+      const bool crossesA = (a > 0.0f) != (depth > 0.0f), crossesB = (b > 0.0f) != (depth > 0.0f);
+      float steepest = crossesA ? std::abs(depth - a) : 0.0f;
+      if (crossesB) steepest = std::max(steepest, std::abs(depth - b));
+      if (!crossesA && !crossesB) steepest = 0.5f * std::abs(b - a);
+      isBeside = isBeside || crossesA || crossesB;
       slope += steepest * steepest;
     }
-    if (!isBeside) continue;
-    distances[static_cast<std::size_t>(place)] = std::abs(depth) / std::max(kLeastSlope, std::sqrt(slope));
-    layer.push_back(place);
+    if (!isBeside) return;
+    m_distances[place] = std::abs(depth) / std::max(kLeastSlope, std::sqrt(slope));
+    m_state[place] = kKnown;
+    m_layer.push_back(static_cast<std::uint16_t>(place));
   }
-  while (!layer.empty()) {
-    next.clear();
-    for (const int place : layer)
-      for (int axis = 0; axis < 3; ++axis)
-        for (const int direction : {-1, 1}) {
-          if (!hasNeighbour(place, axis, direction)) continue;
-          const int to = place + direction * kSteps[static_cast<std::size_t>(axis)];
-          if (distances[static_cast<std::size_t>(to)] == kUnknown) next.push_back(to);
-        }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    std::vector<float> found(next.size());
-    for (std::size_t i = 0; i < next.size(); ++i) {
-      std::array<float, 3> nearest{kUnknown, kUnknown, kUnknown};
-      for (int axis = 0; axis < 3; ++axis)
-        for (const int direction : {-1, 1})
-          if (hasNeighbour(next[i], axis, direction))
-            nearest[static_cast<std::size_t>(axis)] = std::min(
-                nearest[static_cast<std::size_t>(axis)],
-                distances[static_cast<std::size_t>(next[i] + direction * kSteps[static_cast<std::size_t>(axis)])]);
-      found[i] = eikonal(nearest);
+
+  std::array<float, 3> nearest(std::size_t place) const {
+    std::array<float, 3> least;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto step = static_cast<std::size_t>(kSteps[k]);
+      least[k] = std::min(m_distances[place - step], m_distances[place + step]);
     }
-    previous.clear();
-    for (std::size_t i = 0; i < next.size(); ++i) {
-      distances[static_cast<std::size_t>(next[i])] = found[i];
-      if (found[i] < kMost) previous.push_back(next[i]);
-    }
-    layer.swap(previous);
+    return least;
   }
+
+  const Depths& m_depths;
+  Depths m_distances;
+  std::array<std::uint8_t, std::tuple_size_v<Depths>> m_state;
+  std::vector<std::uint16_t> m_layer, m_next;
+  std::vector<float> m_found;
+};
+
+}  // namespace
+
+bool DepthWindow::hasSurface() const {
+  const bool isInside = m_depths.front() > 0.0f;
+  return std::any_of(m_depths.begin(), m_depths.end(), [&](float depth) { return (depth > 0.0f) != isInside; });
+}
+
+void DepthWindow::redistance() {
+  constexpr auto kMost = static_cast<float>(kLimit);
+  if (!hasSurface()) {
+    m_depths.fill(m_depths.front() > 0.0f ? kMost : -kMost);
+    return;
+  }
+  Marching marching(m_depths);
+  const Depths& distances = marching.run();
   for (std::size_t i = 0; i < m_depths.size(); ++i)
     m_depths[i] = std::copysign(std::min(distances[i], kMost), m_depths[i]);
 }

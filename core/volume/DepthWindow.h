@@ -18,6 +18,8 @@ class DepthWindow {
 
   DepthWindow(const SparseVolume& volume, const VoxelIndex& block);
 
+  // Whether it has both inside and outside.
+  bool hasSurface() const;
   // Of a voxel by its place in the block, -kMargin to 7 + kMargin.
   float at(int x, int y, int z) const { return m_depths[index(x, y, z)]; }
 

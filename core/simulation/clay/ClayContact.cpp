@@ -7,6 +7,11 @@
 #include <algorithm>
 
 namespace handwheel {
+namespace {
+
+constexpr double kStill = 0.01;  // voxels: a step that is no more is the last
+
+}  // namespace
 
 void ClayContact::place(const Vec3& hand) {
   m_tool = hand;
@@ -49,7 +54,8 @@ bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
       }
     }
     const double length = way.norm();
-    if (length < 1e-3 * voxel) break;
+    if (length < kStill * voxel) break;
+    const Vec3 before = m_tool;
     const double step = std::min(length, std::max(0.25 * voxel, -here.depth));
     m_tool += step / length * way;
     for (int k = 0; k < 3; ++k) {
@@ -59,6 +65,7 @@ bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
       if (!(there.gradient.norm() > 0.1)) break;
       m_tool -= there.depth / there.gradient.norm() * there.gradient.normalized();
     }
+    if ((m_tool - before).norm() < kStill * voxel) break;
   }
   return isTouching;
 }
