@@ -68,7 +68,7 @@ void DepthWindow::average(int reach) {
   }
 }
 
-void DepthWindow::redistance() {
+void DepthWindow::redistance(Beside beside) {
   constexpr float kUnknown = 1e3f, kMost = static_cast<float>(kLimit);
   constexpr float kLeastSlope = 0.7f;  // in thin walls differences say less than the slope is
   Depths distances;
@@ -97,7 +97,8 @@ void DepthWindow::redistance() {
       slope += steepest * steepest;
     }
     if (!isBeside) continue;
-    distances[static_cast<std::size_t>(place)] = std::abs(depth) / std::max(kLeastSlope, std::sqrt(slope));
+    const float known = beside == Beside::Kept ? 1.0f : std::max(kLeastSlope, std::sqrt(slope));
+    distances[static_cast<std::size_t>(place)] = std::abs(depth) / known;
     layer.push_back(place);
   }
   while (!layer.empty()) {

@@ -29,4 +29,9 @@ const ErrorDescription VolumeErrors::NothingInside{
     .sentences = {translatable("ErrorText", "the surface encloses nothing")},
     .advice = {translatable("ErrorText", "Turn its faces outwards if it is inside out; a flat sheet has no inside.")}};
 
+const ErrorDescription VolumeErrors::NothingInRange{
+    .id = "NothingInRange",
+    .sentences = {translatable("ErrorText", "nothing has a value from %1 to %2: those of the image go from %3 to %4")},
+    .advice = {translatable("ErrorText", "Choose another range; bone in a CT begins at about 300.")}};
+
 }  // namespace handwheel

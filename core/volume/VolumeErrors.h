@@ -12,5 +12,6 @@ extern const ErrorDescription TooLarge;        // {voxel in mm, MB that it takes
 extern const ErrorDescription TooLargeToSave;  // {voxel in mm, MB that it takes, MB that a document holds}
 extern const ErrorDescription NoVoxelInside;   // {voxel in mm} it is thinner than they are
 extern const ErrorDescription NothingInside;   // the surface goes round nothing: flat, or inside out
+extern const ErrorDescription NothingInRange;  // {least, largest, least of the image, largest of it}
 
 }  // namespace handwheel::VolumeErrors
