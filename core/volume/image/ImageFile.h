@@ -34,6 +34,7 @@ struct ImageRemark {
 struct ImageFile {
   ImageVolume image;
   std::vector<ImageRemark> remarks;
+  std::string content = {};  // what the values are, where a file says so
 };
 
 // Reads the file of this name, at most so many bytes of it, from beside the one that names it. Errors: those of reading

@@ -62,8 +62,8 @@ std::optional<SampleType> metaType(std::string_view name) {
 }
 
 // The first of these fields that is there, as numbers; the default where none is.
-Result<std::vector<double>> numbersAt(const MetaFields& fields, std::initializer_list<const char*> names,
-                                      std::vector<double> otherwise) {
+Result<std::vector<double>> metaNumbers(const MetaFields& fields, std::initializer_list<const char*> names,
+                                        std::vector<double> otherwise) {
   for (const char* const name : names) {
     if (!fields.has(name)) continue;
     const auto numbers = numbersOf(fields[name], otherwise.size());
@@ -78,11 +78,11 @@ Result<ImageGrid> gridOf(const MetaFields& fields, std::size_t axes) {
   for (std::size_t k = 0; k < axes; ++k) turn[k * axes + k] = 1.0;
   const auto size = numbersOf(fields["DimSize"], axes);
   if (!size) return malformed("DimSize", "there are not as many numbers as it takes");
-  const auto spacing = numbersAt(fields, {"ElementSpacing", "ElementSize"}, one);
+  const auto spacing = metaNumbers(fields, {"ElementSpacing", "ElementSize"}, one);
   if (!spacing) return spacing.error();
-  const auto origin = numbersAt(fields, {"Offset", "Position", "Origin"}, none);
+  const auto origin = metaNumbers(fields, {"Offset", "Position", "Origin"}, none);
   if (!origin) return origin.error();
-  const auto matrix = numbersAt(fields, {"TransformMatrix", "Rotation", "Orientation"}, turn);
+  const auto matrix = metaNumbers(fields, {"TransformMatrix", "Rotation", "Orientation"}, turn);
   if (!matrix) return matrix.error();
   ImageGrid grid{{1, 1, 1}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
   for (std::size_t k = 0; k < std::min<std::size_t>(axes, 3); ++k) {

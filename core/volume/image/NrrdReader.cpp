@@ -262,6 +262,7 @@ Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling) {
     if (!data) return data.error();
     read = samplesOf(*fields, *image, *data);
   }
+  if (read) read->content = (*fields)["content"];
   if (read && !image->hasSpacing) read->remarks.push_back({ImageRemark::Kind::NoSpacing, {}});
   return read;
 }
