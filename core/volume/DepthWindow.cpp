@@ -76,7 +76,7 @@ using Depths = std::array<float, DepthWindow::kSide * DepthWindow::kSide * Depth
 // places: what these would change lies beyond the depths that are stored.
 class Marching {
  public:
-  explicit Marching(const Depths& depths) : m_depths(depths) {
+  Marching(const Depths& depths, DepthWindow::Beside beside) : m_depths(depths), m_beside(beside) {
     m_state.fill(kOutside);
     m_distances.fill(kUnknown);
     constexpr int n = DepthWindow::kSide;
@@ -131,7 +131,8 @@ class Marching {
       slope += steepest * steepest;
     }
     if (!isBeside) return;
-    m_distances[place] = std::abs(depth) / std::max(kLeastSlope, std::sqrt(slope));
+    const bool isKept = m_beside == DepthWindow::Beside::Kept;
+    m_distances[place] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, std::sqrt(slope)));
     m_state[place] = kKnown;
     m_layer.push_back(static_cast<std::uint16_t>(place));
   }
@@ -146,6 +147,7 @@ class Marching {
   }
 
   const Depths& m_depths;
+  const DepthWindow::Beside m_beside;
   Depths m_distances;
   std::array<std::uint8_t, std::tuple_size_v<Depths>> m_state;
   std::vector<std::uint16_t> m_layer, m_next;
@@ -159,13 +161,13 @@ bool DepthWindow::hasSurface() const {
   return std::any_of(m_depths.begin(), m_depths.end(), [&](float depth) { return (depth > 0.0f) != isInside; });
 }
 
-void DepthWindow::redistance() {
+void DepthWindow::redistance(Beside beside) {
   constexpr auto kMost = static_cast<float>(kLimit);
   if (!hasSurface()) {
     m_depths.fill(m_depths.front() > 0.0f ? kMost : -kMost);
     return;
   }
-  Marching marching(m_depths);
+  Marching marching(m_depths, beside);
   const Depths& distances = marching.run();
   for (std::size_t i = 0; i < m_depths.size(); ++i)
     m_depths[i] = std::copysign(std::min(distances[i], kMost), m_depths[i]);

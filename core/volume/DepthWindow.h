@@ -25,9 +25,14 @@ class DepthWindow {
 
   // Replaces each depth of the block by the mean over (2 reach + 1)³ voxels around; reach: 1 to kMargin.
   void average(int reach);
-  // Makes all depths distances from the surface again: those beside it keep what their slope says, and the others
-  // follow from neighbour to neighbour (Sethian 1996, without his heap: depths end at four voxels).
-  void redistance();
+  // What becomes of the depths beside the surface when the others are made distances from it again.
+  enum class Beside {
+    Corrected,  // distances, too, by what their slope says; for depths that went all one way or another near it
+    Kept,       // they are distances already
+  };
+  // Makes all depths distances from the surface again: from those beside it the others follow from neighbour to
+  // neighbour (Sethian 1996, without his heap: depths end at four voxels).
+  void redistance(Beside beside = Beside::Corrected);
 
   // The block of these depths; those of the old one where isKept(x, y, z). Uniform where all are at the limit.
   template <class IsKept>

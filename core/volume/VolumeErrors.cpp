@@ -45,4 +45,9 @@ const ErrorDescription VolumeErrors::PathTooLong{
     .sentences = {translatable("ErrorText", "the path takes %1 s, and %2 s can be drilled at this rate")},
     .advice = {translatable("ErrorText", "Choose fewer cycles a second, or a part of the path.")}};
 
+const ErrorDescription VolumeErrors::NothingInRange{
+    .id = "NothingInRange",
+    .sentences = {translatable("ErrorText", "nothing has a value from %1 to %2: those of the image go from %3 to %4")},
+    .advice = {translatable("ErrorText", "Choose another range; bone in a CT begins at about 300.")}};
+
 }  // namespace handwheel

@@ -15,5 +15,6 @@ extern const ErrorDescription NothingInside;        // the surface goes round no
 extern const ErrorDescription NoSuchDrill;          // {word}
 extern const ErrorDescription NoSuchDrillMaterial;  // {word}
 extern const ErrorDescription PathTooLong;          // {seconds, most seconds}
+extern const ErrorDescription NothingInRange;       // {least, largest, least of the image, largest of it}
 
 }  // namespace handwheel::VolumeErrors

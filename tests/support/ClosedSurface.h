@@ -28,4 +28,11 @@ inline bool isClosedManifold(const TriangleSoup& soup) {
   return rings.size() == soup.points.size();
 }
 
+// The signed volume inside a closed surface.
+inline double enclosed(const TriangleSoup& soup) {
+  double six = 0.0;
+  for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));
+  return six / 6.0;
+}
+
 }  // namespace handwheel::test

@@ -8,6 +8,8 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/DrillCommand.h"
+#include "cli/volume/OutputName.h"
+#include "cli/volume/SegmentCommand.h"
 #include "document/formats/MeshExport.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
@@ -56,9 +58,14 @@ std::vector<OptionSpec> withShared(std::vector<OptionSpec> options) {
   return options;
 }
 
+// The endings of files that hold a volume as such.
+std::vector<std::string> volumeEndings() {
+  return {".vdb", ".nrrd", std::string(kContainerEnding)};
+}
+
 Result<Answer> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
                             Progress progress) {
-  if (!isContainerName(request.output)) return unknownEnding(request.output, {std::string(kContainerEnding)});
+  if (!hasOneOf(request.output, volumeEndings())) return unknownEnding(request.output, volumeEndings());
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
   Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
@@ -124,7 +131,7 @@ CommandSpec voxelizeSpec() {
                       "that overlap become "
                       "one, and walls\n"
                       "within them vanish. Exit code 0: done; 1: error.",
-                      {{"output", 'o', "OUT", "The volume, a .handwheel"}}};
+                      {{"output", 'o', "OUT", "The volume, as .handwheel, .vdb, or .nrrd (distances of all voxels)"}}};
   for (OptionSpec& option : optionsOf(voxelizeOperation())) spec.options.push_back(std::move(option));
   spec.options = withShared(std::move(spec.options));
   return spec;
@@ -167,7 +174,7 @@ int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 std::vector<Command> volumeCommands() {
-  return {{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, drillCommand()};
+  return {{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, drillCommand(), segmentCommand()};
 }
 
 }  // namespace handwheel

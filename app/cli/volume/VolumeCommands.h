@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The commands for volumes: voxelize and remesh.
+// The commands for volumes: voxelize, remesh and segment.
 std::vector<Command> volumeCommands();
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/container/Blobs.h"
 
-#include "document/formats/ByteOrder.h"
+#include "base/ByteOrder.h"
 
 #include <algorithm>
 #include <cassert>

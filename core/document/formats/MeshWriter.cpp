@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/MeshWriter.h"
 
-#include "document/formats/ByteOrder.h"
+#include "base/ByteOrder.h"
 #include "mesh/structure/CancelPolling.h"
 
 #include <charconv>

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/VolumeKind.h"
 
-#include "document/DocumentErrors.h"
+#include "document/AtomicFile.h"
 #include "document/formats/MeshExport.h"
+#include "document/formats/TextNumber.h"
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/VolumeMaking.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "volume/VolumeShapes.h"
 #include "volume/VolumeToSurface.h"
+#include "volume/image/NrrdWriter.h"
+#include "volume/image/VolumeToImage.h"
+#include "volume/vdb/VdbFile.h"
 
 #include <QtGlobal>
 #include <nlohmann/json.hpp>
@@ -17,8 +21,19 @@
 namespace handwheel {
 namespace {
 
+constexpr const char *kVdbEnding = ".vdb", *kNrrdEnding = ".nrrd";
+
 const VolumeSnapshot& volumeOf(const Snapshot& content) {
   return static_cast<const VolumeSnapshot&>(content);
+}
+
+bool hasEnding(const std::filesystem::path& path, const char* ending) {
+  return equalsIgnoringCase(path.extension().string(), ending);
+}
+
+Result<std::string> nrrdBytes(const SparseVolume& volume) {
+  const Result<ImageVolume> distances = distancesOf(volume);
+  return distances ? Result<std::string>(nrrdOf(*distances, kSignedDistance)) : distances.error();
 }
 
 }  // namespace
@@ -28,7 +43,13 @@ std::string VolumeKind::title() const {
 }
 
 std::vector<FileFormat> VolumeKind::formats() const {
-  std::vector<FileFormat> all;
+  std::vector<FileFormat> all = {{"VDB", {kVdbEnding}},
+                                 {"NRRD", {kNrrdEnding}},
+                                 {"NRRD header", {".nhdr"}, true, false},
+                                 {"MetaImage", {".mhd", ".mha"}, true, false},
+                                 {"NIfTI", {".nii", ".nii.gz"}, true, false},
+                                 {"DICOM", {".dcm"}, true, false},
+                                 {"Raw image", {".raw.json"}, true, false}};
   for (FileFormat& format : meshFileFormats()) {
     if (!format.writes) continue;
     format.reads = false;
@@ -37,17 +58,31 @@ std::vector<FileFormat> VolumeKind::formats() const {
   return all;
 }
 
-bool VolumeKind::recognises(std::string_view, std::string_view) const {
-  return false;
+bool VolumeKind::recognises(std::string_view head, std::string_view) const {
+  return isVolumeFile(head);
 }
 
-Result<OpenedFile> VolumeKind::import(const std::filesystem::path&, const ReadOptions&, Progress) const {
-  return Error{DocumentError::FormatUnknown, {}, {}, {}};
+Result<OpenedFile> VolumeKind::import(const std::filesystem::path& path, const ReadOptions&, Progress progress) const {
+  OpenedFile opened;
+  opened.kind = this;
+  Result<std::shared_ptr<const VolumeSnapshot>> volume = importVolume(path, opened.file.notes, progress);
+  if (!volume) return volume.error();
+  opened.content = std::move(*volume);
+  return opened;
 }
 
 Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
                                          Progress progress) const {
-  const TriangleSoup surface = surfaceOf(volumeOf(content).volume, progress.part(0.0, 0.2));
+  const SparseVolume& volume = volumeOf(content).volume;
+  if (hasEnding(path, kVdbEnding) || hasEnding(path, kNrrdEnding)) {
+    const Result<std::string> bytes =
+        hasEnding(path, kVdbEnding) ? vdbOf(volume, progress.part(0.0, 0.8)) : nrrdBytes(volume);
+    if (!bytes) return bytes.error();
+    if (const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0)); !written)
+      return written.error();
+    return WrittenFile{bytes->size(), {}};
+  }
+  const TriangleSoup surface = surfaceOf(volume, progress.part(0.0, 0.2));
   const HalfEdgeMesh mesh = buildMesh(surface, progress.part(0.2, 0.4)).mesh;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.4, 1.0));

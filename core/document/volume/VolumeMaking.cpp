@@ -4,26 +4,92 @@
 
 #include "base/NumberText.h"
 #include "document/Container.h"
+#include "document/FileBytes.h"
+#include "document/volume/ImageFiles.h"
 #include "volume/VolumeErrors.h"
+#include "volume/image/ImageToVolume.h"
+#include "volume/image/VolumeToImage.h"
+#include "volume/vdb/VdbFile.h"
+
+#include <QtGlobal>
+#include <limits>
 
 namespace handwheel {
-Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
-                              Progress progress) {
-  const double edge = voxel.value_or(usualVoxel(surface));
-  Result<SurfaceVolume> made = volumeOfSurface(surface, edge, progress.part(0.0, 0.7));
-  if (!made) return made.error();
+
+namespace {
+
+// The values of an image that are taken as material where nobody chooses.
+ValueRange usualRange(const ImageFile& file, std::vector<Note>& notes) {
+  if (file.content == kSignedDistance) return {-std::numeric_limits<double>::infinity(), 0.0};
+  const double threshold = otsuThreshold(file.image);
+  notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                     "Values from %1 on are taken as material: that parts the image best. 'handwheel "
+                                     "segment' takes any other range."),
+                   {roundedText(threshold, 4)}});
+  return {threshold, std::numeric_limits<double>::infinity()};
+}
+
+Result<SparseVolume> volumeOfVdb(const std::filesystem::path& path, std::vector<Note>& notes, Progress progress) {
+  const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.2));
+  if (!bytes) return bytes.error();
+  Result<VdbVolume> read = readVdb(*bytes, progress.part(0.2, 1.0));
+  if (!read) return read.error();
+  if (read->isFog)
+    notes.push_back({QT_TRANSLATE_NOOP("Note", "The file holds densities: what is denser than a half is material.")});
+  if (read->otherGrids > 0)
+    notes.push_back({QT_TRANSLATE_NOOP("Note", "Further grids of the file are left out (%1)."),
+                     {std::to_string(read->otherGrids)}});
+  return std::move(read->volume);
+}
+
+Result<SparseVolume> volumeOfImageFile(const std::filesystem::path& path, std::vector<Note>& notes, Progress progress) {
+  const Result<ImageFile> file = readImageFile(path, progress.part(0.0, 0.6));
+  if (!file) return file.error();
+  const std::vector<Note> remarks = notesOn(file->remarks);
+  notes.insert(notes.end(), remarks.begin(), remarks.end());
+  return volumeOfImage(file->image, usualRange(*file, notes), std::nullopt, progress.part(0.6, 1.0));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
+                                                         Progress progress) {
   constexpr double kMost = 0.95 * static_cast<double>(kLargestContainer);
-  if (const auto bytes = static_cast<double>(made->volume.bytes()); bytes > kMost)
+  if (const auto bytes = static_cast<double>(volume.bytes()); bytes > kMost)
     return Error{VolumeErrors::TooLargeToSave,
-                 {roundedText(edge), roundedText(bytes / 1e6, 3), roundedText(kMost / 1e6, 3)},
+                 {roundedText(volume.voxel()), roundedText(bytes / 1e6, 3), roundedText(kMost / 1e6, 3)},
                  {},
                  {}};
   auto snapshot = std::make_shared<VolumeSnapshot>();
-  snapshot->volume = made->volume;
-  snapshot->surface = VolumeSurface(made->volume, progress.part(0.7, 1.0));
+  snapshot->volume = volume;
+  snapshot->surface = VolumeSurface(volume, progress);
   snapshot->source = source;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  return MadeVolume{std::move(snapshot), std::move(*made)};
+  return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));
+}
+
+Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
+                              Progress progress) {
+  Result<SurfaceVolume> made = volumeOfSurface(surface, voxel.value_or(usualVoxel(surface)), progress.part(0.0, 0.7));
+  if (!made) return made.error();
+  Result<std::shared_ptr<const VolumeSnapshot>> snapshot = snapshotOf(made->volume, source, progress.part(0.7, 1.0));
+  if (!snapshot) return snapshot.error();
+  return MadeVolume{std::move(*snapshot), std::move(*made)};
+}
+
+Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
+                                                           Progress progress) {
+  const Result<std::string> head = readFileHead(path);
+  if (!head) return head.error();
+  const Progress reading = progress.part(0.0, 0.7);
+  const Result<SparseVolume> volume =
+      looksLikeVdb(*head) ? volumeOfVdb(path, notes, reading) : volumeOfImageFile(path, notes, reading);
+  if (!volume) return volume.error();
+  return snapshotOf(*volume, sourceName(path), progress.part(0.7, 1.0));
+}
+
+bool isVolumeFile(std::string_view head) {
+  return looksLikeVdb(head) || looksLikeImage(head);
 }
 
 }  // namespace handwheel

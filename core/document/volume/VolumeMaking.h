@@ -4,13 +4,19 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
+#include "document/Note.h"
 #include "document/volume/VolumeSnapshot.h"
 #include "volume/SurfaceToVolume.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
 namespace handwheel {
+
+// The content of a document of a volume. Errors: VolumeErrors::TooLargeToSave, Cancelled.
+Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
+                                                         Progress progress);
 
 struct MadeVolume {
   std::shared_ptr<const VolumeSnapshot> volume;
@@ -21,5 +27,13 @@ struct MadeVolume {
 // volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress);
+
+// The content of a document of a file of images (ImageFiles.h), or of VDB. An image becomes what is above the threshold
+// that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors: those of the
+// readers and of volumeOfImage(); VolumeErrors::TooLargeToSave.
+Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
+                                                           Progress progress);
+// Whether the first bytes are those of such a file.
+bool isVolumeFile(std::string_view head);
 
 }  // namespace handwheel

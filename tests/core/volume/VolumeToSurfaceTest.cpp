@@ -19,16 +19,6 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-namespace {
-
-double enclosed(const TriangleSoup& soup) {
-  double six = 0.0;
-  for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));
-  return six / 6.0;
-}
-
-}  // namespace
-
 class VolumeToSurfaceTest : public QObject {
   Q_OBJECT
 

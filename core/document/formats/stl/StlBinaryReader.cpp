@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/stl/StlBinaryReader.h"
 
-#include "document/formats/ByteOrder.h"
+#include "base/ByteOrder.h"
 #include "document/formats/MeshAssembly.h"
 #include "document/formats/stl/StlReader.h"
 

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// Whether the extension of a path is one of these (".vdb"), in small or large letters.
+bool hasOneOf(const std::filesystem::path& path, const std::vector<std::string>& endings);
+
+}  // namespace handwheel

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/volume/SegmentCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/volume/OutputName.h"
+#include "document/volume/ImageFiles.h"
+#include "document/volume/VolumeKind.h"
+#include "document/volume/VolumeMaking.h"
+#include "text/NoteText.h"
+#include "tools/volume/Segmentation.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Segment {
+  Segmented segmented;
+  Vec3 spacing;
+  std::vector<std::string> warnings;
+};
+
+Error about(const fs::path& path, Error error) {
+  if (error.subject.empty()) error.subject = path.string();
+  return error;
+}
+
+Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const OperationValues& values,
+                            const DocumentKinds& kinds, Progress progress) {
+  const DocumentKind& kind = *kinds.withId("volume");
+  if (const auto endings = writtenEndings(kind.formats()); !hasOneOf(output, endings))
+    return unknownEnding(output, endings);
+  const Result<ImageFile> file = readImageFile(input, progress.part(0.0, 0.4));
+  if (!file) return about(input, file.error());
+  Segment done{{}, file->image.grid().spacing(), {}};
+  for (const Note& note : notesOn(file->remarks)) done.warnings.push_back(noteText(note).toStdString());
+  Result<Segmented> segmented = segment(file->image, values, progress.part(0.4, 0.7));
+  if (!segmented) return about(input, segmented.error());
+  done.segmented = std::move(*segmented);
+  const auto snapshot = snapshotOf(done.segmented.volume, sourceName(input), progress.part(0.7, 0.8));
+  if (!snapshot) return about(input, snapshot.error());
+  const Result<WrittenFile> written = saveDocument(kind, {}, **snapshot, output, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  return done;
+}
+
+nlohmann::ordered_json reportOf(const Segment& done) {
+  const SparseVolume& volume = done.segmented.volume;
+  const auto end = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); };
+  return {{"voxels", std::llround(volume.material() / std::pow(volume.voxel(), 3))},
+          {"volume_mm3", volume.material()},
+          {"components", done.segmented.parts},
+          {"components_kept", done.segmented.kept},
+          {"range", {end(done.segmented.range.least), end(done.segmented.range.largest)}},
+          {"voxel_mm", volume.voxel()},
+          {"spacing_mm", {done.spacing.x(), done.spacing.y(), done.spacing.z()}},
+          {"warnings", done.warnings}};
+}
+
+std::string textOf(const Segment& done, const fs::path& output) {
+  const SparseVolume& volume = done.segmented.volume;
+  std::string text = output.string() + ": values ";
+  if (std::isfinite(done.segmented.range.least)) text += "from " + roundedText(done.segmented.range.least) + " ";
+  if (std::isfinite(done.segmented.range.largest)) text += "to " + roundedText(done.segmented.range.largest) + " ";
+  text.back() = ',';
+  text += " " + roundedText(volume.material()) + " mm³ in " + std::to_string(done.segmented.kept);
+  if (done.segmented.kept < done.segmented.parts) text += " of " + std::to_string(done.segmented.parts);
+  return text + " part(s), voxels of " + roundedText(volume.voxel()) + " mm.\n";
+}
+
+int runSegment(const Arguments& arguments, const DocumentKinds& kinds) {
+  OperationValues values(segmentOperation());
+  std::string problem = readOptions(arguments, values);
+  if (!arguments.has("output")) problem = "The option -o OUT is missing.";
+  if (problem.empty() && arguments.has("range") && !rangeIn(values.text("range")))
+    problem = "--range is two numbers, the lower one first: 300:2000, 300: or :50.";
+  if (!problem.empty()) return failUsage(problem, "segment");
+  const fs::path input = arguments.operands[0], output = arguments.valueOf("output");
+  if (const std::string refusal = refusalToOverwrite(output, {input}); !refusal.empty()) return refuse(refusal);
+  std::optional<Result<Segment>> result;
+  runInterruptible("Segmenting",
+                   [&](CommandJob& job) { result = segmentFile(input, output, values, kinds, job.progress()); });
+  if (!*result) return fail(result->error());
+  const Segment& done = result->value();
+  for (const std::string& warning : done.warnings) complain(warning);
+  return print(arguments.has("json") ? reportOf(done).dump() + "\n" : textOf(done, output));
+}
+
+CommandSpec segmentSpec() {
+  CommandSpec spec = {"segment",
+                      "IMAGE",
+                      "Makes a volume of what has certain values in an image, or its surface: of a file in NRRD, "
+                      "MetaImage, NIfTI, of plain\n"
+                      "samples with a description, or of a folder or file of DICOM. Exit code 0: done; 1: error.",
+                      {{"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"}}};
+  for (OptionSpec& option : optionsOf(segmentOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
+  spec.options.push_back({"help", 'h', "", "Show this help"});
+  return spec;
+}
+
+}  // namespace
+
+Command segmentCommand() {
+  return {segmentSpec(), runSegment};
+}
+
+}  // namespace handwheel

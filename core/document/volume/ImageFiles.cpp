@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/volume/ImageFiles.h"
+
+#include "base/NumberText.h"
+#include "document/DocumentErrors.h"
+#include "document/FileBytes.h"
+#include "process/SystemMemory.h"
+#include "volume/image/DicomReader.h"
+#include "volume/image/MetaImageReader.h"
+#include "volume/image/NiftiReader.h"
+#include "volume/image/NrrdReader.h"
+#include "volume/image/RawImageReader.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDicomHead = 133;  // bytes by which a file is known
+
+// The files of a folder that begin as DICOM, by their names, this one first; at most so many bytes.
+Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Progress progress) {
+  constexpr std::size_t kMostFiles = 20'000, kMostBytes = std::size_t{4} << 30;
+  const std::size_t most = std::min(kMostBytes, systemMemory() / 4);
+  std::vector<fs::path> paths;
+  std::error_code failed;
+  for (fs::directory_iterator each(folder, failed), end; !failed && each != end; each.increment(failed)) {
+    if (each->path() != first) paths.push_back(each->path());
+    if (paths.size() > kMostFiles)
+      return Error{
+          ErrorCode::FileTooLarge, {"files in the folder", "", std::to_string(kMostFiles)}, {}, folder.string()};
+  }
+  if (failed) return Error{ErrorCode::FileUnreadable, {failed.message()}, {}, folder.string()};
+  std::sort(paths.begin(), paths.end());
+  if (!first.empty()) paths.insert(paths.begin(), first);
+  std::string files;
+  std::size_t done = 0;
+  for (const fs::path& path : paths) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    progress.set(static_cast<double>(done++) / static_cast<double>(paths.size()));
+    const Result<std::string> head = readFileHead(path, kDicomHead);
+    if (!head || !looksLikeDicom(*head)) continue;
+    std::error_code ignored;
+    const auto size = static_cast<std::size_t>(fs::file_size(path, ignored));
+    if (size > most || files.size() + size > most)
+      return Error{ErrorCode::FileTooLarge,
+                   {"bytes of DICOM files", std::to_string(files.size() + size), std::to_string(most)},
+                   {},
+                   folder.string()};
+    const Result<std::string> bytes = readFileBytes(path);
+    if (!bytes) return bytes.error();
+    appendDicomFile(*bytes, files);
+  }
+  if (files.empty()) return Error{ErrorCode::FileUnreadable, {"there are no DICOM files in it"}, {}, folder.string()};
+  return files;
+}
+
+// Reads files beside a header.
+SiblingFile besideHeader(const fs::path& header) {
+  return [folder = header.parent_path()](const std::string& name, std::size_t most) -> Result<std::string> {
+    const fs::path relative(name);
+    const bool leaves = relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end();
+    if (leaves) return Error{ErrorCode::Unsupported, {"a data file outside of the folder"}, {}, {}};
+    const fs::path path = folder / relative;
+    std::error_code failed;
+    const auto size = fs::file_size(path, failed);
+    Result<std::string> bytes = readFileHead(path, failed ? 1 : static_cast<std::size_t>(std::min(most, size)));
+    if (bytes) return bytes;
+    Error error = bytes.error();
+    error.subject = path.string();
+    return error;
+  };
+}
+
+Note noteOn(const ImageRemark& remark) {
+  Note note;
+  switch (remark.kind) {
+    case ImageRemark::Kind::NoSpacing:
+      note.text = QT_TRANSLATE_NOOP("Note", "The file does not say how far its samples are apart: 1 mm is taken.");
+      break;
+    case ImageRemark::Kind::NotNumbers:
+      note.text = QT_TRANSLATE_NOOP("Note", "Samples that are no numbers count as the least value (%1).");
+      break;
+    case ImageRemark::Kind::FirstOfSeveral:
+      note.text = QT_TRANSLATE_NOOP("Note", "Of several values or images (%1) the first is read.");
+      break;
+    case ImageRemark::Kind::Tilted:
+      note.text = QT_TRANSLATE_NOOP("Note",
+                                    "The slices are tilted by %1° against the way that they follow each other; "
+                                    "that is corrected.");
+      break;
+    case ImageRemark::Kind::Uneven:
+      note.text = QT_TRANSLATE_NOOP("Note", "The slices are from %1 to %2 mm apart; even ones were put between them.");
+      break;
+    case ImageRemark::Kind::SlicesMissing:
+      note.text = QT_TRANSLATE_NOOP("Note", "Slices are missing (%1); those beside fill their places.");
+      break;
+    case ImageRemark::Kind::OtherSeries:
+      note.text = QT_TRANSLATE_NOOP("Note", "Slices of other series are left out (%1).");
+      break;
+    case ImageRemark::Kind::SamePlace:
+      note.text = QT_TRANSLATE_NOOP("Note", "Slices in the place of another are left out (%1).");
+      break;
+    case ImageRemark::Kind::NotReadable:
+      note.text = QT_TRANSLATE_NOOP("Note", "Files that are no images in grey, or damaged, are left out (%1).");
+      break;
+  }
+  constexpr int kDigits = 6;
+  for (const double figure : remark.figures) note.arguments.push_back(roundedText(figure, kDigits));
+  return note;
+}
+
+}  // namespace
+
+bool looksLikeImage(std::string_view head) {
+  return looksLikeNrrd(head) || looksLikeMetaImage(head) || looksLikeNifti(head) || looksLikeDicom(head) ||
+         looksLikeRawImage(head);
+}
+
+Result<ImageFile> readImageFile(const fs::path& path, Progress progress) {
+  std::error_code ignored;
+  const bool isFolder = fs::is_directory(path, ignored);
+  Result<std::string> head = isFolder ? std::string() : readFileHead(path);
+  if (!head) return head.error();
+  if (isFolder || looksLikeDicom(*head)) {
+    const fs::path whole = fs::absolute(path, ignored);
+    Result<std::string> files = isFolder ? dicomFiles(whole, {}, progress.part(0.0, 0.3))
+                                         : dicomFiles(whole.parent_path(), whole, progress.part(0.0, 0.3));
+    if (!files) return files.error();
+    return readDicom(*files, isFolder ? DicomChoice::Largest : DicomChoice::OfFirst, progress.part(0.3, 1.0));
+  }
+  if (!looksLikeImage(*head)) return Error{DocumentError::FormatUnknown, {".nrrd", ".mhd", ".nii", ".dcm"}, {}, {}};
+  const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.5));
+  if (!bytes) return bytes.error();
+  const SiblingFile sibling = besideHeader(path);
+  if (looksLikeNrrd(*bytes)) return readNrrd(*bytes, sibling);
+  if (looksLikeNifti(*bytes)) return readNifti(*bytes);
+  if (looksLikeMetaImage(*bytes)) return readMetaImage(*bytes, sibling);
+  return readRawImage(*bytes, sibling);
+}
+
+std::vector<Note> notesOn(std::span<const ImageRemark> remarks) {
+  std::vector<Note> notes;
+  std::transform(remarks.begin(), remarks.end(), std::back_inserter(notes), noteOn);
+  return notes;
+}
+
+std::string sourceName(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "DICOM";
+  const Result<std::string> head = readFileHead(path, kDicomHead);
+  return head && looksLikeDicom(*head) ? "DICOM" : path.filename().string();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/Segmentation.h"
+
+#include "base/NumberText.h"
+#include "volume/VolumeErrors.h"
+#include "volume/VolumeFilters.h"
+#include "volume/VolumeParts.h"
+#include "volume/image/ImageToVolume.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+namespace {
+
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+
+// An end of a range; open where the word is empty.
+std::optional<double> endIn(std::string_view word, double open) {
+  if (word.empty()) return open;
+  double value = 0.0;
+  ErrorCode why;
+  if (!parseDecimal(word, value, why) || !std::isfinite(value)) return {};
+  return value;
+}
+
+}  // namespace
+
+const Operation& segmentOperation() {
+  static const Operation operation = [] {
+    Parameter range = {.property = {.id = "range",
+                                    .group = {},
+                                    .label = QT_TRANSLATE_NOOP("Property", "Values"),
+                                    .value = std::string()},
+                       .meaning =
+                           "Values that are material, from A to B: bone in a CT is 300:; default: from the "
+                           "threshold on that parts the image best",
+                       .word = "A:B"};
+    Parameter largest = {.property = {.id = "largest",
+                                      .group = {},
+                                      .label = QT_TRANSLATE_NOOP("Property", "Largest parts"),
+                                      .value = 0.0,
+                                      .least = 0.0,
+                                      .largest = 1e9},
+                         .meaning = "Keep only this many of the largest parts; 0: all",
+                         .word = "N",
+                         .isWhole = true};
+    Parameter voxel = {.property = {.id = "voxel",
+                                    .group = {},
+                                    .label = QT_TRANSLATE_NOOP("Property", "Voxel"),
+                                    .value = 0.0,
+                                    .quantity = Quantity::Length,
+                                    .least = 1e-9,
+                                    .largest = 1e9},
+                       .meaning = "Edge of a voxel; default: the least distance of the samples",
+                       .word = "MM",
+                       .hasDefault = false};
+    Parameter smoothing = {
+        .property = {.id = "smooth", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Smooth"), .value = false},
+        .meaning = "Take the steps of voxels off the surface"};
+    return Operation{.id = "segment",
+                     .title = QT_TRANSLATE_NOOP("Tool", "Segment image"),
+                     .meaning = "Makes a volume of what has certain values in an image",
+                     .parameters = {std::move(range), std::move(largest), std::move(voxel), std::move(smoothing)}};
+  }();
+  return operation;
+}
+
+std::optional<ValueRange> rangeIn(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos || text.size() == 1) return {};
+  const auto least = endIn(text.substr(0, colon), -kNoEnd), largest = endIn(text.substr(colon + 1), kNoEnd);
+  if (!least || !largest || *least > *largest) return {};
+  return ValueRange{*least, *largest};
+}
+
+Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress) {
+  Segmented done;
+  done.range = rangeIn(values.text("range")).value_or(ValueRange{0.0, kNoEnd});
+  if (values.text("range").empty()) done.range.least = otsuThreshold(image);
+  Result<SparseVolume> made = volumeOfImage(image, done.range, values.given("voxel"), progress.part(0.0, 0.6));
+  if (!made) return made.error();
+  done.volume = std::move(*made);
+  if (values.flag("smooth")) smooth(done.volume, progress.part(0.6, 0.9));
+  const std::size_t largest = values.whole("largest");
+  done.parts = (largest > 0 ? keepLargest(done.volume, largest) : partsOf(done.volume)).voxels.size();
+  done.kept = largest > 0 ? std::min(largest, done.parts) : done.parts;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (done.parts == 0) {
+    const ValueRange all = valuesOf(image);
+    return Error{VolumeErrors::NothingInRange,
+                 {roundedText(done.range.least), roundedText(done.range.largest), roundedText(all.least),
+                  roundedText(all.largest)},
+                 {},
+                 {}};
+  }
+  return done;
+}
+
+}  // namespace handwheel

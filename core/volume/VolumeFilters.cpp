@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/VolumeFilters.h"
+
+#include <tbb/parallel_for.h>
+#include <algorithm>
+#include <atomic>
+#include <tuple>
+
+namespace handwheel {
+namespace {
+
+// Replaces blocks by what the work makes of a window around each as it was.
+template <class Work>
+void replaceBlocks(SparseVolume& volume, std::span<const VoxelIndex> blocks, Progress progress, Work work) {
+  std::vector<SparseVolume::Content> made(blocks.size());
+  std::atomic<std::size_t> done{0};
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    DepthWindow window(volume, blocks[i]);
+    work(window);
+    made[i] = window.content(volume.content(blocks[i]), [](int, int, int) { return false; });
+    progress.set(static_cast<double>(++done) / static_cast<double>(blocks.size()));
+  });
+  if (progress.cancelled()) return;
+  for (std::size_t i = 0; i < blocks.size(); ++i) volume.setContent(blocks[i], std::move(made[i]));
+}
+
+}  // namespace
+
+std::vector<VoxelIndex> withNeighbours(std::span<const VoxelIndex> blocks) {
+  const auto key = [](const VoxelIndex& at) { return std::tuple(at.z(), at.y(), at.x()); };
+  std::vector<VoxelIndex> all;
+  all.reserve(27 * blocks.size());
+  for (const VoxelIndex& at : blocks)
+    for (int k = 0; k < 27; ++k) all.emplace_back(at + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+  std::sort(all.begin(), all.end(), [&](const VoxelIndex& a, const VoxelIndex& b) { return key(a) < key(b); });
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void makeDistances(SparseVolume& volume, std::span<const VoxelIndex> blocks, DepthWindow::Beside beside,
+                   Progress progress) {
+  replaceBlocks(volume, withNeighbours(blocks), progress, [&](DepthWindow& window) { window.redistance(beside); });
+}
+
+void smooth(SparseVolume& volume, Progress progress) {
+  replaceBlocks(volume, volume.blocks(), progress, [](DepthWindow& window) {
+    window.average(1);
+    window.redistance();
+  });
+}
+
+}  // namespace handwheel

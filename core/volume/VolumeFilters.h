@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "volume/DepthWindow.h"
+
+#include <span>
+
+namespace handwheel {
+
+// Makes the depths of these blocks, and of those around them, distances from the surface (DepthWindow::redistance()).
+// On all threads of the arena; the volume is as it was once cancelled.
+void makeDistances(SparseVolume& volume, std::span<const VoxelIndex> blocks, DepthWindow::Beside beside,
+                   Progress progress = {});
+
+// Takes the steps of voxels off a surface: each depth becomes the mean of 3³ around it. What is thinner than about two
+// voxels may vanish. On all threads of the arena; the volume is as it was once cancelled.
+void smooth(SparseVolume& volume, Progress progress = {});
+
+// These blocks and the 26 around each, once each, sorted along z, y, x.
+std::vector<VoxelIndex> withNeighbours(std::span<const VoxelIndex> blocks);
+
+}  // namespace handwheel

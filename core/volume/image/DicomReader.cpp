@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/image/DicomReader.h"
+
+#include "base/ByteOrder.h"
+#include "process/IsolatedReader.h"
+#include "volume/image/ImageHeader.h"
+#include "volume/image/NrrdReader.h"
+
+#include <algorithm>
+#include <array>
+
+namespace handwheel {
+namespace {
+
+IsolatedReader dicomReader(std::size_t bytes) {
+  IsolatedReader reader{readerProgram("dicom"), kDicomLibrary, {}};
+  // It unpacks some ten megabytes in a second; slow machines are to come to an end, too.
+  reader.limits.cpu += std::chrono::seconds(bytes >> 20);
+  reader.limits.wall = 2 * reader.limits.cpu;
+  reader.limits.mostOutput = std::size_t{5} << 30;  // the largest image, and a little
+  return reader;
+}
+
+}  // namespace
+
+void appendDicomFile(std::string_view file, std::string& files) {
+  appendNumber<std::uint64_t>(files, file.size(), std::endian::little);
+  files += file;
+}
+
+bool looksLikeDicom(std::string_view bytes) {
+  return bytes.size() > 132 && bytes.substr(128, 4) == "DICM";
+}
+
+Result<ImageFile> readDicom(std::string_view files, DicomChoice choice, Progress progress) {
+  const Result<std::string> answer =
+      readIsolated(dicomReader(files.size()), {choice == DicomChoice::OfFirst ? "first" : "largest"}, files, progress);
+  if (!answer) return answer.error();
+  return imageInAnswer(*answer);
+}
+
+Result<ImageFile> imageInAnswer(std::string_view answer) {
+  const Error senseless{ErrorCode::LibraryFailed, {kDicomLibrary, "its answer is not valid"}, {}, {}};
+  constexpr std::size_t kLongestLine = 256, kFigures = 7;
+  const std::size_t end = answer.substr(0, kLongestLine).find('\n');
+  if (end == std::string_view::npos) return senseless;
+  const auto figures = imageHeader::numbersOf(answer.substr(0, end), kFigures);
+  if (!figures || std::any_of(figures->begin(), figures->end(), [](double f) { return f < 0.0 || f > 1e9; }))
+    return senseless;
+  // Of the NRRD that the process writes nothing is in another file.
+  Result<ImageFile> read = readNrrd(answer.substr(end + 1),
+                                    [&](const std::string&, std::size_t) -> Result<std::string> { return senseless; });
+  if (!read) return senseless;
+  using Kind = ImageRemark::Kind;
+  const auto& f = *figures;
+  if (f[0] > 0.0) read->remarks.push_back({Kind::Tilted, {f[0]}});
+  if (f[2] > 0.0) read->remarks.push_back({Kind::Uneven, {f[1], f[2]}});
+  const std::array counts{Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePlace, Kind::NotReadable};
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (f[3 + k] > 0.0) read->remarks.push_back({counts[k], {f[3 + k]}});
+  return read;
+}
+
+}  // namespace handwheel

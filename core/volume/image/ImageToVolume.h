@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "volume/SparseVolume.h"
+#include "volume/image/ImageVolume.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// Makes a volume of what has values of this range. Between samples values are linear, so along a row of voxels the
+// surface is where they pass an end of the range; the depths around follow from there (VolumeFilters.h). What reaches
+// the border of the image is closed there: half a step beyond the outermost samples.
+//
+// voxel: edge of a voxel, mm; none: usualVoxel(). Voxels lie along the axes of places, whatever the image's are; where
+// those are the same and the voxel is the spacing, each voxel is a sample. On all threads of the arena; O(samples +
+// voxels / 512 + voxels near the surface).
+// Errors: ValueOutOfRange (voxel), VolumeErrors::TooFine, TooLarge (for the memory that is left), NothingInRange;
+// Cancelled.
+Result<SparseVolume> volumeOfImage(const ImageVolume& image, const ValueRange& range, std::optional<double> voxel,
+                                   Progress progress = {});
+
+// The least spacing of the samples; mm.
+double usualVoxel(const ImageGrid& grid);
+
+}  // namespace handwheel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace handwheel {
+
+// Where the samples of an image lie: the first at the origin, the others in steps from it, mm. The steps need neither
+// be at right angles (slices of a tilted scanner are sheared) nor right-handed.
+//
+// Places are of a patient lying down, as DICOM has them: x to his left, y to his back, z to his head.
+struct ImageGrid {
+  std::array<int, 3> size{0, 0, 0};  // samples along each axis; the first axis is stored fastest
+  Vec3 origin = Vec3::Zero();
+  Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();  // a column for each axis
+
+  static constexpr int kMostAlong = 1 << 16;  // samples along an axis
+  static constexpr std::size_t kMostSamples = std::size_t{1} << 31;
+
+  std::size_t count() const {
+    return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+  }
+  Vec3 spacing() const { return steps.colwise().norm(); }
+  Vec3 place(const Vec3& index) const { return origin + steps * index; }
+};
+
+// Whether an image of this grid can be held and used. Errors: ElementMalformed (size, places that are not finite, steps
+// in one plane), FileTooLarge.
+Status checkGrid(const ImageGrid& grid);
+
+// Scalar values on a regular grid, such as a CT. Immutable in use; copies copy the samples.
+class ImageVolume {
+ public:
+  // Precondition: checkGrid(), and as many samples as the grid has.
+  ImageVolume(const ImageGrid& grid, std::vector<std::int16_t> samples) : m_grid(grid), m_samples(std::move(samples)) {}
+  ImageVolume(const ImageGrid& grid, std::vector<float> samples) : m_grid(grid), m_samples(std::move(samples)) {}
+
+  const ImageGrid& grid() const { return m_grid; }
+  // Calls visit with the samples: a span of int16_t, or of float (all finite).
+  template <class Visit>
+  auto visitSamples(Visit visit) const {
+    return std::visit([&](const auto& samples) { return visit(std::span(samples)); }, m_samples);
+  }
+  bool isWhole() const { return std::holds_alternative<std::vector<std::int16_t>>(m_samples); }
+  double value(std::size_t index) const {
+    return visitSamples([index](auto samples) { return static_cast<double>(samples[index]); });
+  }
+
+ private:
+  ImageGrid m_grid;
+  std::variant<std::vector<std::int16_t>, std::vector<float>> m_samples;
+};
+
+// Values from the least to the largest, both within; either may be infinite.
+struct ValueRange {
+  double least;
+  double largest;
+};
+
+// The least and the largest value of an image. O(samples).
+ValueRange valuesOf(const ImageVolume& image);
+
+// The value that parts an image best in two: the variance between what is below and what is not is the largest (Otsu
+// 1979, "A threshold selection method from gray-level histograms"), to a 4096th of its values. O(samples).
+double otsuThreshold(const ImageVolume& image);
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "volume/vdb/VdbVolume.h"
+
+namespace handwheel {
+
+inline constexpr const char* kVdbLibrary = "OpenVDB";
+
+// Reads a volume of a VDB file, in a process of its own (IsolatedReader.h): its first level set of floats, or else its
+// first fog, whose material is what is denser than a half. Lengths are taken as millimetres. Errors: LibraryFailed with
+// the reason (no such grid; voxels that are no cubes along the axes; too large), OutOfMemory, Cancelled.
+Result<VdbVolume> readVdb(std::string_view file, Progress progress);
+
+// The volume as a VDB file of one level set, "surface", three voxels deep either way; written by the same process.
+// Errors: LibraryFailed, OutOfMemory, Cancelled.
+Result<std::string> vdbOf(const SparseVolume& volume, Progress progress);
+
+// Whether the first bytes are those of a VDB file.
+bool looksLikeVdb(std::string_view bytes);
+
+}  // namespace handwheel

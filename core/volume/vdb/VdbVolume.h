@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace handwheel {
+
+// A volume on its way between us and the process that reads and writes VDB: a line of its voxel and origin (mm),
+// whether it was a fog, and how many grids there are beside it; then its regions (VolumeRegions.h), in the byte order
+// of this machine.
+struct VdbVolume {
+  SparseVolume volume;
+  bool isFog = false;
+  std::size_t otherGrids = 0;
+};
+
+std::string bytesOf(const VdbVolume& volume);
+// None where they make no sense. Memory: at most 64 times the bytes.
+std::optional<VdbVolume> vdbVolumeIn(std::string_view bytes);
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "dicom/Series.h"
+#include "volume/image/ImageFile.h"
+
+namespace handwheel {
+
+// The image of a series: between slices that are not in its steps values are linear. Errors: LibraryFailed with the
+// reason.
+Result<ImageFile> imageOf(const Series& series, Progress progress);
+
+}  // namespace handwheel

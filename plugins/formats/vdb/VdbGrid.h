@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "volume/vdb/VdbVolume.h"
+
+#include <openvdb/openvdb.h>
+
+namespace handwheel {
+
+// The volume of the first level set among grids, or else of the first fog. Errors: LibraryFailed with the reason.
+Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids);
+
+// A level set of a volume, three voxels deep either way.
+openvdb::FloatGrid::Ptr gridOf(const SparseVolume& volume);
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/image/ImageFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+namespace handwheel::fuzz {
+
+// What the readers of images promise of any file. The file beside it is the second half of the bytes.
+template <class Read>
+void checkImage(const std::uint8_t* data, std::size_t size, Read read) {
+  const auto require = [](bool condition, const char* what) {
+    if (condition) return;
+    std::fprintf(stderr, "image: %s\n", what);
+    std::abort();
+  };
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const Result<ImageFile> file = read(bytes, [&](const std::string&, std::size_t most) -> Result<std::string> {
+    return std::string(bytes.substr(size / 2, most));
+  });
+  if (!file) return;
+  const ImageVolume& image = file->image;
+  require(checkGrid(image.grid()).hasValue(), "a grid that is refused elsewhere");
+  image.visitSamples([&](auto samples) {
+    require(samples.size() == image.grid().count(), "other than as many samples as the grid has");
+    for (const auto v : samples) require(std::isfinite(static_cast<double>(v)), "a value that is not finite");
+  });
+}
+
+}  // namespace handwheel::fuzz

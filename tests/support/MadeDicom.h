@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <gdcmImageChangeTransferSyntax.h>
+#include <gdcmImageWriter.h>
+#include <gdcmTrace.h>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace handwheel::test {
+
+// A slice of a made-up CT, written by GDCM.
+struct MadeSlice {
+  int width = 8, height = 6;
+  Vec3 origin = Vec3::Zero();
+  Vec3 across = Vec3::UnitX(), down = Vec3::UnitY();
+  double spacing = 0.5;  // mm, of pixels
+  double slope = 1.0, intercept = -1024.0;
+  std::string series = "1.2.3.4";
+  gdcm::TransferSyntax::TSType syntax = gdcm::TransferSyntax::ExplicitVRLittleEndian;
+  // The value at a place, before it is stored as (value - intercept) / slope.
+  std::function<double(const Vec3&)> value = [](const Vec3& p) { return std::round(100 * p.x() + 10 * p.y() + p.z()); };
+};
+
+inline std::string dicomOf(const MadeSlice& slice) {
+  gdcm::Trace::WarningOff();  // of what is put in afterwards
+  std::vector<std::int16_t> stored;
+  for (int y = 0; y < slice.height; ++y)
+    for (int x = 0; x < slice.width; ++x) {
+      const Vec3 p = slice.origin + slice.spacing * (x * slice.across + y * slice.down);
+      stored.push_back(static_cast<std::int16_t>(std::lround((slice.value(p) - slice.intercept) / slice.slope)));
+    }
+  gdcm::ImageWriter writer;
+  const gdcm::SmartPointer<gdcm::Image> held = new gdcm::Image;  // counted by those who use it
+  gdcm::Image& image = *held;
+  image.SetNumberOfDimensions(2);
+  image.SetDimension(0, static_cast<unsigned>(slice.width));
+  image.SetDimension(1, static_cast<unsigned>(slice.height));
+  image.SetPixelFormat(gdcm::PixelFormat(gdcm::PixelFormat::INT16));
+  image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2));
+  image.SetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
+  gdcm::DataElement pixels(gdcm::Tag(0x7fe0, 0x0010));
+  pixels.SetByteValue(reinterpret_cast<const char*>(stored.data()), static_cast<std::uint32_t>(2 * stored.size()));
+  image.SetDataElement(pixels);
+  for (unsigned k = 0; k < 2; ++k) image.SetSpacing(k, slice.spacing);
+  for (unsigned k = 0; k < 3; ++k) {
+    image.SetOrigin(k, slice.origin[k]);
+    image.SetDirectionCosines(k, slice.across[k]);
+    image.SetDirectionCosines(3 + k, slice.down[k]);
+  }
+  image.SetSlope(slice.slope);
+  image.SetIntercept(slice.intercept);
+  gdcm::ImageChangeTransferSyntax change;
+  change.SetTransferSyntax(slice.syntax);
+  change.SetInput(image);
+  if (!change.Change()) return {};
+  writer.SetImage(change.GetOutput());
+  gdcm::DataSet& data = writer.GetFile().GetDataSet();
+  const auto put = [&](std::uint16_t group, std::uint16_t element, const gdcm::VR& vr, std::string text) {
+    if (text.size() % 2 != 0) text += vr == gdcm::VR::UI ? '\0' : ' ';
+    gdcm::DataElement one(gdcm::Tag(group, element));
+    one.SetVR(vr);
+    one.SetByteValue(text.data(), static_cast<std::uint32_t>(text.size()));
+    data.Replace(one);
+  };
+  put(0x0008, 0x0016, gdcm::VR::UI, "1.2.840.10008.5.1.4.1.1.2");  // a CT
+  put(0x0008, 0x0060, gdcm::VR::CS, "CT");
+  put(0x0010, 0x0010, gdcm::VR::PN, "Mustermann^Erika");
+  put(0x0020, 0x000e, gdcm::VR::UI, slice.series);
+  std::ostringstream stream;
+  writer.SetStream(stream);
+  return writer.Write() ? stream.str() : std::string();
+}
+
+}  // namespace handwheel::test
