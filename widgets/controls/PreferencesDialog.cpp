@@ -184,10 +184,11 @@ QWidget* PreferencesDialog::autosavePage() {
   };
   connect(on, &QCheckBox::toggled, this, use);
   connect(seconds, &QSpinBox::valueChanged, this, use);
-  QFormLayout* form = line(page, tr("Every"), seconds);
+  QFormLayout* form = line(page, tr("At the latest after"), seconds);
   form->insertRow(0, on);
   form->addRow(
       note(tr("The copy is kept beside your files, never in their place; after a crash it is offered to you."), page));
+  form->addRow(note(tr("It is made within a second after each edit, less often where that takes long."), page));
   return page;
 }
 

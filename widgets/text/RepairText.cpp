@@ -121,6 +121,9 @@ QString fillFailureReason(FillFailure failure) {
       return RepairWords::tr("cancelled");
     case FillFailure::Rim:
       return RepairWords::tr("it is the outer boundary of an open sheet");
+    case FillFailure::WasRim:
+      return RepairWords::tr(
+          "it was the outer boundary of an open sheet, which has been changed so that it looks like a hole now");
     case FillFailure::KeptOpen:
       return RepairWords::tr("it is marked to be kept open");
     case FillFailure::TooLong:

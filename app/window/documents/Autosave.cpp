@@ -13,8 +13,21 @@
 #include "window/tools/ToolHost.h"
 
 #include <QFile>
+#include <algorithm>
+#include <utility>
 
 namespace handwheel {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+// Edits within that time are saved together.
+constexpr milliseconds kSoon{250};
+// The pause after an autosave, in the time that it took: a twentieth of the time is spent on it.
+constexpr int kPause = 19;
+
+}  // namespace
 
 Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent)
     : QObject(parent),
@@ -26,13 +39,13 @@ Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, Window
       m_session(std::make_shared<RecoverySession>()) {
   m_pool.setMaxThreadCount(1);
   m_timer.setSingleShot(true);
-  connect(&m_timer, &QTimer::timeout, this, &Autosave::saveAll);
+  connect(&m_timer, &QTimer::timeout, this, &Autosave::saveWork);
   connect(&m_tabs, &DocumentTabs::added, this, &Autosave::follow);
   connect(&m_tabs, &DocumentTabs::closing, this, [this](DocumentTab* document) {
     document->document.disconnect(this);
-    m_session->close(m_keys[document]);
-    m_keys.erase(document);
-    m_failing.erase(document);
+    m_session->close(m_followed[document].key);
+    m_followed.erase(document);
+    rest();
   });
 }
 
@@ -41,26 +54,46 @@ void Autosave::setInterval(int seconds) {
 }
 
 void Autosave::follow(DocumentTab* document) {
-  m_keys[document] = ++m_lastKey;
+  Followed& followed = m_followed[document];
+  followed.key = ++m_lastKey;
+  followed.timer = std::make_unique<QTimer>();
+  followed.timer->setSingleShot(true);
+  connect(followed.timer.get(), &QTimer::timeout, this, [this, document] { saveChanged(document); });
   document->autosaved = document->document.revision();
-  connect(&document->document, &Document::changed, this, &Autosave::changed);
+  connect(&document->document, &Document::changed, this, [this, document] { changed(document); });
   connect(&document->document, &Document::fileChanged, this, [this, document] {
-    if (!document->document.isModified()) return m_session->remove(m_keys[document]);
-    if (document->autosaved != document->document.revision()) changed();
+    if (!document->document.isModified()) return m_session->remove(m_followed[document].key);
+    if (document->autosaved != document->document.revision()) changed(document);
   });
 }
 
 // Whether that made it differ from its file is not known before the edit is in the history.
-void Autosave::changed() {
+void Autosave::changed(DocumentTab* document) {
   if (m_timer.interval() == 0) return;
+  need();
+  const Followed& followed = m_followed[document];
+  if (!followed.timer->isActive()) followed.timer->start(pauseAfter(followed.cost));
+}
+
+milliseconds Autosave::pauseAfter(milliseconds cost) const {
+  return std::min(std::max(kSoon, kPause * cost), m_timer.intervalAsDuration());
+}
+
+void Autosave::need() {
   if (!m_need.isNeeded()) m_need = m_services.needs().need("autosave");
-  if (!m_timer.isActive()) m_timer.start();
+}
+
+void Autosave::rest() {
+  const auto waits = [](const auto& each) { return each.second.timer->isActive(); };
+  if (!m_timer.isActive() && std::none_of(m_followed.begin(), m_followed.end(), waits)) m_need = ServiceHandle();
 }
 
 void Autosave::watch(ToolHost& tools) {
   m_tools = &tools;
   connect(&tools, &ToolHost::updated, this, [this] {
-    if (work() && m_tools->runner().tool()->isLive()) changed();
+    if (m_timer.interval() == 0 || m_timer.isActive() || !work() || !m_tools->runner().tool()->isLive()) return;
+    need();
+    m_timer.start();
   });
 }
 
@@ -79,18 +112,24 @@ SnapshotPointer Autosave::workOn(const DocumentTab& document) const {
   return value;
 }
 
-void Autosave::saveAll() {
-  m_need = ServiceHandle();
-  for (const auto& each : m_tabs.all()) {
-    const SnapshotPointer value = workOn(*each);
-    const bool isOther = each->document.isModified() && each->autosaved != each->document.revision();
-    if (value || isOther) save(each.get(), value ? value : each->document.snapshot());
+void Autosave::saveChanged(DocumentTab* document) {
+  if (document->document.isModified() && document->autosaved != document->document.revision()) {
+    const SnapshotPointer value = workOn(*document);
+    save(document, value ? value : document->document.snapshot());
   }
-  if (work() && m_tools->runner().tool()->isLive()) changed();  // what goes on
+  rest();
+}
+
+void Autosave::saveWork() {
+  for (const auto& each : m_tabs.all()) {
+    if (const SnapshotPointer value = workOn(*each)) save(each.get(), value);
+  }
+  if (work() && m_tools->runner().tool()->isLive()) m_timer.start();  // what goes on
+  rest();
 }
 
 void Autosave::save(DocumentTab* document, SnapshotPointer content) {
-  const std::uint64_t revision = document->document.revision(), key = m_keys[document];
+  const std::uint64_t revision = document->document.revision(), key = m_followed[document].key;
   AutosaveInfo info;
   info.documentId = document->document.file().id;
   info.path = document->document.file().path;
@@ -107,20 +146,31 @@ void Autosave::save(DocumentTab* document, SnapshotPointer content) {
               &kind = document->document.kind(), file = document->document.file(),
               content = std::move(content)](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
+    const Clock::time_point start = Clock::now();
     const Result<std::string> bytes = containerBytes(kind, file, *content, info.path, Compression::None, progress);
     const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());
-    if (stored) return [this, document] { m_failing.erase(document); };
+    const auto cost = std::chrono::duration_cast<milliseconds>(Clock::now() - start);
+    if (stored) return [this, document, cost] { noteCost(document, cost); };
     return [failed, error = stored.error()] { failed(error); };
   };
   m_jobs.start(std::move(job));
+}
+
+void Autosave::noteCost(DocumentTab* document, milliseconds cost) {
+  const auto followed = m_followed.find(document);
+  if (followed == m_followed.end()) return;
+  followed->second.cost = cost;
+  followed->second.isFailing = false;
 }
 
 // It is tried again within the interval; only the first of several failures is reported.
 void Autosave::reportFailure(DocumentTab* document, const QString& name, const Error& error) {
   if (!m_tabs.contains(document)) return;
   document->autosaved = 0;
-  changed();
-  if (!m_failing.insert(document).second) return;
+  Followed& followed = m_followed[document];
+  need();
+  followed.timer->start(m_timer.intervalAsDuration());
+  if (std::exchange(followed.isFailing, true)) return;
   const QString title = tr("%1 could not be autosaved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Warning);
   emit message({Message::Weight::Warning,
@@ -193,7 +243,7 @@ void Autosave::recover(const std::shared_ptr<const OrphanedAutosaves>& orphans) 
     m_loader.recover(QFile::decodeName(orphan.file.c_str()),
                      QFile::decodeName(QByteArray::fromStdString(orphan.info.path)),
                      [this, orphans, &orphan](DocumentTab* recovered) {
-                       const Status adopted = m_session->adopt(orphan, m_keys[recovered]);
+                       const Status adopted = m_session->adopt(orphan, m_followed[recovered].key);
                        if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
                      });
   }

@@ -12,9 +12,9 @@
 #include <QObject>
 #include <QThreadPool>
 #include <QTimer>
+#include <chrono>
 #include <map>
 #include <memory>
-#include <set>
 
 namespace handwheel {
 
@@ -26,16 +26,17 @@ class WindowServices;
 class WorkUnderWay;
 struct DocumentTab;
 
-// Saves modified documents to the recovery folder at intervals. The file is removed when its document is saved or
-// closed. What a tool has under way is saved with its document. The files of a session that was killed are offered at
-// the next start, until they are recovered or discarded.
+// Saves modified documents to the recovery folder: soon after each edit, so that a kill takes nothing that was
+// finished, and what a tool has under way at intervals. Documents that take long to save are saved less often, but at
+// least once in the interval. The file is removed when its document is saved or closed. The files of a session that was
+// killed are offered at the next start, until they are recovered or discarded.
 class Autosave : public QObject {
   Q_OBJECT
 
  public:
   Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
 
-  void setInterval(int seconds);  // 0: never
+  void setInterval(int seconds);  // the longest; 0: never
   // Saves what the tools of a window have under way, too.
   void watch(ToolHost& tools);
   void offerRecovery();
@@ -45,11 +46,24 @@ class Autosave : public QObject {
 
  private:
   void follow(DocumentTab* document);
-  void changed();
-  void saveAll();
+  // A document whose changes are saved.
+  struct Followed {
+    std::uint64_t key = 0;
+    std::unique_ptr<QTimer> timer;      // started by the first change after an autosave
+    std::chrono::milliseconds cost{0};  // of the last autosave, on the clock
+    bool isFailing = false;             // the last autosave failed
+  };
+
+  void changed(DocumentTab* document);
+  std::chrono::milliseconds pauseAfter(std::chrono::milliseconds cost) const;
+  void need();
+  void rest();
+  void saveChanged(DocumentTab* document);
+  void saveWork();
   WorkUnderWay* work() const;
   SnapshotPointer workOn(const DocumentTab& document) const;
   void save(DocumentTab* document, SnapshotPointer content);
+  void noteCost(DocumentTab* document, std::chrono::milliseconds cost);
   void reportFailure(DocumentTab* document, const QString& name, const Error& error);
   void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans);
   void offer(const std::shared_ptr<const OrphanedAutosaves>& orphans);
@@ -64,12 +78,11 @@ class Autosave : public QObject {
   ToolHost* m_tools = nullptr;
   QThreadPool m_pool;  // its own, so that long jobs do not delay it
   JobRunner m_jobs;
-  QTimer m_timer;        // started by the first change after an autosave
-  ServiceHandle m_need;  // held while such changes exist
+  QTimer m_timer;        // of what is under way; its interval is the longest
+  ServiceHandle m_need;  // held while something is to be saved
   std::shared_ptr<RecoverySession> m_session;
-  std::map<const DocumentTab*, std::uint64_t> m_keys;
+  std::map<const DocumentTab*, Followed> m_followed;
   std::uint64_t m_lastKey = 0;
-  std::set<const DocumentTab*> m_failing;  // whose last autosave failed
 };
 
 }  // namespace handwheel

@@ -15,6 +15,8 @@ struct Sheet {
   double area = 0.0;
   double volume = 0.0;             // between the shell and the centre of its longest loop
   Vec3 areaVector = Vec3::Zero();  // the sum of area times normal: that of the loops' patches, whatever they are
+  std::size_t faces = 0;
+  std::size_t loops = 0;
   BoundaryLoop* longest = nullptr;
 
   // The longest loop's length, squared, in areas of the shell: 4π for a flat disc, 2π for half a sphere.
@@ -23,6 +25,10 @@ struct Sheet {
   bool looksOneWay() const { return areaVector.norm() > tolerance::kOneWaySheet * area; }
 
   bool isRagged() const { return outline() > tolerance::kRaggedOutline; }
+
+  // A disc of which every vertex is on the edge, as a flake of one or two triangles: it has nothing that a patch could
+  // enclose.
+  bool isAllEdge() const { return loops == 1 && faces + 2 == longest->halfEdges.size(); }
 
   // A flat disc with the outline's length would be larger than the shell, and closed by a cone from the outline's
   // centre the shell would hold little: a patch would be its second skin.
@@ -55,13 +61,16 @@ void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops, Progre
   std::vector<Sheet> sheets(shells.size());
   for (BoundaryLoop& loop : loops) {
     Sheet& sheet = sheets[shellOf[HalfEdgeMesh::face(loop.halfEdges.front())]];
+    ++sheet.loops;
     if (!sheet.longest || loop.length > sheet.longest->length) sheet.longest = &loop;
   }
   for (std::size_t i = 0; i < shells.size(); ++i) {
     Sheet& sheet = sheets[i];
     if (!sheet.longest) continue;
+    sheet.faces = shells[i].size();
     measure(mesh, shells[i], sheet);
-    if (sheet.area > 0.0) sheet.longest->rim = sheet.looksOneWay() || sheet.isThin() || sheet.isRagged();
+    if (sheet.area > 0.0)
+      sheet.longest->rim = sheet.looksOneWay() || sheet.isThin() || sheet.isRagged() || sheet.isAllEdge();
   }
 }
 

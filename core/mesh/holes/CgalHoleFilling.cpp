@@ -4,15 +4,58 @@
 
 #include "mesh/structure/QuietCgal.h"
 
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <new>
+#include <type_traits>
+
+// CGAL's filling of holes starts at the cell that comes first among those at an edge, and of two triangulations that
+// weigh the same it takes the one that it meets first. By default that order is the one of the addresses of the cells,
+// which differs from run to run. Here it is that of the numbers of their corners, so that the same hole gets the same
+// patch. For triangulate_hole_polyline() alone, whose triangulation has this type.
+namespace handwheel {
+
+struct HoleTriangulation {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Structure = CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>,
+                                                         CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+  using Cell = CGAL::Delaunay_triangulation_cell_base_3<
+      Kernel, CGAL::Triangulation_cell_base_3<Kernel, CGAL::Triangulation_ds_cell_base_3<Structure>>>;
+
+  // No two cells have the same corners.
+  static std::array<int, 4> cornersOf(const Cell& cell) {
+    std::array<int, 4> corners{};
+    for (int k = 0; k < 4; ++k) corners[k] = cell.vertex(k) == nullptr ? -2 : cell.vertex(k)->info();
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+};
+
+}  // namespace handwheel
+
+namespace CGAL {
+
+template <>
+struct Time_stamper_impl<handwheel::HoleTriangulation::Cell> : No_time_stamp<handwheel::HoleTriangulation::Cell> {
+  using Cell = handwheel::HoleTriangulation::Cell;
+  static bool less(const Cell* a, const Cell* b) {
+    if (!a || !b) return !a && b;
+    return handwheel::HoleTriangulation::cornersOf(*a) < handwheel::HoleTriangulation::cornersOf(*b);
+  }
+};
+
+}  // namespace CGAL
+
+static_assert(std::is_same_v<handwheel::HoleTriangulation::Structure::Cell, handwheel::HoleTriangulation::Cell>);
 
 namespace handwheel {
 namespace {

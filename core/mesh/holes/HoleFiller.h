@@ -21,6 +21,7 @@ enum class FillFailure {
   None,
   Cancelled,
   Rim,                // the outer edge of an open sheet: left open unless requested
+  WasRim,             // the same of a sheet that the repair changed, so that it looks like a hole now
   KeptOpen,           // the user wants it open
   TooLong,            // more edges than the user allows
   NoPatch,            // no method found a triangulation

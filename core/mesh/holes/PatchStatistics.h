@@ -26,7 +26,9 @@ struct PatchComparison {
   double bend = 0.0;        // radian: the largest of the patch, the edges of the loop included
   double bendAround = 0.0;  // and that of three rings of faces around
   double rise = 0.0;        // mm: how far the patch leaves the range of heights of loop and rings over the loop's plane
-  double size = 0.0;        // mm: the diagonal of the loop's box
+  double size = 0.0;        // mm: the diagonal of the loop's box; 0: not compared
+
+  bool isKnown() const { return size > 0.0; }
 
   // More than any surface would that continues its surroundings: a person should look at it.
   bool bendsMore() const { return bend > bendAround + tolerance::kNoticeableBend; }

@@ -6,18 +6,18 @@
 
 namespace handwheel {
 
-// Filled holes change the shape of a sheet, which may be none any more. Its outer edge remains one until they are
-// done; then it is what anyone finds who looks at the result.
-bool LoopReasons::isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const {
-  if (!isFirstRound) return loop.rim;
+// Cuts and filled holes change the shape of a sheet, which may look like none any more. What was its outer edge stays
+// one.
+bool LoopReasons::isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
   const auto was = [&](int id) { return m_inputLoops[static_cast<std::size_t>(id)].rim; };
   return loop.rim || std::any_of(owners.begin(), owners.end(), was);
 }
 
-FillFailure LoopReasons::beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const {
+FillFailure LoopReasons::beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners) const {
   const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
   if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
-  if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners, isFirstRound)) return FillFailure::Rim;
+  if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners))
+    return loop.rim ? FillFailure::Rim : FillFailure::WasRim;
   if (m_options.maxEdges > 0 && loop.borderEdges > m_options.maxEdges) return FillFailure::TooLong;
   return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
 }
@@ -43,8 +43,8 @@ void LoopReasons::noteSheet(const std::set<int>& owners, FillFailure failure) {
 }
 
 // None for a loop that stays open although it was to be closed.
-FillFailure LoopReasons::atLast(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const {
-  const FillFailure known = beforeTrying(loop, owners, isFirstRound);
+FillFailure LoopReasons::atLast(const BoundaryLoop& loop, const std::set<int>& owners) const {
+  const FillFailure known = beforeTrying(loop, owners);
   if (known != FillFailure::Rim || m_options.rims != RimHandling::Thicken) return known;
   const auto isKept = [&](int id) {
     const auto failure = m_sheetFailures.find(id);
@@ -60,21 +60,19 @@ FillFailure LoopReasons::ofFailure(int id, FillFailure known, bool isSpent) cons
   return isSpent || m_cutShort.contains(id) ? FillFailure::TooMuchEffort : known;
 }
 
-void LoopReasons::conclude(HoleOutcomes& outcomes, const HalfEdgeMesh& mesh, const End& end, RepairReport& report,
+void LoopReasons::conclude(HoleOutcomes& outcomes, const HalfEdgeMesh& mesh, bool isSpent, RepairReport& report,
                            Progress progress) const {
-  const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
-    return atLast(loop, owners, end.isFirstRound);
-  };
+  const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) { return atLast(loop, owners); };
   report.loops = outcomes.conclude(mesh, reason, progress);
   for (LoopResult& loop : report.loops) {
-    if (loop.outcome == LoopOutcome::Failed) loop.reason = ofFailure(loop.id, loop.reason, end.isSpent);
+    if (loop.outcome == LoopOutcome::Failed) loop.reason = ofFailure(loop.id, loop.reason, isSpent);
     if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
       report.lostLoops.push_back(loop.id);
   }
   for (const HoleOutcomes::Left& left : outcomes.left()) {
     OpenLoop& loop = report.openLoops.emplace_back(left.loop);
     const int owner = left.owners.empty() ? kLaidOpen : *left.owners.begin();
-    if (loop.outcome == LoopOutcome::Failed) loop.reason = ofFailure(owner, loop.reason, end.isSpent);
+    if (loop.outcome == LoopOutcome::Failed) loop.reason = ofFailure(owner, loop.reason, isSpent);
   }
 }
 

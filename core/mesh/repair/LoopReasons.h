@@ -14,8 +14,8 @@ class LoopReasons {
   LoopReasons(const RepairOptions& options, const std::vector<BoundaryLoop>& inputLoops)
       : m_options(options), m_inputLoops(inputLoops) {}
 
-  // None for a loop that is to be filled. isFirstRound: holes are not filled yet, so that a sheet may look like none.
-  FillFailure beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const;
+  // None for a loop that is to be filled.
+  FillFailure beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners) const;
   // Whether a loop with that reason is to be closed, by a patch or by a back.
   bool mayClose(FillFailure beforeTrying) const;
 
@@ -24,19 +24,14 @@ class LoopReasons {
   void noteCutShort(const std::set<int>& owners);
   void noteSheet(const std::set<int>& owners, FillFailure failure);
 
-  // How a repair ended: in its first round; without any effort left.
-  struct End {
-    bool isFirstRound;
-    bool isSpent;
-  };
-  // Reports all loops with their outcomes and reasons. mesh: the result.
-  void conclude(HoleOutcomes& outcomes, const HalfEdgeMesh& mesh, const End& end, RepairReport& report,
+  // Reports all loops with their outcomes and reasons. mesh: the result. isSpent: no effort is left.
+  void conclude(HoleOutcomes& outcomes, const HalfEdgeMesh& mesh, bool isSpent, RepairReport& report,
                 Progress progress) const;
 
  private:
-  FillFailure atLast(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const;
+  FillFailure atLast(const BoundaryLoop& loop, const std::set<int>& owners) const;
   FillFailure ofFailure(int id, FillFailure known, bool isSpent) const;
-  bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners, bool isFirstRound) const;
+  bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const;
 
   static constexpr int kLaidOpen = LoopResult().id;
 

@@ -124,7 +124,7 @@ class Closer {
       for (std::size_t i = 0; i < p.patch->triangles.size(); ++i)
         newFaces.push_back(static_cast<Face>(changed.faceSlots() + i));
       insertPatch(changed, p.loop, *p.patch);
-      closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
+      closeBy(p, closings[p.hole]);
     }
     const std::optional<SheetThickness> thickness = thicken(changed, backs, newFaces, closings);
     if (!thickness) return Trial::CutShort;
@@ -163,14 +163,18 @@ class Closer {
     return std::nullopt;
   }
 
+  // By a patch in the mesh as it is.
+  void closeBy(const Proposal& p, ObstructedClosing& hole) const {
+    const PatchComparison shape = compared(m_mesh, p.loop, *p.patch);
+    const PatchComparison worst = hole.closed && hole.shape.bend > shape.bend ? hole.shape : shape;
+    hole = {true, p.patch->method, hole.newFaces + p.patch->triangles.size(), worst};
+  }
+
   void keep(const Submesh& part, const PatchTrial& trial, const std::vector<const Proposal*>& chosen) {
     m_crossings -= trial.fewerCrossings;
     m_badEdges -= trial.fewerBadEdges;
     m_result.cutFaces += trial.cutFaces;
-    for (const Proposal* p : chosen) {
-      ObstructedClosing& hole = m_result.holes[p->hole];
-      hole = {true, p->patch->method, hole.newFaces + p->patch->triangles.size()};
-    }
+    for (const Proposal* p : chosen) closeBy(*p, m_result.holes[p->hole]);
     part.writeBack(m_mesh, trial.changed);
     relink(m_mesh, m_progress.unlimited());
     m_proposals.clear();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/holes/HoleFiller.h"
+#include "mesh/holes/PatchStatistics.h"
 #include "mesh/repair/SheetThickening.h"
 
 #include <span>
@@ -19,8 +20,9 @@ struct ObstructedHole {
 struct ObstructedClosing {
   bool closed = false;
   FillMethod method = FillMethod::Fair;
-  std::size_t newFaces = 0;  // before anything was cut
-  bool isCutShort = false;   // not closed; a trial of it took too much effort, or there was none left for one
+  std::size_t newFaces = 0;    // before anything was cut
+  PatchComparison shape = {};  // of its patch before anything was cut, of several that which bends most
+  bool isCutShort = false;     // not closed; a trial of it took too much effort, or there was none left for one
   FillFailure failure = FillFailure::SheetIntersecting;  // of a sheet that was to be thickened and is not closed
 };
 

@@ -230,6 +230,7 @@ class Repairer {
       result.outcome = LoopOutcome::Filled;
       result.method = closings.holes[i].method;
       result.newFaces = closings.holes[i].newFaces;
+      result.shape = closings.holes[i].shape;
       result.milliseconds = each;
       m_results.replace(result, owners[i]);
     }
@@ -263,12 +264,12 @@ class Repairer {
   }
 
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
-    return m_reasons.beforeTrying(loop, owners, m_round == 0);
+    return m_reasons.beforeTrying(loop, owners);
   }
 
   void finish(Progress progress) {
     const bool isSpent = m_efforts.hard.isSpent() || m_efforts.tangle.isSpent();
-    m_reasons.conclude(m_results, m_mesh, {m_round == 0, isSpent}, m_report, progress.part(0.0, 0.1));
+    m_reasons.conclude(m_results, m_mesh, isSpent, m_report, progress.part(0.0, 0.1));
     m_report.reversedFaces += countReversedFaces(m_input, m_mesh, progress.part(0.1, 0.4));
     m_report.touchedVertices = touchedVertices(m_input, m_mesh, std::move(m_touchedHomes), progress.part(0.4, 1.0));
   }

@@ -43,7 +43,7 @@ struct LoopResult {
   FillFailure reason = FillFailure::None;  // when not filled
   std::size_t newFaces = 0;                // of its patches; one patch over several loops counts for each
   double milliseconds = 0.0;
-  PatchComparison shape = {};  // of a patch of its own
+  PatchComparison shape = {};  // of a patch; not known without one
 };
 
 // A boundary loop that a repair leaves, with its own reason: a loop of the input may be left in pieces.

@@ -33,6 +33,8 @@ const char* problemOf(FillFailure failure) {
       return QT_TRANSLATE_NOOP("Property", "It was cancelled.");
     case FillFailure::Rim:
       return QT_TRANSLATE_NOOP("Property", "It is the outer boundary of an open sheet.");
+    case FillFailure::WasRim:
+      return QT_TRANSLATE_NOOP("Property", "It was the outer boundary of an open sheet.");
     case FillFailure::KeptOpen:
       return QT_TRANSLATE_NOOP("Property", "It is kept open.");
     case FillFailure::TooLong:

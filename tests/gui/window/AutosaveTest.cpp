@@ -58,6 +58,24 @@ class AutosaveTest : public QObject {
     QVERIFY(second.window().isWindowModified());
   }
 
+  // However long the interval is that was chosen, what is finished is stored soon; and again with the next edit.
+  void everyEditIsStoredSoon() {
+    QSettings().setValue("autosaveSeconds", 600);
+    {
+      WindowDriver driver;
+      driver.choose("newWorkpiece");
+      QVERIFY(driver.settle());
+      driver.edit("diameter", "33");
+      QVERIFY(QTest::qWaitFor(isStored, 30000));
+      const DocumentTab* tab = driver.find<DocumentTabs>("tabRow")->current();
+      driver.edit("diameter", "34");
+      QVERIFY(tab->autosaved != tab->document.revision());
+      QVERIFY(QTest::qWaitFor([tab] { return tab->autosaved == tab->document.revision(); }, 30000));
+      QVERIFY(driver.settle());
+    }
+    QSettings().setValue("autosaveSeconds", 5);
+  }
+
   // Who does not want them back is not asked again; nor about those that cannot be read.
   void leftoversCanBeDiscarded() {
     const QString session = QString::fromStdString(recoveryFolder().string()) + "/dead";
