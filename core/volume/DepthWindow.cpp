@@ -13,7 +13,8 @@ constexpr std::array<int, 3> kSteps{1, DepthWindow::kSide, DepthWindow::kSide* D
 
 // Whether a neighbour along an axis lies within the window. place: index of a depth.
 bool hasNeighbour(int place, int axis, int direction) {
-  const int at = place / kSteps[static_cast<std::size_t>(axis)] % DepthWindow::kSide + direction;
+  static_assert(DepthWindow::kSide == 16);  // four bits of the index for each axis
+  const int at = (place >> 4 * axis & 15) + direction;
   return at >= 0 && at < DepthWindow::kSide;
 }
 
@@ -69,8 +70,13 @@ void DepthWindow::average(int reach) {
 }
 
 void DepthWindow::redistance(Beside beside) {
-  constexpr float kUnknown = 1e3f, kMost = static_cast<float>(kLimit);
+  constexpr float kUnknown = 1e3f, kWaiting = 2e3f, kMost = static_cast<float>(kLimit);
   constexpr float kLeastSlope = 0.7f;  // in thin walls differences say less than the slope is
+  const bool isInside = m_depths.front() > 0.0f;
+  if (std::all_of(m_depths.begin(), m_depths.end(), [&](float depth) { return (depth > 0.0f) == isInside; })) {
+    m_depths.fill(isInside ? kMost : -kMost);
+    return;
+  }
   Depths distances;
   distances.fill(kUnknown);
   std::vector<int> layer, next, previous;
@@ -108,10 +114,10 @@ void DepthWindow::redistance(Beside beside) {
         for (const int direction : {-1, 1}) {
           if (!hasNeighbour(place, axis, direction)) continue;
           const int to = place + direction * kSteps[static_cast<std::size_t>(axis)];
-          if (distances[static_cast<std::size_t>(to)] == kUnknown) next.push_back(to);
+          if (distances[static_cast<std::size_t>(to)] != kUnknown) continue;
+          distances[static_cast<std::size_t>(to)] = kWaiting;
+          next.push_back(to);
         }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
     std::vector<float> found(next.size());
     for (std::size_t i = 0; i < next.size(); ++i) {
       std::array<float, 3> nearest{kUnknown, kUnknown, kUnknown};
