@@ -10,6 +10,7 @@
 #include "volume/image/ImageExtremes.h"
 
 #include <tbb/parallel_for.h>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -107,10 +108,14 @@ class SampledBlock {
   // The depths beside the surface: the lesser distance from where the range ends and where the image does. Others are
   // at the limit.
   SparseVolume::Content content() const {
+    const bool isInside = m_around.front().isInside;
+    if (std::all_of(m_around.begin(), m_around.end(), [&](const Sampled& s) { return s.isInside == isInside; }))
+      return {nullptr, isInside};
     auto block = std::make_shared<VolumeBlock>();
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
       const std::size_t here = place(i & 7, i >> 3 & 7, i >> 6);
-      const double depth = std::min({toRange(here), toBorder(here), DepthWindow::kLimit});
+      const double depth =
+          isBeside(here) ? std::min({toRange(here), toBorder(here), DepthWindow::kLimit}) : DepthWindow::kLimit;
       block->depths[static_cast<std::size_t>(i)] = depthSample(m_around[here].isInside ? depth : -depth);
     }
     return contentOf(std::move(block));
@@ -124,6 +129,13 @@ class SampledBlock {
   static std::size_t place(int x, int y, int z) {
     return static_cast<std::size_t>(z + 1) * kSteps[2] + static_cast<std::size_t>(y + 1) * kSteps[1] +
            static_cast<std::size_t>(x + 1);
+  }
+
+  bool isBeside(std::size_t here) const {
+    return std::any_of(kSteps.begin(), kSteps.end(), [&](std::size_t step) {
+      return m_around[here - step].isInside != m_around[here].isInside ||
+             m_around[here + step].isInside != m_around[here].isInside;
+    });
   }
 
   // By how the values grow: to a neighbour on the other side, or from one to the other. Exact where that is linear.

@@ -163,6 +163,9 @@ Result<ImageFile> readMetaImage(std::string_view bytes, const SiblingFile& sibli
     if (!data) return data.error();
     read = metaSamples(*fields, *grid, *layout, *data);
   }
+  const auto sizes = numbersOf((*fields)["DimSize"], *axes);
+  if (read && *axes == 4 && sizes && sizes->back() > 1.0)
+    read->remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {sizes->back()}});
   if (read && !fields->has("ElementSpacing") && !fields->has("ElementSize"))
     read->remarks.push_back({ImageRemark::Kind::NoSpacing, {}});
   return read;

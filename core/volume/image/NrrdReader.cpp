@@ -168,18 +168,23 @@ struct NrrdImage {
   ImageGrid grid;
   SampleLayout layout;
   bool hasSpacing = false;
+  std::size_t images = 1;  // one after the other
 };
 
 Result<NrrdImage> imageOf(const NrrdFields& fields) {
   Result<std::vector<NrrdAxis>> axes = axesOf(fields);
   if (!axes) return axes.error();
   NrrdImage image;
-  // Of four axes one that is in no space is of a sample's parts, or else the last is of images one after the other.
-  if (axes->size() == 4 && (!axes->front().step || axes->front().size < 5)) {
+  // Of four axes a first one that is in no space, while others are, is of a sample's parts; or else the last is of
+  // images one after the other.
+  const bool isAnyInSpace =
+      std::any_of(axes->begin(), axes->end(), [](const NrrdAxis& axis) { return axis.step.has_value(); });
+  if (axes->size() == 4 && isAnyInSpace && !axes->front().step) {
     if (axes->front().size > 1000) return nrrdUnsupported("a sample of more than 1000 values");
     image.layout.perSample = axes->front().size;
     axes->erase(axes->begin());
   }
+  if (axes->size() == 4) image.images = axes->back().size;
   const bool isPlace = !fields["space origin"].empty();
   const auto origin = vectorIn(withoutInnerBlanks(fields["space origin"]));
   if (isPlace && !origin) return malformed("space origin", "it is no place");
@@ -263,6 +268,8 @@ Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling) {
     read = samplesOf(*fields, *image, *data);
   }
   if (read) read->content = (*fields)["content"];
+  if (read && image->images > 1)
+    read->remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {static_cast<double>(image->images)}});
   if (read && !image->hasSpacing) read->remarks.push_back({ImageRemark::Kind::NoSpacing, {}});
   return read;
 }

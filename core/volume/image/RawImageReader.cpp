@@ -85,8 +85,10 @@ Result<SampleLayout> rawLayout(const json& object) {
 
 bool looksLikeRawImage(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == '{' &&
-         bytes.substr(0, 1024).find("\"raw\"") != std::string_view::npos;
+  if (first == std::string_view::npos || bytes[first] != '{') return false;
+  const std::string_view start = bytes.substr(0, 1024);
+  const auto has = [&](std::string_view key) { return start.find(key) != std::string_view::npos; };
+  return has("\"raw\"") && has("\"size\"") && has("\"type\"");
 }
 
 Result<ImageFile> readRawImage(std::string_view description, const SiblingFile& sibling) {

@@ -16,7 +16,8 @@ namespace handwheel {
 // Errors: ElementMalformed {key, what is wrong}, those of imageOfBytes() and of the sibling.
 Result<ImageFile> readRawImage(std::string_view description, const SiblingFile& sibling);
 
-// Whether the first bytes are those of such a description: an object that has "raw" among its first kilobyte.
+// Whether the first bytes are those of such a description: an object that has "raw", "size" and "type" in its
+// first kilobyte.
 bool looksLikeRawImage(std::string_view bytes);
 
 }  // namespace handwheel

@@ -70,6 +70,15 @@ class MetaImageReaderTest : public QObject {
     QVERIFY(hasRemark(*file, ImageRemark::Kind::FirstOfSeveral) && hasRemark(*file, ImageRemark::Kind::NoSpacing));
   }
 
+  void inTime() {
+    const Result<ImageFile> file = readMeta(
+        "NDims = 4\nDimSize = 2 1 1 2\nElementSpacing = 1 1 1 1\nElementType = MET_UCHAR\nElementDataFile = "
+        "LOCAL\n\1\2\3\4");
+    QVERIFY(file.hasValue());
+    QCOMPARE(valuesIn(file->image), (std::vector<double>{1, 2}));
+    QVERIFY(hasRemark(*file, ImageRemark::Kind::FirstOfSeveral));
+  }
+
   void refusals_data() {
     QTest::addColumn<QByteArray>("bytes");
     const QByteArray start = "ObjectType = Image\nNDims = 3\n", end = "ElementDataFile = LOCAL\n12";

@@ -97,6 +97,12 @@ class NrrdReaderTest : public QObject {
     QVERIFY(colours.hasValue());
     QCOMPARE(valuesIn(colours->image), (std::vector<double>{1, 4}));
     QVERIFY(hasRemark(*colours, ImageRemark::Kind::FirstOfSeveral));
+    // Images one after the other: the first is read.
+    const Result<ImageFile> film =
+        read("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 1 1 3\nspacings: 1 1 1 nan\nencoding: raw\n\n\1\2\3\4\5\6");
+    QVERIFY(film.hasValue());
+    QCOMPARE(valuesIn(film->image), (std::vector<double>{1, 2}));
+    QVERIFY(hasRemark(*film, ImageRemark::Kind::FirstOfSeveral));
     const Result<ImageFile> flat = read("NRRD0001\ntype: uchar\ndimension: 2\nsizes: 2 1\nencoding: raw\n\n\1\2");
     QVERIFY(flat.hasValue());
     QCOMPARE(flat->image.grid().size, (std::array<int, 3>{2, 1, 1}));

@@ -26,6 +26,12 @@ class RawImageReaderTest : public QObject {
     QVERIFY(file->remarks.empty());
   }
 
+  void recognised() {
+    QVERIFY(looksLikeRawImage(R"( {"type": "int8", "size": [1, 1, 1], "raw": "a"})"));
+    QVERIFY(!looksLikeRawImage(R"({"type": "eggs", "raw": true})"));
+    QVERIFY(!looksLikeRawImage("solid raw size type"));
+  }
+
   void refusals_data() {
     QTest::addColumn<QByteArray>("description");
     QTest::newRow("no JSON") << QByteArray("{\"raw\": ");
