@@ -99,7 +99,8 @@ std::string changesLine(const RepairReport& repair) {
   return changes.isEmpty() ? std::string() : "Also: " + changes.toStdString() + ".\n";
 }
 
-std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& after) {
+std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& before,
+                                   const MeshReport& after) {
   std::vector<std::string> lines;
   std::size_t sheets = 0;
   const std::vector<std::string> names = namesOf(repair.loops);
@@ -139,6 +140,10 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
   if (const std::size_t pairs = after.selfIntersectingPairs.value_or(0); pairs > 0) {
     lines.push_back("The surface intersects itself: " + counted(pairs, "pair", "pairs") +
                     " of triangles intersect or overlap." + adviceOnCrossings(repair, options));
+  }
+  if (after.debris > before.debris) {
+    lines.push_back("New: " + counted(after.debris - before.debris, "piece", "pieces") + " of debris, " +
+                    std::to_string(after.debris) + " in all. Another repair with --remove-debris removes them.");
   }
   return lines;
 }

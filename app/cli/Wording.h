@@ -30,6 +30,7 @@ std::vector<std::string> damageSentences(const DocumentFile& file);
 std::string changesLine(const RepairReport& repair);
 
 // One sentence for each remaining defect. These keep the written file from being sound (MeshState).
-std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& after);
+std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& before,
+                                   const MeshReport& after);
 
 }  // namespace handwheel

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
@@ -54,7 +55,7 @@ class Bars {
     put({what, std::nan(""), std::nan(""), "SKIPPED: " + why, true});
   }
 
-  // The exit code of the program.
+  // The exit code of the program: 1 where a bar was broken, or nothing was measured although HANDWHEEL_DATA names data.
   int print() const {
     bool ok = !m_rows.empty();
     std::printf("\n%-76s %9s %9s  %s\n", "what", "bar", "measured", "ok");
@@ -70,8 +71,9 @@ class Bars {
     }
     const auto skips = std::count_if(m_rows.begin(), m_rows.end(), [](const Row& row) { return row.isSkipped; });
     if (skips > 0) std::printf("%td SKIPPED: not measured, and so not promised\n", skips);
-    if (m_rows.empty()) std::printf("nothing was measured\n");
-    return ok ? 0 : 1;
+    const bool nothing = static_cast<std::size_t>(skips) == m_rows.size();
+    if (nothing) std::printf("SKIPPED: nothing was measured\n");
+    return ok && !(nothing && std::getenv("HANDWHEEL_DATA")) ? 0 : 1;
   }
 
  private:

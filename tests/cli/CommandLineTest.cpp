@@ -43,6 +43,14 @@ class CommandLineTest : public QObject {
                                    QRegularExpression::MultilineOption);
     QCOMPARE(table.count(command), 39);
     QCOMPARE(table.count(entry), 39);
+    // The map for newcomers names each of them.
+    QFile map(QStringLiteral(SOURCE_SAMPLES "/../../ARCHITECTURE.md"));
+    QVERIFY(map.open(QIODevice::ReadOnly));
+    const QString known = QString(map.readAll()).section("subcommands: ", 1).section('\n', 0, 0) + ',';
+    for (auto match = command.globalMatch(table); match.hasNext();) {
+      const QString name = match.next().captured().trimmed();
+      QVERIFY2(known.contains(QRegularExpression("(^|, )" + name + "( \\(|,)")), qPrintable(name));
+    }
     for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
       QVERIFY2(line.startsWith(QString(22, ' ')) || command.match(line).hasMatch(), qPrintable(line));
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",

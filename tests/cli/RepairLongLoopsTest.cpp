@@ -99,8 +99,14 @@ class RepairLongLoopsTest : public QObject {
     if (!QFile::exists(scan)) QSKIP("head.stl of the package occt-misc is not installed");
     const Bench bench;
     // All holes are closed; but the scan has points at which faces touch, and not all of them can be parted.
-    QCOMPARE(bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"}).code, 2);
+    const Ran ran = bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"});
+    QCOMPARE(ran.code, 2);
     const Json report = bench.json("r.json");
+    const int debris = report.at("after").at("debris").get<int>();
+    QCOMPARE(report.at("before").at("debris").get<int>(), 0);
+    QVERIFY(debris > 1);
+    QVERIFY2(ran.err.contains("New: " + QByteArray::number(debris) + " pieces of debris"), ran.err);
+    for (const Json& loop : report.at("loops")) QCOMPARE(loop.at("bend_deg").is_null(), loop.at("new_faces") == 0);
     QVERIFY(report.at("after").at("non_manifold_vertices").get<int>() > 0);
     QVERIFY(report.at("loops").size() >= std::size_t(62));  // and what cutting lays open
     int cuts = 0;
@@ -110,10 +116,9 @@ class RepairLongLoopsTest : public QObject {
       QCOMPARE(loop.at("outcome").get<std::string>(), std::string("filled"));
     }
     QCOMPARE(cuts, 4);
-    // But the outline of a flake beside the head, which is an open sheet.
+    // But the outline of a flake beside the head, which is an open sheet; another repair would take it for a hole.
+    QVERIFY2(ran.err.contains("it was the outer boundary of an open sheet"), ran.err);
     QCOMPARE(filled(report) + 1, report.at("loops").size());
-    bench.run({"repair", "b.stl", "-o", "again.stl"});
-    QVERIFY(bench.content("again.stl") == bench.content("b.stl"));
     QVERIFY(report.at("replaced_faces").get<int>() > 0);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
+#include "Shapes.h"
 #include "TestClass.h"
 
 #include <QTest>
@@ -27,6 +28,35 @@ class TargetTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // Every format of meshes will do, archives included.
+  void aMeshInAnyFormat() {
+    Shape bar;
+    constexpr int kCorners = 90;
+    for (int i = 0; i < kCorners; ++i) {
+      const double a = 2.0 * M_PI * i / kCorners;
+      for (const double z : {0.0, 40.0}) bar.points.push_back({10 * std::cos(a), 10 * std::sin(a), z});
+    }
+    bar.points.push_back({0, 0, 0});
+    bar.points.push_back({0, 0, 40});
+    for (int i = 0; i < kCorners; ++i) {
+      const int a = 2 * i, b = 2 * ((i + 1) % kCorners), low = 2 * kCorners;
+      for (const std::array<int, 3>& t :
+           {std::array{a, b, b + 1}, {a, b + 1, a + 1}, {b, a, low}, {a + 1, b + 1, low + 1}})
+        bar.faces.push_back(t);
+    }
+    const Bench bench;
+    bench.put("bar.off", bar.off());
+    const Ran off = bench.run({"target", "bar.off"});
+    QVERIFY2(off.code == 0 && off.out.startsWith("Turned part"), off.err);
+    for (const char* name : {"bar.ply", "bar.obj", "bar.3mf"}) {
+      QCOMPARE(bench.run({"convert", "bar.off", name}).code, 0);
+      const Ran other = bench.run({"target", name});
+      QVERIFY2(other.code == 0, other.err);
+      QCOMPARE(other.out, off.out);
+      QVERIFY(bench.run({"help", "target"}).out.contains(QByteArray(name).mid(3)));
+    }
+  }
+
   void listsDimensions() {
     const Bench bench;
     bench.put("shaft.svg", kShaft);

@@ -48,7 +48,7 @@ Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Ar
   if (arguments.has("report")) delivery.report = textOf(toJson(run, request, unitOf(arguments)));
   const bool asJson = arguments.has("json");
   if (!asJson) {
-    for (std::string& sentence : leftovers(run.repair, request.options, run.after))
+    for (std::string& sentence : leftovers(run.repair, request.options, run.before, run.after))
       delivery.complaints.push_back(std::move(sentence));
     for (std::string& sentence : patchWarnings(run.repair)) delivery.complaints.push_back(std::move(sentence));
   }

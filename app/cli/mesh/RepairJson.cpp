@@ -51,8 +51,8 @@ Json toJson(const LoopResult& loop) {
       {"method", filled ? Json(methodWord(loop.method)) : Json(nullptr)},
       {"reason", filled ? Json(nullptr) : Json(reasonSentence(loop.reason))},
       {"new_faces", loop.newFaces},
-      {"bend_deg", loop.shape.bend / kRadiansPerDegree},
-      {"bend_around_deg", loop.shape.bendAround / kRadiansPerDegree},
+      {"bend_deg", loop.shape.isKnown() ? Json(loop.shape.bend / kRadiansPerDegree) : Json(nullptr)},
+      {"bend_around_deg", loop.shape.isKnown() ? Json(loop.shape.bendAround / kRadiansPerDegree) : Json(nullptr)},
       {"ms", loop.milliseconds},
   };
 }
@@ -147,7 +147,7 @@ LoopCounts loopCountsFrom(const nlohmann::json& object) {
 }
 
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
-  const std::vector<std::string> left = leftovers(run.repair, request.options, run.after);
+  const std::vector<std::string> left = leftovers(run.repair, request.options, run.before, run.after);
   Json outcome{
       {"input", request.input.string()},
       {"output", request.output.string()},

@@ -6,6 +6,7 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "document/OperationText.h"
 #include "document/workpiece/DrawingExport.h"
 #include "document/workpiece/TargetImport.h"
 #include "document/workpiece/TargetReport.h"
@@ -106,26 +107,32 @@ std::string targetText(const TargetOutcome& outcome, bool asJson) {
          placeText("too small", outcome.deviation->largestUnder);
 }
 
+std::string targetPurpose() {
+  return "Reads what a part is to become: a turned part as a mesh or in STEP, a half section, or a workpiece.\n"
+         "The name of IN ends in " +
+         choicesText(targetEndings()) +
+         ".\n"
+         "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
+         "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
+         "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
+         "y = 0 in DXF and the lowest line in SVG.";
+}
+
 }  // namespace
 
 Command targetCommand() {
-  return {
-      {"target",
-       "IN",
-       "Reads what a part is to become: a turned part in STEP, STL, OBJ, PLY or OFF, a half section in DXF or SVG, or\n"
-       "a workpiece.\n"
-       "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
-       "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
-       "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
-       "y = 0 in DXF and the lowest line in SVG.",
-       {
-           {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
-           {"output", 'o', "OUT", "The drawing or document to write"},
-           {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
-           {"json", 0, "", "Report as JSON"},
-           {"help", 'h', "", "Show this help"},
-       }},
-      runTarget};
+  static const std::string purpose = targetPurpose();
+  return {{"target",
+           "IN",
+           purpose,
+           {
+               {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
+               {"output", 'o', "OUT", "The drawing or document to write"},
+               {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
+               {"json", 0, "", "Report as JSON"},
+               {"help", 'h', "", "Show this help"},
+           }},
+          runTarget};
 }
 
 int runTarget(const Arguments& arguments, const DocumentKinds& kinds) {

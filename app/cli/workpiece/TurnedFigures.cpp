@@ -28,6 +28,11 @@ std::string roughestText(const nlohmann::json& finish) {
   return roughest < 0.0 ? std::string() : "Roughness: up to Ra " + roundedText(roughest, 3) + " µm.\n";
 }
 
+// Of newtons: four digits, without an exponent.
+std::string forceText(double newtons) {
+  return newtons < 1000.0 ? roundedText(newtons, 4) : std::to_string(std::llround(newtons));
+}
+
 }  // namespace
 
 std::string figuresAsJson(const TurnedFigures& figures) {
@@ -41,10 +46,10 @@ std::string figuresAsJson(const TurnedFigures& figures) {
 }
 
 std::string figuresAsText(const TurnedFigures& figures) {
-  std::string text =
-      "Removed: " + roundedText(figures.removed) + " mm³. Largest force: " + roundedText(figures.force, 4) +
-      " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) + " s." +
-      (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") + "\n";
+  std::string text = "Removed: " + roundedText(figures.removed) + " mm³. Largest force: " + forceText(figures.force) +
+                     " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) +
+                     " s." + (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") +
+                     "\n";
   text += roughestText(figures.finish);
   if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
   return text;

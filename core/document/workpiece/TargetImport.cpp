@@ -3,10 +3,11 @@
 #include "document/workpiece/TargetImport.h"
 
 #include "base/NumberText.h"
+#include "document/Container.h"
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "document/Utf8.h"
-#include "document/formats/MeshFormat.h"
+#include "document/formats/MeshFormatTable.h"
 #include "document/formats/step/StepReader.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "machining/refit/SampledProfile.h"
@@ -62,9 +63,9 @@ Result<ImportedTarget> fromWorkpiece(std::string_view bytes, Progress progress) 
   return ImportedTarget{std::move(section.value()), {}, {}};
 }
 
-bool isMeshName(const std::string& name) {
-  const std::optional<MeshFormat> format = formatForName(name);
-  return format && *format != MeshFormat::ThreeMf;  // an archive, as our own
+// 3MF is an archive, as our own.
+bool isMesh(std::string_view head, const std::string& name) {
+  return formatForName(name) && !looksLikeContainer(head);
 }
 
 Result<ImportedTarget> fromMesh(std::string_view bytes, const std::string& name, Progress progress) {
@@ -83,10 +84,11 @@ Result<ImportedTarget> importAny(std::string_view bytes, const std::string& name
   const std::string_view head = bytes.substr(0, kFileHead);
   const Progress reading = progress.part(0.0, 0.6), joining = progress.part(0.6, 1.0);
   if (looksLikeStep(head)) return fromStep(bytes, others, progress);
-  if (bytes.starts_with("PK")) return fromWorkpiece(bytes, progress);
+  const bool hasMesh = isMesh(head, name);
+  if (bytes.starts_with("PK") && !hasMesh) return fromWorkpiece(bytes, progress);
   if (looksLikeSvg(head)) return fromDrawing(readSvg(bytes, reading), joining);
   if (looksLikeDxf(head)) return fromDrawing(readDxf(bytes, reading), joining);
-  if (isMeshName(name)) return fromMesh(bytes, name, progress);
+  if (hasMesh) return fromMesh(bytes, name, progress);
   return Error{DocumentError::FormatUnknown, targetEndings(), {}, {}};
 }
 
@@ -107,7 +109,11 @@ Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedF
 }
 
 std::vector<std::string> targetEndings() {
-  return {".step", ".stp", ".dxf", ".svg", ".stl", ".obj", ".ply", ".off", std::string(kContainerEnding)};
+  std::vector<std::string> endings;
+  for (const MeshFormatRow& row : meshFormatTable().rows())  // STEP among them
+    endings.insert(endings.end(), row.endings.begin(), row.endings.end());
+  endings.insert(endings.end(), {".dxf", ".svg", std::string(kContainerEnding)});
+  return endings;
 }
 
 std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock) {
