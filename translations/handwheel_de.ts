@@ -1438,6 +1438,14 @@
         <source>Choose fewer cycles a second, or a part of the path.</source>
         <translation>Wählen Sie weniger Rechentakte je Sekunde oder nur einen Teil der Bahn.</translation>
     </message>
+    <message>
+        <source>nothing has a value from %1 to %2: those of the image go from %3 to %4</source>
+        <translation>nichts hat einen Wert von %1 bis %2: Die Werte des Bildes reichen von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Choose another range; bone in a CT begins at about 300.</source>
+        <translation>Wählen Sie einen anderen Bereich; Knochen beginnt in einem CT bei etwa 300.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2680,6 +2688,186 @@
     <message>
         <source>its tolerance class has no letter; give one, as in h10, H10 or js10</source>
         <translation>seine Toleranzklasse hat keinen Buchstaben; geben Sie einen an, wie in h10, H10 oder js10</translation>
+    </message>
+    <message>
+        <source>files in the folder</source>
+        <translation>Dateien im Ordner</translation>
+    </message>
+    <message>
+        <source>bytes of DICOM files</source>
+        <translation>Bytes in DICOM-Dateien</translation>
+    </message>
+    <message>
+        <source>there are no DICOM files in it</source>
+        <translation>es sind keine DICOM-Dateien darin</translation>
+    </message>
+    <message>
+        <source>a data file outside of the folder</source>
+        <translation>eine Datendatei außerhalb des Ordners</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>sie ist zu groß</translation>
+    </message>
+    <message>
+        <source>it has no grid of floats</source>
+        <translation>sie hat kein Gitter aus Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>its voxels are no cubes along the axes</source>
+        <translation>ihre Voxel sind keine Würfel entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>it bounds no material</source>
+        <translation>sie begrenzt kein Material</translation>
+    </message>
+    <message>
+        <source>it is no number that scales</source>
+        <translation>es ist keine Zahl, die skaliert</translation>
+    </message>
+    <message>
+        <source>bytes of samples</source>
+        <translation>Bytes von Abtastwerten</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>es hat keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>samples along an axis</source>
+        <translation>Abtastwerte entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>it is not finite</source>
+        <translation>es ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>it is no distance of samples</source>
+        <translation>es ist kein Abstand von Abtastwerten</translation>
+    </message>
+    <message>
+        <source>the axes lie in one plane</source>
+        <translation>die Achsen liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>the compressed data end too early</source>
+        <translation>die komprimierten Daten enden zu früh</translation>
+    </message>
+    <message>
+        <source>the compressed data are damaged</source>
+        <translation>die komprimierten Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>there are not as many numbers as it takes</source>
+        <translation>es sind nicht so viele Zahlen wie nötig</translation>
+    </message>
+    <message>
+        <source>one is no number of samples</source>
+        <translation>eine Angabe ist keine Anzahl von Abtastwerten</translation>
+    </message>
+    <message>
+        <source>it is no type of numbers</source>
+        <translation>es ist kein Zahlentyp</translation>
+    </message>
+    <message>
+        <source>it is no number of values</source>
+        <translation>es ist keine Anzahl von Werten</translation>
+    </message>
+    <message>
+        <source>it is more than there is</source>
+        <translation>es ist mehr, als vorhanden ist</translation>
+    </message>
+    <message>
+        <source>a MetaImage object other than an image</source>
+        <translation>ein anderes MetaImage-Objekt als ein Bild</translation>
+    </message>
+    <message>
+        <source>an image of other than two to four axes</source>
+        <translation>ein Bild mit anderen als zwei bis vier Achsen</translation>
+    </message>
+    <message>
+        <source>an image in several data files</source>
+        <translation>ein Bild in mehreren Datendateien</translation>
+    </message>
+    <message>
+        <source>it is no number of axes</source>
+        <translation>es ist keine Anzahl von Achsen</translation>
+    </message>
+    <message>
+        <source>an image of colours or complex numbers</source>
+        <translation>ein Bild aus Farben oder komplexen Zahlen</translation>
+    </message>
+    <message>
+        <source>it is no place behind the header</source>
+        <translation>es ist keine Stelle hinter dem Dateikopf</translation>
+    </message>
+    <message>
+        <source>an image in a pair of .hdr and .img</source>
+        <translation>ein Bild in einem Paar aus .hdr und .img</translation>
+    </message>
+    <message>
+        <source>there is not one for each axis</source>
+        <translation>es gibt nicht für jede Achse eine Angabe</translation>
+    </message>
+    <message>
+        <source>one is no vector in space</source>
+        <translation>eine Angabe ist kein Vektor im Raum</translation>
+    </message>
+    <message>
+        <source>a sample of more than 1000 values</source>
+        <translation>ein Abtastwert aus mehr als 1000 Werten</translation>
+    </message>
+    <message>
+        <source>it is no number of lines</source>
+        <translation>es ist keine Anzahl von Zeilen</translation>
+    </message>
+    <message>
+        <source>an encoding other than raw, gzip or text</source>
+        <translation>eine andere Kodierung als raw, gzip oder text</translation>
+    </message>
+    <message>
+        <source>it is not three numbers</source>
+        <translation>es sind nicht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>it is no number</source>
+        <translation>es ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it is not three numbers of samples</source>
+        <translation>es sind nicht drei Anzahlen von Abtastwerten</translation>
+    </message>
+    <message>
+        <source>it is not three vectors</source>
+        <translation>es sind nicht drei Vektoren</translation>
+    </message>
+    <message>
+        <source>it is neither little nor big</source>
+        <translation>es ist weder little noch big</translation>
+    </message>
+    <message>
+        <source>its slices are too far apart</source>
+        <translation>ihre Schichten liegen zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>the file contains no image in grey</source>
+        <translation>die Datei enthält kein Graustufenbild</translation>
+    </message>
+    <message>
+        <source>its slices do not lie along one line</source>
+        <translation>ihre Schichten liegen nicht entlang einer Linie</translation>
+    </message>
+    <message>
+        <source>it is no grid of samples</source>
+        <translation>es ist kein Gitter von Abtastwerten</translation>
+    </message>
+    <message>
+        <source>the pixels of a slice cannot be unpacked</source>
+        <translation>die Pixel einer Schicht lassen sich nicht entpacken</translation>
     </message>
 </context>
 <context>
@@ -4482,6 +4670,54 @@
     <message>
         <source>The numbered columns are the points of these criteria:</source>
         <translation>Die nummerierten Spalten sind die Punkte für diese Kriterien:</translation>
+    </message>
+    <message>
+        <source>The file does not say how far its samples are apart: 1 mm is taken.</source>
+        <translation>Die Datei gibt den Abstand ihrer Abtastwerte nicht an: 1 mm wird angenommen.</translation>
+    </message>
+    <message>
+        <source>Samples that are no numbers count as the least value (%1).</source>
+        <translation>Abtastwerte, die keine Zahlen sind, zählen als kleinster Wert (%1).</translation>
+    </message>
+    <message>
+        <source>Of several values or images (%1) the first is read.</source>
+        <translation>Von mehreren Werten oder Bildern (%1) wird das erste gelesen.</translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1° against the way that they follow each other; that is corrected.</source>
+        <translation>Die Schichten sind um %1° gegen die Richtung geneigt, in der sie aufeinanderfolgen; das wird korrigiert.</translation>
+    </message>
+    <message>
+        <source>The slices are from %1 to %2 mm apart; even ones were put between them.</source>
+        <translation>Die Schichten liegen %1 bis %2 mm auseinander; gleichmäßige wurden dazwischengelegt.</translation>
+    </message>
+    <message>
+        <source>Slices are missing (%1); those beside fill their places.</source>
+        <translation>Schichten fehlen (%1); die benachbarten füllen ihre Stellen.</translation>
+    </message>
+    <message>
+        <source>Slices of other series are left out (%1).</source>
+        <translation>Schichten anderer Serien werden ausgelassen (%1).</translation>
+    </message>
+    <message>
+        <source>Slices in the place of another are left out (%1).</source>
+        <translation>Schichten an der Stelle einer anderen werden ausgelassen (%1).</translation>
+    </message>
+    <message>
+        <source>Files that are no images in grey, or damaged, are left out (%1).</source>
+        <translation>Dateien, die keine Graustufenbilder sind oder beschädigt sind, werden ausgelassen (%1).</translation>
+    </message>
+    <message>
+        <source>Values from %1 on are taken as material: that parts the image best. &apos;handwheel segment&apos; takes any other range.</source>
+        <translation>Werte ab %1 gelten als Material: Das teilt das Bild am besten. „handwheel segment“ nimmt jeden anderen Bereich.</translation>
+    </message>
+    <message>
+        <source>The file holds densities: what is denser than a half is material.</source>
+        <translation>Die Datei enthält Dichten: Was dichter als einhalb ist, ist Material.</translation>
+    </message>
+    <message>
+        <source>Further grids of the file are left out (%1).</source>
+        <translation>Weitere Gitter der Datei werden ausgelassen (%1).</translation>
     </message>
 </context>
 <context>
@@ -6491,6 +6727,18 @@
         <source>Verification</source>
         <translation>Prüfung</translation>
     </message>
+    <message>
+        <source>It was the outer boundary of an open sheet.</source>
+        <translation>Es war der Außenrand einer offenen Fläche.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Largest parts</source>
+        <translation>Größte Teile</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -7019,6 +7267,10 @@
     <message>
         <source>the effort that a mesh of this size allows was used up</source>
         <translation>der Aufwand, den ein Netz dieser Größe zulässt, war verbraucht</translation>
+    </message>
+    <message>
+        <source>it was the outer boundary of an open sheet, which has been changed so that it looks like a hole now</source>
+        <translation>es war der Außenrand einer offenen Fläche, die so geändert wurde, dass er jetzt wie ein Loch aussieht</translation>
     </message>
 </context>
 <context>
@@ -8121,6 +8373,10 @@
     <message>
         <source>Turning pass %1</source>
         <translation>Drehschnitt %1</translation>
+    </message>
+    <message>
+        <source>Segment image</source>
+        <translation>Bild segmentieren</translation>
     </message>
 </context>
 <context>
@@ -11948,10 +12204,6 @@
         <translation> s</translation>
     </message>
     <message>
-        <source>Every</source>
-        <translation>Alle</translation>
-    </message>
-    <message>
         <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
         <translation>Die Kopie liegt neben Ihren Dateien und ersetzt sie nie; nach einem Absturz wird sie Ihnen angeboten.</translation>
     </message>
@@ -11998,6 +12250,14 @@
     <message>
         <source>Spindle and cut, from speed, feed, force and wear. Louder means more force; a deep tone means chatter.</source>
         <translation>Spindel und Schnitt, aus Drehzahl, Vorschub, Kraft und Verschleiß. Lauter heißt mehr Kraft; ein tiefer Ton heißt Rattern.</translation>
+    </message>
+    <message>
+        <source>At the latest after</source>
+        <translation>Spätestens nach</translation>
+    </message>
+    <message>
+        <source>It is made within a second after each edit, less often where that takes long.</source>
+        <translation>Sie wird innerhalb einer Sekunde nach jeder Änderung angelegt, seltener, wo das lange dauert.</translation>
     </message>
 </context>
 <context>

@@ -1437,6 +1437,14 @@
         <source>Choose fewer cycles a second, or a part of the path.</source>
         <translation>请减少每秒周期数，或只取路径的一部分。</translation>
     </message>
+    <message>
+        <source>nothing has a value from %1 to %2: those of the image go from %3 to %4</source>
+        <translation>没有任何部分的值在 %1 至 %2 之间：图像的值为 %3 至 %4</translation>
+    </message>
+    <message>
+        <source>Choose another range; bone in a CT begins at about 300.</source>
+        <translation>请选择其他范围；CT 中骨骼约从 300 开始。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2679,6 +2687,186 @@
     <message>
         <source>its tolerance class has no letter; give one, as in h10, H10 or js10</source>
         <translation>其公差带代号没有字母；请给出字母，如 h10、H10 或 js10</translation>
+    </message>
+    <message>
+        <source>files in the folder</source>
+        <translation>文件夹中的文件</translation>
+    </message>
+    <message>
+        <source>bytes of DICOM files</source>
+        <translation>DICOM 文件的字节</translation>
+    </message>
+    <message>
+        <source>there are no DICOM files in it</source>
+        <translation>其中没有 DICOM 文件</translation>
+    </message>
+    <message>
+        <source>a data file outside of the folder</source>
+        <translation>文件夹之外的数据文件</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>过大</translation>
+    </message>
+    <message>
+        <source>it has no grid of floats</source>
+        <translation>没有浮点数网格</translation>
+    </message>
+    <message>
+        <source>its voxels are no cubes along the axes</source>
+        <translation>其体素不是沿坐标轴的立方体</translation>
+    </message>
+    <message>
+        <source>it bounds no material</source>
+        <translation>未围成任何材料</translation>
+    </message>
+    <message>
+        <source>it is no number that scales</source>
+        <translation>不是可用于缩放的数字</translation>
+    </message>
+    <message>
+        <source>bytes of samples</source>
+        <translation>采样点的字节</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>it has no samples</source>
+        <translation>没有采样点</translation>
+    </message>
+    <message>
+        <source>samples along an axis</source>
+        <translation>沿单个轴的采样点</translation>
+    </message>
+    <message>
+        <source>it is not finite</source>
+        <translation>不是有限值</translation>
+    </message>
+    <message>
+        <source>it is no distance of samples</source>
+        <translation>不是采样点的间距</translation>
+    </message>
+    <message>
+        <source>the axes lie in one plane</source>
+        <translation>各轴位于同一平面内</translation>
+    </message>
+    <message>
+        <source>the compressed data end too early</source>
+        <translation>压缩数据提前结束</translation>
+    </message>
+    <message>
+        <source>the compressed data are damaged</source>
+        <translation>压缩数据已损坏</translation>
+    </message>
+    <message>
+        <source>there are not as many numbers as it takes</source>
+        <translation>数字的个数不足</translation>
+    </message>
+    <message>
+        <source>one is no number of samples</source>
+        <translation>其中一个不是采样点的数目</translation>
+    </message>
+    <message>
+        <source>it is no type of numbers</source>
+        <translation>不是数字的类型</translation>
+    </message>
+    <message>
+        <source>it is no number of values</source>
+        <translation>不是值的数目</translation>
+    </message>
+    <message>
+        <source>it is more than there is</source>
+        <translation>超出实际所有</translation>
+    </message>
+    <message>
+        <source>a MetaImage object other than an image</source>
+        <translation>非图像的 MetaImage 对象</translation>
+    </message>
+    <message>
+        <source>an image of other than two to four axes</source>
+        <translation>轴数不是二至四的图像</translation>
+    </message>
+    <message>
+        <source>an image in several data files</source>
+        <translation>分为多个数据文件的图像</translation>
+    </message>
+    <message>
+        <source>it is no number of axes</source>
+        <translation>不是轴的数目</translation>
+    </message>
+    <message>
+        <source>an image of colours or complex numbers</source>
+        <translation>彩色或复数图像</translation>
+    </message>
+    <message>
+        <source>it is no place behind the header</source>
+        <translation>不是文件头之后的位置</translation>
+    </message>
+    <message>
+        <source>an image in a pair of .hdr and .img</source>
+        <translation>由一对 .hdr 和 .img 文件组成的图像</translation>
+    </message>
+    <message>
+        <source>there is not one for each axis</source>
+        <translation>并非每个轴各有一个</translation>
+    </message>
+    <message>
+        <source>one is no vector in space</source>
+        <translation>其中一个不是空间向量</translation>
+    </message>
+    <message>
+        <source>a sample of more than 1000 values</source>
+        <translation>超过 1000 个值的采样点</translation>
+    </message>
+    <message>
+        <source>it is no number of lines</source>
+        <translation>不是行的数目</translation>
+    </message>
+    <message>
+        <source>an encoding other than raw, gzip or text</source>
+        <translation>raw、gzip 或 text 以外的编码</translation>
+    </message>
+    <message>
+        <source>it is not three numbers</source>
+        <translation>不是三个数字</translation>
+    </message>
+    <message>
+        <source>it is no number</source>
+        <translation>不是数字</translation>
+    </message>
+    <message>
+        <source>it is not three numbers of samples</source>
+        <translation>不是三个采样点数目</translation>
+    </message>
+    <message>
+        <source>it is not three vectors</source>
+        <translation>不是三个向量</translation>
+    </message>
+    <message>
+        <source>it is neither little nor big</source>
+        <translation>既不是 little 也不是 big</translation>
+    </message>
+    <message>
+        <source>its slices are too far apart</source>
+        <translation>其切片间距过大</translation>
+    </message>
+    <message>
+        <source>the file contains no image in grey</source>
+        <translation>文件中没有灰度图像</translation>
+    </message>
+    <message>
+        <source>its slices do not lie along one line</source>
+        <translation>其切片不在一条直线上</translation>
+    </message>
+    <message>
+        <source>it is no grid of samples</source>
+        <translation>不是采样点网格</translation>
+    </message>
+    <message>
+        <source>the pixels of a slice cannot be unpacked</source>
+        <translation>无法解压切片的像素</translation>
     </message>
 </context>
 <context>
@@ -4474,6 +4662,54 @@
     <message>
         <source>The numbered columns are the points of these criteria:</source>
         <translation>带编号的各列为以下评分项的得分：</translation>
+    </message>
+    <message>
+        <source>The file does not say how far its samples are apart: 1 mm is taken.</source>
+        <translation>文件未注明采样点间距：按 1 mm 处理。</translation>
+    </message>
+    <message>
+        <source>Samples that are no numbers count as the least value (%1).</source>
+        <translation>非数字的采样点按最小值处理（%1）。</translation>
+    </message>
+    <message>
+        <source>Of several values or images (%1) the first is read.</source>
+        <translation>有多个值或图像（%1），只读取第一个。</translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1° against the way that they follow each other; that is corrected.</source>
+        <translation>切片相对其排列方向倾斜 %1°；已校正。</translation>
+    </message>
+    <message>
+        <source>The slices are from %1 to %2 mm apart; even ones were put between them.</source>
+        <translation>切片间距为 %1 至 %2 mm；已在其间插值为等间距切片。</translation>
+    </message>
+    <message>
+        <source>Slices are missing (%1); those beside fill their places.</source>
+        <translation>缺少切片（%1）；已用相邻切片填补。</translation>
+    </message>
+    <message>
+        <source>Slices of other series are left out (%1).</source>
+        <translation>已略去其他序列的切片（%1）。</translation>
+    </message>
+    <message>
+        <source>Slices in the place of another are left out (%1).</source>
+        <translation>已略去与其他切片位置重复的切片（%1）。</translation>
+    </message>
+    <message>
+        <source>Files that are no images in grey, or damaged, are left out (%1).</source>
+        <translation>已略去非灰度图像或已损坏的文件（%1）。</translation>
+    </message>
+    <message>
+        <source>Values from %1 on are taken as material: that parts the image best. &apos;handwheel segment&apos; takes any other range.</source>
+        <translation>从 %1 起的值视为材料：这样能最好地分割图像。“handwheel segment”可采用任意其他范围。</translation>
+    </message>
+    <message>
+        <source>The file holds densities: what is denser than a half is material.</source>
+        <translation>文件包含密度：密度大于二分之一处为材料。</translation>
+    </message>
+    <message>
+        <source>Further grids of the file are left out (%1).</source>
+        <translation>已略去文件中的其他网格（%1）。</translation>
     </message>
 </context>
 <context>
@@ -6482,6 +6718,18 @@
         <source>Verification</source>
         <translation>验证</translation>
     </message>
+    <message>
+        <source>It was the outer boundary of an open sheet.</source>
+        <translation>这曾是开放曲面的外边界。</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Largest parts</source>
+        <translation>最大的部分</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6973,6 +7221,10 @@
     <message>
         <source>the effort that a mesh of this size allows was used up</source>
         <translation>此大小的网格所允许的计算量已用完</translation>
+    </message>
+    <message>
+        <source>it was the outer boundary of an open sheet, which has been changed so that it looks like a hole now</source>
+        <translation>这曾是开放曲面的外边界，更改后现在看起来像孔洞</translation>
     </message>
 </context>
 <context>
@@ -8075,6 +8327,10 @@
     <message>
         <source>Turning pass %1</source>
         <translation>车削走刀 %1</translation>
+    </message>
+    <message>
+        <source>Segment image</source>
+        <translation>分割图像</translation>
     </message>
 </context>
 <context>
@@ -11871,10 +12127,6 @@
         <translation> 秒</translation>
     </message>
     <message>
-        <source>Every</source>
-        <translation>每隔</translation>
-    </message>
-    <message>
         <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
         <translation>副本与您的文件分开保存，绝不覆盖；崩溃后会提供恢复。</translation>
     </message>
@@ -11921,6 +12173,14 @@
     <message>
         <source>Spindle and cut, from speed, feed, force and wear. Louder means more force; a deep tone means chatter.</source>
         <translation>主轴与切削的声音，取决于转速、进给、力和磨损。声音越大表示力越大；低沉的音调表示颤振。</translation>
+    </message>
+    <message>
+        <source>At the latest after</source>
+        <translation>最迟间隔</translation>
+    </message>
+    <message>
+        <source>It is made within a second after each edit, less often where that takes long.</source>
+        <translation>每次编辑后一秒内生成副本；若耗时较长，则降低频率。</translation>
     </message>
 </context>
 <context>
