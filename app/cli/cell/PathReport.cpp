@@ -48,6 +48,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
       {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
       {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
       {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
+  if (!checked.partMoved.empty()) json["part_moved"] = checked.partMoved;
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
   return json;
 }
@@ -67,6 +68,8 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; all this is about where it stands now\n";
+  if (!checked.partMoved.empty())
+    text += "the part " + checked.partMoved + " has moved since the path was planned along it: plan it again\n";
   for (const PathCollision& each : checked.verification.collisions) {
     const auto [link, other] = scene.namesOf(each.deepest);
     text += "motion to place " + std::to_string(checked.placeOf(each.motion) + 1) + ", " + share(each.from) + " to " +

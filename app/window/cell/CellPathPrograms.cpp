@@ -106,16 +106,17 @@ void CellPaths::exportProgram(const Post& post, const QString& file) {
   job.failed = [this](const Error& error) { report(error); };
   job.work = [this, scene, known, plans = cell().plans(), path = *path(), &post, file](Progress) -> Job::Finish {
     auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString());
-    return [this, &post, file, written = std::move(written)] {
+    return [this, &post, file, partMoved = known->partMoved, written = std::move(written)] {
       if (!m_document) return;
       if (!written) return report(written.error());
-      reportWritten(*written, post, file);
+      reportWritten(*written, post, file, QString::fromStdString(partMoved));
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, const QString& file) {
+void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, const QString& file,
+                              const QString& partMoved) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
                        .arg(locale.toString(written.check.distance, 'g', 2));
@@ -128,7 +129,11 @@ void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, c
     detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")
                                      .arg(QLatin1String(post.title()), QString::fromStdString(written.otherRobot));
   }
-  emit message({isOther ? Message::Weight::Warning : Message::Weight::Info,
+  if (!partMoved.isEmpty()) {
+    detail += QLatin1Char(' ') +
+              tr("It leads along the curve where %1 was when it was planned: plan the path again.").arg(partMoved);
+  }
+  emit message({isOther || !partMoved.isEmpty() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),
                 detail,
                 {},

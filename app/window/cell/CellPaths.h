@@ -109,7 +109,7 @@ class CellPaths : public QObject {
   void askForProgram();
   void exportAs(const QString& file, const Post& chosen);
   void exportProgram(const Post& post, const QString& file);
-  void reportWritten(const WrittenProgram& written, const Post& post, const QString& file);
+  void reportWritten(const WrittenProgram& written, const Post& post, const QString& file, const QString& partMoved);
   void importProgram(const QString& file);
   void verify();
   void verifyAgain();

@@ -44,6 +44,8 @@ class Words {
     const CheckedPath& checked = *result.checked;
     if (checked.way.stopsAt) return tr("line cannot be followed, %1").arg(time(result));
     if (!checked.isCertified()) return tr("%1, %2").arg(collisions(checked), time(result));
+    if (!checked.partMoved.empty())
+      return tr("plan again: %1 has moved").arg(QString::fromStdString(checked.partMoved));
     const QString known = tr("%1, %2").arg(clearanceText(checked, m_unit, m_locale), time(result));
     return moved(checked, result.hasShapeless ? tr("free but for links without meshes, %1").arg(known)
                                               : tr("free, %1").arg(known));
@@ -68,6 +70,10 @@ class Words {
                                     "joints.")
                                      .arg(*checked.way.stopsAt + 1)};
     if (!checked.isCertified()) return lines + result.collisions;
+    if (!checked.partMoved.empty()) {
+      lines += tr("It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.")
+                   .arg(QString::fromStdString(checked.partMoved));
+    }
     const double kept = result.basis.clearance;
     lines += kept > 0.0 ? tr("Every motion is proven to keep %1 from everything.")
                               .arg(quantityText(kept, Quantity::Length, m_unit, m_locale))
@@ -122,7 +128,8 @@ PathRemark remarkOf(const PathChecks::State& state, const RobotPath& path, Lengt
     const QString text = Words::notSince(state.change);
     return plain(text, text + QLatin1Char('\n') + Words::tr("Before: %1").arg(found), "info");
   }
-  const bool isFree = state.last->checked && state.last->checked->isCertified();
+  const bool isFree =
+      state.last->checked && state.last->checked->isCertified() && state.last->checked->partMoved.empty();
   return {words.shortly(*state.last), found, (QStringList{found} + words.details(*state.last)).join('\n'),
           isFree ? QStringLiteral("ok") : QStringLiteral("warning")};
 }

@@ -93,7 +93,7 @@ Json processJson(const PathProcess& process) {
   Json values = Json::object();
   for (const auto& [name, value] : process.values)
     std::visit([&, &key = name](const auto& known) { values[key] = known; }, value);
-  return {{"values", values}, {"part", numbersOfPose(process.part)}};
+  return {{"values", values}, {"part", numbersOfPose(process.part)}, {"planned", numbersOfPose(process.planned)}};
 }
 
 // As numbersOfPose() writes it; none where that is no rigid one.
@@ -119,6 +119,7 @@ std::optional<PathProcess> processFrom(const Json& json) {
   if (!part) return std::nullopt;
   PathProcess process;
   process.part = *part;
+  process.planned = poseAt(json, "planned").value_or(*part);
   for (const auto& [name, value] : values->items()) {
     if (value.is_boolean()) process.values[name] = value.get<bool>();
     if (value.is_number()) process.values[name] = value.get<double>();

@@ -43,7 +43,7 @@ bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
 }
 
 bool PathProcess::operator==(const PathProcess& other) const {
-  return values == other.values && part.matrix() == other.part.matrix();
+  return values == other.values && part.matrix() == other.part.matrix() && planned.matrix() == other.planned.matrix();
 }
 
 bool RobotPath::operator==(const RobotPath& other) const {

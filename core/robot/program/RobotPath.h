@@ -34,7 +34,8 @@ struct PathProcess {
   using Value = std::variant<double, bool, std::string>;
 
   std::map<std::string, Value> values;  // of the operation "process", by its parameters; those that are not standard
-  Pose part = Pose::Identity();         // of the part, in the frame of the base, when they were chosen
+  Pose part = Pose::Identity();         // of the part, in the frame of the base, when they were chosen,
+  Pose planned = part;                  // and when the path was planned last
 
   bool operator==(const PathProcess& other) const;
 };

@@ -7,6 +7,7 @@
 #include "planning/CartesianLine.h"
 #include "robot/dh/DhTable.h"
 #include "tools/cell/PathBlends.h"
+#include "tools/cell/ProcessOperation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,7 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   }
   CheckedPath checked;
   checked.robotsMoved = scene.robotsElsewhere(path);
+  if (path.process) checked.partMoved = partElsewhere(scene, *path.process);
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;

@@ -181,8 +181,8 @@ std::vector<ToolAction> TurnTool::actions() const {
           {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the pass"), m_gesture.isOn()}};
 }
 
-// Diameter and height at the point of the nose that is deepest in the material, and how deep that is below the surface
-// before the pass.
+// Diameter and height of the theoretical corner of the tool, which is at the work and at the chuck's side of its nose:
+// where a shoulder comes to be. And how deep the nose is below the surface before the pass.
 std::optional<ToolLabel> TurnTool::label() const {
   if (!m_place) return std::nullopt;
   const WorkpieceSnapshot& workpiece = m_document.workpiece();
@@ -191,7 +191,7 @@ std::optional<ToolLabel> TurnTool::label() const {
   const double r = std::max(0.0, centre - sideways(m_tool.side, m_tool.noseRadius));
   const double z = m_place->z() - base(), near = 0.5 * stock.diameter;
   if (r > 0.5 * stock.diameter + near || z < -near || z > stock.length + near) return std::nullopt;
-  ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z}}};
+  ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z - m_tool.noseRadius}}};
   if (z >= 0.0 && z <= stock.length)
     label.figures.push_back({"", std::min(0.0, sideways(m_tool.side, r - radiusAt(workpiece, z, m_tool.side)))});
   if (m_start.largestFeed > 0.0 && m_gesture.isOn()) label.figures.push_back({"f", state()->fastest});

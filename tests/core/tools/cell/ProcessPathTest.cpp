@@ -22,6 +22,7 @@ class BlockCell {
     m_block = m_cell.addBox({100, 100, 60}, {350, 0, 230});
   }
   RobotCellDocument& document() { return m_cell.document(); }
+  auto scene() { return m_cell.scene(); }
   Body block() { return *document().bodies().withId(m_block); }
   Result<PlannedPath> planned(const OperationValues& values, const std::optional<Pose>& chosenAt = {}) {
     const Body body = block();
@@ -88,7 +89,22 @@ class ProcessPathTest : public QObject {
     for (std::size_t i = 0; i < old.size(); ++i)
       QVERIFY(((by * old[i]).matrix() - tools[i].matrix()).cwiseAbs().maxCoeff() < kSame);
     // It keeps where it was chosen: again and again nothing creeps.
-    QVERIFY(*after->path.process == process);
+    QVERIFY(after->path.process->part.isApprox(process.part, kSame));
+    QVERIFY(after->path.process->values == process.values);
+    QVERIFY(after->path.process->planned.isApprox(by * process.planned, kSame));
+  }
+
+  // A path along a part that has moved since does not meet its curve any more, and that is said; planned again it does.
+  void aPartThatHasMoved() {
+    BlockCell cell;
+    const auto before = cell.planned(valuesAlong(kAlongEdge));
+    QVERIFY(before.hasValue());
+    QCOMPARE(partElsewhere(*cell.scene(), *before->path.process), std::string());
+    cell.moveBlock(Pose(Eigen::Translation3d(10, 0, 0)));
+    QVERIFY(!partElsewhere(*cell.scene(), *before->path.process).empty());
+    const auto after = cell.planned(valuesOf(*before->path.process), before->path.process->part);
+    QVERIFY(after.hasValue());
+    QCOMPARE(partElsewhere(*cell.scene(), *after->path.process), std::string());
   }
 
   void valuesComeBack() {

@@ -102,7 +102,7 @@ class TurningWindowTest : public QObject {
       const Vec3 nose = turning.placeOf(beside);
       const QString format = QStringLiteral("⌀ %1 %4  Z %2 %4  %3 %4");
       const auto number = [&](double mm) { return QLocale().toString(mm / perUnit, 'f', digits); };
-      return format.arg(number(2.0 * (nose.x() - 1.0)), number(nose.z()), number(0.0), QString::fromLatin1(unit));
+      return format.arg(number(2.0 * (nose.x() - 1.0)), number(nose.z() - 1.0), number(0.0), QString::fromLatin1(unit));
     };
     const auto shown = [label] { return label->text().replace(QChar::Nbsp, QLatin1Char(' ')); };
     QTest::mouseMove(turning.view, beside);
