@@ -247,7 +247,7 @@ std::vector<StartAction> MeshUi::startActions() const {
   return {{QStringLiteral("openSample"), tr("Open the &sample scan"), tr("Open the sample scan"),
            QStringLiteral("repair"), kScanSample,
            StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a sample scan"),
-                     tr("Opens a sample scan with holes. Press Enter to close the first one.")}}};
+                     tr("Opens a sample scan with holes. Press N to see the first one, then Enter to close it.")}}};
 }
 
 std::vector<ToolDescriptor> MeshUi::tools() {

@@ -159,8 +159,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
   if (isWorthSaving(document)) {
     details << comparison(inspection) << otherFindings(inspection, Compared::Yes);
     step.actions.push_back(actions.saveAs);
-    if (turned > 0)
-      details << NextStepsWords::tr("%Ln triangle(s) had the wrong orientation and were reversed.", nullptr, turned);
+    if (turned > 0) details << NextStepsWords::tr("%Ln triangle(s) reversed on opening.", nullptr, turned);
   } else {
     details << otherFindings(inspection, Compared::No) << savedAs(document);
     if (!document.written && state.isSound() && inspection.debris().empty())

@@ -14,7 +14,8 @@ const char* reasonOf(OpenMeshRefusal refusal) {
       return QT_TRANSLATE_NOOP(
           "Tool", "OpenMesh does not support two edges between the same vertices, as on one-sided surfaces");
     case OpenMeshRefusal::BackToBack:
-      return QT_TRANSLATE_NOOP("Tool", "OpenMesh does not support two triangles back to back: remove debris first");
+      return QT_TRANSLATE_NOOP(
+          "Tool", "OpenMesh does not support two triangles back to back: remove duplicate triangles first");
     case OpenMeshRefusal::Seam:
       return QT_TRANSLATE_NOOP("Tool", "more than two triangles share an edge: the surface would tear there");
     case OpenMeshRefusal::Hub:

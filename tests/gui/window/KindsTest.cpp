@@ -77,6 +77,22 @@ class KindsTest : public QObject {
     }
   }
 
+  // "Press N to see the first one, then Enter to close it."
+  void theScanTileDoesWhatItSays() {
+    WindowDriver driver;
+    driver.click("sampleTile");
+    QVERIFY(driver.settle());
+    const int before = driver.count(DefectKind::Hole);
+    QVERIFY(before > 0);
+    auto* view = driver.find<Viewport>("viewport");
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_N);
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QAction>("fillHole")->isEnabled());
+    QTest::keyClick(view, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), before - 1, kPatienceMs);
+  }
+
   void aRobotMovesByItsSliders() {
     WindowDriver driver;
     driver.choose("openRobotSample");
