@@ -4272,13 +4272,6 @@
         <source>No holes remain except those kept open.</source>
         <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) had the wrong orientation and were reversed.</source>
-        <translation>
-            <numerusform>%Ln Dreieck war falsch orientiert und wurde umgekehrt.</numerusform>
-            <numerusform>%Ln Dreiecke waren falsch orientiert und wurden umgekehrt.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Some defects remain.</source>
         <translation>Einige Fehler sind übrig.</translation>
@@ -4311,6 +4304,13 @@
     <message>
         <source>The self-intersections stay: %1.</source>
         <translation>Die Selbstdurchdringungen bleiben: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) reversed on opening.</source>
+        <translation>
+            <numerusform>%Ln Dreieck beim Öffnen umgedreht.</numerusform>
+            <numerusform>%Ln Dreiecke beim Öffnen umgedreht.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4852,6 +4852,14 @@
     <message>
         <source>Before: %1</source>
         <translation>Zuvor: %1</translation>
+    </message>
+    <message>
+        <source>plan again: %1 has moved</source>
+        <translation>neu planen: %1 wurde bewegt</translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.</source>
+        <translation>Sie führt entlang der Kurve, wo %1 beim Planen stand. Neu geplant folgt sie dem Teil.</translation>
     </message>
 </context>
 <context>
@@ -7919,10 +7927,6 @@
         <translation>OpenMesh unterstützt keine zwei Kanten zwischen denselben Eckpunkten, wie auf einseitigen Flächen</translation>
     </message>
     <message>
-        <source>OpenMesh does not support two triangles back to back: remove debris first</source>
-        <translation>OpenMesh unterstützt keine zwei Dreiecke Rücken an Rücken: Entfernen Sie zuerst Bruchstücke</translation>
-    </message>
-    <message>
         <source>more than two triangles share an edge: the surface would tear there</source>
         <translation>mehr als zwei Dreiecke teilen eine Kante: Dort würde die Oberfläche reißen</translation>
     </message>
@@ -8377,6 +8381,10 @@
     <message>
         <source>Segment image</source>
         <translation>Bild segmentieren</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two triangles back to back: remove duplicate triangles first</source>
+        <translation>OpenMesh unterstützt keine zwei Dreiecke Rücken an Rücken: zuerst doppelte Dreiecke entfernen</translation>
     </message>
 </context>
 <context>
@@ -9395,6 +9403,10 @@
     <message>
         <source>Select the robot that the file is of, and read it again.</source>
         <translation>Wählen Sie den Roboter, zu dem die Datei gehört, und lesen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned: plan the path again.</source>
+        <translation>Es führt entlang der Kurve, wo %1 beim Planen stand: die Bahn neu planen.</translation>
     </message>
 </context>
 <context>
@@ -11841,10 +11853,6 @@
         <translation>Beispielscan reparieren</translation>
     </message>
     <message>
-        <source>Opens a sample scan with holes. Press Enter to close the first one.</source>
-        <translation>Öffnet einen Beispielscan mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
-    </message>
-    <message>
         <source>Hole &amp;boundaries</source>
         <translation>Loc&amp;hränder</translation>
     </message>
@@ -11875,6 +11883,10 @@
     <message>
         <source>Refine the whole mesh by a subdivision scheme, including open edges</source>
         <translation>Das ganze Netz nach einem Unterteilungsschema verfeinern, auch an offenen Kanten</translation>
+    </message>
+    <message>
+        <source>Opens a sample scan with holes. Press N to see the first one, then Enter to close it.</source>
+        <translation>Öffnet einen Beispiel-Scan mit Löchern. N zeigt das erste, die Eingabetaste schließt es.</translation>
     </message>
 </context>
 <context>

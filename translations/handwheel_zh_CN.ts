@@ -4268,12 +4268,6 @@
         <source>No holes remain except those kept open.</source>
         <translation>除保持开放的以外，已无孔洞。</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) had the wrong orientation and were reversed.</source>
-        <translation>
-            <numerusform>%Ln 个三角形方向错误，已反转。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Some defects remain.</source>
         <translation>仍有一些缺陷。</translation>
@@ -4303,6 +4297,12 @@
     <message>
         <source>The self-intersections stay: %1.</source>
         <translation>自相交仍然存在：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) reversed on opening.</source>
+        <translation>
+            <numerusform>打开时翻转了 %Ln 个三角形。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4843,6 +4843,14 @@
     <message>
         <source>Before: %1</source>
         <translation>此前：%1</translation>
+    </message>
+    <message>
+        <source>plan again: %1 has moved</source>
+        <translation>请重新规划：%1 已移动</translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.</source>
+        <translation>它沿规划时 %1 所在位置的曲线。重新规划后，它会跟随零件。</translation>
     </message>
 </context>
 <context>
@@ -7873,10 +7881,6 @@
         <translation>OpenMesh 不支持同一对顶点之间有两条边，例如单侧曲面</translation>
     </message>
     <message>
-        <source>OpenMesh does not support two triangles back to back: remove debris first</source>
-        <translation>OpenMesh 不支持背靠背的两个三角形：请先移除碎片</translation>
-    </message>
-    <message>
         <source>more than two triangles share an edge: the surface would tear there</source>
         <translation>有一条边被两个以上三角形共用：表面会在该处撕裂</translation>
     </message>
@@ -8331,6 +8335,10 @@
     <message>
         <source>Segment image</source>
         <translation>分割图像</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two triangles back to back: remove duplicate triangles first</source>
+        <translation>OpenMesh 不支持两个背靠背的三角形：请先删除重复三角形</translation>
     </message>
 </context>
 <context>
@@ -9337,6 +9345,10 @@
     <message>
         <source>Select the robot that the file is of, and read it again.</source>
         <translation>请选择该文件所属的机器人，然后重新读取。</translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned: plan the path again.</source>
+        <translation>它沿规划时 %1 所在位置的曲线：请重新规划路径。</translation>
     </message>
 </context>
 <context>
@@ -11765,10 +11777,6 @@
         <translation>修复示例扫描</translation>
     </message>
     <message>
-        <source>Opens a sample scan with holes. Press Enter to close the first one.</source>
-        <translation>打开带有孔洞的示例扫描。按 Enter 封闭第一个孔洞。</translation>
-    </message>
-    <message>
         <source>Hole &amp;boundaries</source>
         <translation>孔洞边界(&amp;B)</translation>
     </message>
@@ -11799,6 +11807,10 @@
     <message>
         <source>Refine the whole mesh by a subdivision scheme, including open edges</source>
         <translation>用细分方案细化整个网格，包括开放边</translation>
+    </message>
+    <message>
+        <source>Opens a sample scan with holes. Press N to see the first one, then Enter to close it.</source>
+        <translation>打开一个带孔洞的示例扫描。按 N 查看第一个，再按回车键将其封闭。</translation>
     </message>
 </context>
 <context>

@@ -323,7 +323,9 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
 
 std::string partElsewhere(const CellScene& scene, const PathProcess& process) {
   constexpr double kSame = 1e-6;  // mm, and of the turn
-  const Result<BodyPointer> part = partCalled(valuesOf(process), scene);
+  const OperationValues values = valuesOf(process);
+  if (!values.isSet("part")) return {};  // of another version of the program
+  const Result<BodyPointer> part = partCalled(values, scene);
   if (!part || (*part)->pose.isApprox(process.planned, kSame)) return {};
   return (*part)->name;
 }

@@ -47,7 +47,7 @@ class PathFileTest : public QObject {
       }
       if (*rc::gen::arbitrary<bool>()) path.bases["left"] = Pose(Eigen::Translation3d(anyNumber(-900, 900), 0.1, -3.0));
       if (*rc::gen::arbitrary<bool>()) {
-        path.process = PathProcess{{{"along", anyNumber(0, 4)}, {"free", true}, {"part", "a \"block\""}}, {}};
+        path.process = PathProcess{{{"along", anyNumber(0, 4)}, {"free", true}, {"part", "a \"block\""}}};
         path.process->part =
             Pose(Eigen::Translation3d(1.5, -2.0, 1e3) * Eigen::AngleAxisd(anyNumber(-3, 3), Vec3(1, 2, 2) / 3.0));
       }

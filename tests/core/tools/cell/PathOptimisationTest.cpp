@@ -80,7 +80,7 @@ class PathOptimisationTest : public QObject {
     RobotPath path{"p", {}};
     for (const double turn : {1.2, -0.8, 0.6, 1.0, -0.4, -1.2})
       path.places.push_back(robot.place({turn, 0.3, 0, 0, 0.5, 0}));
-    path.process = PathProcess{{{"lead", 10.0}}, {}};
+    path.process = PathProcess{{{"lead", 10.0}}};
     const Result<OptimisedPath> found = robot.optimised(path, {.route = {}, .mayReconfigure = false});
     QVERIFY(found);
     QVERIFY(!found->planned.path.process);  // no longer along its curve
@@ -150,7 +150,7 @@ class PathOptimisationTest : public QObject {
     QVERIFY(after && after->isCertified());
     QVERIFY(std::abs(after->seconds - found->after) < 1e-9);
     // Only ways between the places change: it is along its curve as before.
-    path.process = PathProcess{{{"lead", 10.0}}, {}};
+    path.process = PathProcess{{{"lead", 10.0}}};
     const Result<OptimisedPath> kept =
         robot.optimised(path, {.route = {}, .mayReorder = false, .mayReconfigure = false});
     QVERIFY(kept && kept->isChanged && kept->planned.path.process == path.process);
