@@ -117,9 +117,9 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
     return std::make_unique<DrillingTool>(static_cast<VolumeDocument&>(document()->document), services);
   };
   return {{QStringLiteral("clayTool"), tr("Shape &clay"), tr("Add, carve, smooth and move clay by hand"),
-           QStringLiteral("sculpt"), QKeySequence(Qt::Key_B), make, "clay", ClayTool::keys()},
+           QStringLiteral("sculpt"), QKeySequence(Qt::SHIFT | Qt::Key_U), make, "clay", ClayTool::keys()},
           {QStringLiteral("drillTool"), tr("&Drill"), tr("Drill into the volume, with thrust and torque"),
-           QStringLiteral("drill"), QKeySequence(Qt::Key_R), drill, "drill", DrillingTool::keys()},
+           QStringLiteral("drill"), QKeySequence(Qt::SHIFT | Qt::Key_D), drill, "drill", DrillingTool::keys()},
           measureParts()};
 }
 

@@ -25,10 +25,10 @@ constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
 constexpr ToolKey kKeys[] = {
     {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
     {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
-    {"add", "A", QT_TRANSLATE_NOOP("Tool", "add clay")},
-    {"carve", "C", QT_TRANSLATE_NOOP("Tool", "carve")},
-    {"smooth", "O", QT_TRANSLATE_NOOP("Tool", "smooth")},
-    {"move", "G", QT_TRANSLATE_NOOP("Tool", "move clay along")},
+    {"add", "Shift+A", QT_TRANSLATE_NOOP("Tool", "add clay")},
+    {"carve", "Shift+E", QT_TRANSLATE_NOOP("Tool", "carve")},
+    {"smooth", "Shift+O", QT_TRANSLATE_NOOP("Tool", "smooth")},
+    {"move", "Shift+G", QT_TRANSLATE_NOOP("Tool", "move clay along")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the stroke")},
 };
 

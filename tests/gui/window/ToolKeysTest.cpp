@@ -63,7 +63,7 @@ void ToolKeysTest::everyKeyOfEveryToolHasARow() {
   }
   QCOMPARE(page.rowOf(kSmaller).data().toString(), QStringLiteral("Tools › Select faces › Smaller brush"));
   QTest::keyClicks(driver.find<QLineEdit>("shortcutSearch"), "smaller brush");
-  QCOMPARE(page.rows().rowCount(), 2);  // to select, and to sculpt
+  QCOMPARE(page.rows().rowCount(), 3);  // to select, to sculpt, and to shape clay
 }
 
 void ToolKeysTest::aNewKeyActsAndIsTold() {
