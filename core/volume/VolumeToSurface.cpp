@@ -77,13 +77,10 @@ std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume) {
 }
 
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress) {
-  return surfaceOf(volume, blocksWithCells(volume), progress);
-}
-
-TriangleSoup surfaceOf(const SparseVolume& volume, std::span<const VoxelIndex> cellBlocks, Progress progress) {
-  // The blocks with these cells, and then those that own edges of theirs.
-  std::vector<VoxelIndex> blocks(cellBlocks.begin(), cellBlocks.end());
-  addNeighbours(blocks, cellBlocks.size(), 1);
+  // The blocks with cells, and then those that own edges of theirs.
+  std::vector<VoxelIndex> blocks = blocksWithCells(volume);
+  const std::size_t cellBlocks = blocks.size();
+  addNeighbours(blocks, cellBlocks, 1);
   std::vector<CrossedEdges> crossed(blocks.size());
   const auto forAll = [&](Progress part, auto work) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), kBlocksAtOnce),
@@ -102,7 +99,7 @@ TriangleSoup surfaceOf(const SparseVolume& volume, std::span<const VoxelIndex> c
       edges.before[w] = static_cast<std::uint16_t>(edges.points);
       edges.points += static_cast<std::uint32_t>(std::popcount(edges.bits[w]));
     }
-    if (i < cellBlocks.size()) cells.forEachTriangle([&](const auto&) { ++edges.triangles; });
+    if (i < cellBlocks) cells.forEachTriangle([&](const auto&) { ++edges.triangles; });
   });
   TriangleSoup soup;
   if (progress.cancelled()) return soup;

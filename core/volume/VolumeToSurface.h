@@ -6,7 +6,6 @@
 #include "mesh/structure/TriangleSoup.h"
 #include "volume/SparseVolume.h"
 
-#include <span>
 #include <vector>
 
 namespace handwheel {
@@ -15,8 +14,6 @@ namespace handwheel {
 // Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart by a
 // thousandth. O(blocks), on all threads of the arena; the same for any number of them. Empty when cancelled.
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress = {});
-// The part of it that is in the cells of these blocks, each once: open where the next cells would go on.
-TriangleSoup surfaceOf(const SparseVolume& volume, std::span<const VoxelIndex> blocks, Progress progress = {});
 // The blocks in whose cells the surface can be: those with samples, and those whose high sides touch them.
 std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume);
 
