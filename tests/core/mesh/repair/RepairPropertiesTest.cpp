@@ -73,6 +73,17 @@ TriangleSoup damagedBlocks(std::mt19937& random, std::size_t blocks) {
   return soup;
 }
 
+// What a repair reports of which another one would do more: a search that took too long, and a sheet whose outline was
+// kept open and that looks like a part with a hole now.
+bool reportsMoreToDo(const RepairReport& report) {
+  const auto isMore = [](const auto& loop) {
+    return loop.reason == FillFailure::TooMuchEffort || loop.reason == FillFailure::WasRim;
+  };
+  return report.isSeparationIncomplete || report.isIntersectionRemovalIncomplete ||
+         std::any_of(report.loops.begin(), report.loops.end(), isMore) ||
+         std::any_of(report.openLoops.begin(), report.openLoops.end(), isMore);
+}
+
 }  // namespace
 
 // What holds of every repair, tried on shapes damaged at random.
@@ -201,6 +212,7 @@ void RepairPropertiesTest::anySoup() {
 // What was repaired is read again as if from a file.
 void RepairPropertiesTest::againChangesNothing() {
   const std::vector<TriangleSoup> shapes = {test::icosphere(3), test::torus(32, 16), test::bumpySphere(3)};
+  Share judged;
   QVERIFY(rc::check("repair of a repaired shape changes nothing", [&] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const int kind = *rc::gen::inRange(0, 3);
@@ -212,12 +224,14 @@ void RepairPropertiesTest::againChangesNothing() {
     options.cutCrossings = *rc::gen::arbitrary<bool>();
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const RepairReport report = repair(mesh, options);
-    RC_PRE(!report.isSeparationIncomplete && !report.isIntersectionRemovalIncomplete);
+    judged.add(!reportsMoreToDo(report));
+    if (reportsMoreToDo(report)) return;
     const HalfEdgeMesh repaired = buildMesh(mesh.compact().soup).mesh;
     HalfEdgeMesh again = repaired;
     repair(again, options);
     RC_ASSERT(MeshDelta::isEmptyBetween(repaired, again));
   }));
+  QVERIFY(judged.isAtLeast(0.9));
 }
 
 HANDWHEEL_TEST(RepairPropertiesTest)
