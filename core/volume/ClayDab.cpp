@@ -243,6 +243,7 @@ class Reshaping {
 
   SparseVolume::Content changed(const VoxelIndex& block) const {
     const SparseVolume::Content old = m_volume.content(block);
+    if ((middleOf(block) - m_dab.centre).norm() > m_dab.radius + kHalfDiagonal) return old;
     const std::shared_ptr<VolumeBlock> samples = samplesOf(old);
     const VolumeReader reader(m_volume);
     std::optional<DepthWindow> means;

@@ -118,8 +118,23 @@ class Marching {
   // A place beside the surface: its depth by the slope there.
   void begin(std::size_t place) {
     const float depth = m_depths[place];
-    bool isBeside = false;
-    float slope = 0.0f;
+    const bool isInside = depth > 0.0f;
+    bool isBeside = false;  // of most it is not: that is found out first, without a branch
+    for (const int step : kSteps) {
+      isBeside |= (m_depths[place - static_cast<std::size_t>(step)] > 0.0f) != isInside;
+      isBeside |= (m_depths[place + static_cast<std::size_t>(step)] > 0.0f) != isInside;
+    }
+    if (!isBeside) return;
+    const bool isKept = m_beside == DepthWindow::Beside::Kept;
+    m_distances[place] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, slopeAt(place)));
+    m_state[place] = kKnown;
+    m_layer.push_back(static_cast<std::uint16_t>(place));
+  }
+
+  // Along each axis the steepest step across the surface, else the mean of both steps.
+  float slopeAt(std::size_t place) const {
+    const float depth = m_depths[place];
+    float squares = 0.0f;
     for (const int step : kSteps) {
       const float a = m_depths[place - static_cast<std::size_t>(step)],
                   b = m_depths[place + static_cast<std::size_t>(step)];
@@ -127,14 +142,9 @@ class Marching {
       float steepest = crossesA ? std::abs(depth - a) : 0.0f;
       if (crossesB) steepest = std::max(steepest, std::abs(depth - b));
       if (!crossesA && !crossesB) steepest = 0.5f * std::abs(b - a);
-      isBeside = isBeside || crossesA || crossesB;
-      slope += steepest * steepest;
+      squares += steepest * steepest;
     }
-    if (!isBeside) return;
-    const bool isKept = m_beside == DepthWindow::Beside::Kept;
-    m_distances[place] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, std::sqrt(slope)));
-    m_state[place] = kKnown;
-    m_layer.push_back(static_cast<std::uint16_t>(place));
+    return std::sqrt(squares);
   }
 
   std::array<float, 3> nearest(std::size_t place) const {

@@ -21,9 +21,8 @@ struct Cell {
   Cell(const VolumeReader& reader, const Vec3& at) {
     const VoxelIndex base = at.array().floor().cast<int>();
     share = at - base.cast<double>();
-    for (int k = 0; k < 8; ++k)
-      corners[static_cast<std::size_t>(k)] =
-          reader.sample(base + VoxelIndex(k & 1, k >> 1 & 1, k >> 2)) / VolumeBlock::kUnit;
+    const std::array<std::int16_t, 8> samples = reader.samplesFrom(base);
+    for (std::size_t k = 0; k < 8; ++k) corners[k] = samples[k] / VolumeBlock::kUnit;
   }
 
   double alongX(std::size_t k) const { return mix(corners[k], corners[k + 1], share.x()); }
@@ -44,6 +43,25 @@ bool isReadable(const Vec3& at) {
 }
 
 }  // namespace
+
+std::array<std::int16_t, 8> VolumeReader::samplesFrom(const VoxelIndex& voxel) const {
+  std::array<std::int16_t, 8> samples;
+  const VoxelIndex in = voxel.unaryExpr([](int i) { return i & 7; });
+  if (in.maxCoeff() == VolumeBlock::kSize - 1) {  // they lie in several blocks
+    for (int k = 0; k < 8; ++k)
+      samples[static_cast<std::size_t>(k)] = sample(voxel + VoxelIndex(k & 1, k >> 1 & 1, k >> 2));
+    return samples;
+  }
+  const SparseVolume::View& view = viewOf(SparseVolume::blockOf(voxel));
+  if (!view.block) {
+    samples.fill(view.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty);
+    return samples;
+  }
+  for (int k = 0; k < 8; ++k)
+    samples[static_cast<std::size_t>(k)] =
+        view.block->depths[VolumeBlock::at(in.x() + (k & 1), in.y() + (k >> 1 & 1), in.z() + (k >> 2))];
+  return samples;
+}
 
 VolumeReader::Depth VolumeReader::depthAt(const Vec3& p) const {
   const double voxel = m_volume.voxel();

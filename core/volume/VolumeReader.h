@@ -17,12 +17,12 @@ class VolumeReader {
   const SparseVolume& volume() const { return m_volume; }
 
   std::int16_t sample(const VoxelIndex& voxel) const {
-    const VoxelIndex block = SparseVolume::blockOf(voxel);
-    Known& known = m_known[static_cast<std::size_t>((block.x() & 1) | (block.y() & 1) << 1 | (block.z() & 1) << 2)];
-    if (!known.isRead || known.block != block) known = {block, m_volume.view(block), true};
-    if (!known.view.block) return known.view.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
-    return known.view.block->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
+    const SparseVolume::View& view = viewOf(SparseVolume::blockOf(voxel));
+    if (!view.block) return view.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+    return view.block->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
   }
+  // Of a voxel and its neighbours towards greater numbers, x fastest.
+  std::array<std::int16_t, 8> samplesFrom(const VoxelIndex& voxel) const;
 
   // A depth below the surface and how it grows.
   struct Depth {
@@ -42,6 +42,12 @@ class VolumeReader {
     SparseVolume::View view;
     bool isRead = false;
   };
+
+  const SparseVolume::View& viewOf(const VoxelIndex& block) const {
+    Known& known = m_known[static_cast<std::size_t>((block.x() & 1) | (block.y() & 1) << 1 | (block.z() & 1) << 2)];
+    if (!known.isRead || known.block != block) known = {block, m_volume.view(block), true};
+    return known.view;
+  }
 
   const SparseVolume& m_volume;
   mutable std::array<Known, 8> m_known;
