@@ -14,6 +14,7 @@
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
+#include "window/SlowdownLabel.h"
 #include "window/ViewActions.h"
 #include "window/ViewFocus.h"
 #include "window/ViewSettings.h"
@@ -154,6 +155,7 @@ void MainWindow::buildDocks() {
 void MainWindow::buildStatusBar() {
   m_hints = new HintBar(this);
   m_jobBar = new JobBar(this);
+  auto* slowdown = new SlowdownLabel(m_services.simulation(), this);
   m_figures = new QLabel(this);
   m_figures->setObjectName(QStringLiteral("figures"));
   m_unit = new QLabel(this);
@@ -172,7 +174,7 @@ void MainWindow::buildStatusBar() {
   });
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(m_hints, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, recording, m_figures, m_unit, log}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, slowdown, recording, m_figures, m_unit, log}) {
     statusBar()->addPermanentWidget(widget);
   }
 }

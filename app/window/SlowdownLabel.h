@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QTimer>
+
+namespace handwheel {
+
+// A label that is visible while a service cannot keep up with the clock and runs slower than real time instead.
+class SlowdownLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  // The service must outlive it.
+  explicit SlowdownLabel(const Service& service, QWidget* parent = nullptr);
+
+ private:
+  void update();
+
+  static constexpr int kInterval = 1000;       // ms
+  static constexpr double kNoticeable = 0.05;  // of real time; less is the scheduler's doing
+
+  const Service& m_service;
+  QTimer m_timer;
+  QElapsedTimer m_sinceUpdate;
+  double m_lost = 0.0;  // s, at the last update
+};
+
+}  // namespace handwheel
