@@ -8,6 +8,12 @@
 
 namespace handwheel {
 
+// Of triangles over the same three positions, those with the same answer look the same way: even permutations of
+// ascending corners do.
+inline bool looksUp(const Triangle& t) {
+  return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
+}
+
 // A group of faces with the same three positions.
 struct FaceGroup {
   Triangle positions;       // ascending

@@ -3,6 +3,7 @@
 #include "mesh/defects/InsideOutShells.h"
 
 #include "mesh/structure/Shells.h"
+#include "mesh/structure/SolidAngle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,20 +92,14 @@ class Nesting {
   // False as soon as it is cancelled, or has cost too much: then no answer counts.
   bool isSure() const { return m_visits <= kMostShellVisits && !m_progress.cancelled(); }
 
-  // By the sum of the solid angles of the shell's faces at one point of the other, which is 4π inside and 0 outside
-  // (van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983).
+  // By the sum of the solid angles of the shell's faces at one point of the other, which is 4π inside and 0 outside.
   bool liesIn(const Shell& inner, const Shell& outer) {
     if (!isSure() || &inner == &outer || !outer.box.contains(inner.box)) return false;
     m_visits += outer.faces.size();
     const TrianglePoints first = m_mesh.points(inner.faces.front());
     const Vec3 at = (first[0] + first[1] + first[2]) / 3.0;
     double angle = 0.0;
-    for (Face f : outer.faces) {
-      const TrianglePoints p = m_mesh.points(f);
-      const Vec3 a = p[0] - at, b = p[1] - at, c = p[2] - at;
-      const double u = a.norm(), v = b.norm(), w = c.norm();
-      angle += 2.0 * std::atan2(a.dot(b.cross(c)), u * v * w + a.dot(b) * w + b.dot(c) * u + c.dot(a) * v);
-    }
+    for (Face f : outer.faces) angle += solidAngle(m_mesh.points(f), at);
     return std::abs(angle) > 2.0 * std::numbers::pi;
   }
 

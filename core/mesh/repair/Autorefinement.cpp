@@ -4,6 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "mesh/structure/BitRange.h"
+#include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/PositionKey.h"
 #include "mesh/structure/QuietCgal.h"
@@ -47,8 +48,8 @@ struct Marks {
 class Projection {
  public:
   explicit Projection(const Triangle3& t) : m_plane(t.supporting_plane()) {
-    const double n[3] = {std::abs(CGAL::to_double(m_plane.a())), std::abs(CGAL::to_double(m_plane.b())),
-                         std::abs(CGAL::to_double(m_plane.c()))};
+    // Compared exactly, so that triangles in one plane are seen along the same axis.
+    const Kernel::FT n[3] = {CGAL::abs(m_plane.a()), CGAL::abs(m_plane.b()), CGAL::abs(m_plane.c())};
     m_axis = static_cast<int>(std::max_element(n, n + 3) - n);
     m_faces = CGAL::sign(normal(m_axis)) == CGAL::POSITIVE;
   }
@@ -70,6 +71,68 @@ class Projection {
   Kernel::Plane_3 m_plane;
   int m_axis = 0;
   bool m_faces = true;
+};
+
+using Corners = std::array<Triangulation::Vertex_handle, 3>;
+
+// The triangles of a triangulation. Where more than three points lie on one circle, every choice of diagonals is
+// Delaunay, and the library's depends on addresses. Here they start from the first of these points, so that triangles
+// that overlap in one plane have equal pieces. Sorted by points.
+class Cells {
+ public:
+  explicit Cells(const Triangulation& t) : m_triangulation(t) {
+    for (const auto f : t.finite_face_handles()) m_numberOf.emplace(f, static_cast<std::uint32_t>(m_numberOf.size()));
+  }
+
+  std::vector<Corners> triangles() const {
+    std::vector<Corners> result;
+    for (const Outline& next : outlines()) {
+      const Vertex first = std::min_element(next.begin(), next.end(), [](const auto& a, const auto& b) {
+                             return a.first->point() < b.first->point();
+                           })->first;
+      for (Vertex a = next.at(first), b = next.at(a); b != first; a = b, b = next.at(b))
+        result.push_back({first, a, b});
+    }
+    std::sort(result.begin(), result.end(), [](const Corners& a, const Corners& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                          [](Vertex p, Vertex q) { return p->point() < q->point(); });
+    });
+    return result;
+  }
+
+ private:
+  using Vertex = Triangulation::Vertex_handle;
+  using Outline = std::map<Vertex, Vertex>;  // from each corner to the next
+
+  std::vector<Outline> outlines() const {
+    DisjointSets cells(m_numberOf.size());
+    for (const auto& [f, number] : m_numberOf) {
+      for (int k = 0; k < 3; ++k) {
+        if (isWithinCell(f, k)) cells.join(number, m_numberOf.at(f->neighbor(k)));
+      }
+    }
+    std::vector<Outline> found(m_numberOf.size());
+    for (const auto f : m_triangulation.finite_face_handles()) {
+      const std::uint32_t cell = cells.root(m_numberOf.at(f));
+      for (int k = 0; k < 3; ++k) {
+        const auto other = m_numberOf.find(f->neighbor(k));
+        if (other != m_numberOf.end() && cells.root(other->second) == cell) continue;
+        found[cell][f->vertex(Triangulation::ccw(k))] = f->vertex(Triangulation::cw(k));
+      }
+    }
+    std::erase_if(found, [](const Outline& outline) { return outline.empty(); });
+    return found;
+  }
+
+  bool isWithinCell(Triangulation::Face_handle f, int k) const {
+    if (f->is_constrained(k) || !m_numberOf.contains(f->neighbor(k))) return false;
+    const Vertex opposite = m_triangulation.mirror_vertex(f, k);
+    return CGAL::side_of_oriented_circle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
+                                         opposite->point()) == CGAL::ON_ORIENTED_BOUNDARY;
+  }
+
+  const Triangulation& m_triangulation;
+  std::map<Triangulation::Face_handle, std::uint32_t> m_numberOf;
 };
 
 // Steps of Effort that it takes to intersect two triangles, or to put a point into a triangulation, with coordinates
@@ -218,12 +281,12 @@ class Cutter {
     }
 
     std::vector<Triangle> result;
-    for (const auto f : pieces.finite_face_handles()) {
+    for (const Corners& corners : Cells(pieces).triangles()) {
       Triangle piece{};
       for (int k = 0; k < 3; ++k) {
-        std::uint32_t& index = f->vertex(k)->info().value;
+        std::uint32_t& index = corners[k]->info().value;
         // Two other triangles cross this one there: all three have the point.
-        if (index == kNone) index = indexOf(numberOf(plane.lifted(f->vertex(k)->point())), points);
+        if (index == kNone) index = indexOf(numberOf(plane.lifted(corners[k]->point())), points);
         piece[k] = index;
       }
       if (!plane.facesAxis()) std::swap(piece[1], piece[2]);

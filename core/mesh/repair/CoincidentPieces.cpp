@@ -26,11 +26,6 @@ Edge edgeAt(const Triangle& t, int k) {
   return std::minmax(t[k], t[(k + 1) % 3]);
 }
 
-// Even permutations of ascending corners look the same way.
-bool looksUp(const Triangle& t) {
-  return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
-}
-
 // Equal pieces by the way they look.
 struct Pile {
   std::array<std::vector<Face>, 2> sides;

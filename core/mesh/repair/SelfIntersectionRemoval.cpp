@@ -7,6 +7,7 @@
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentPieces.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
+#include "mesh/repair/SharedWalls.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/PositionTriangles.h"
 
@@ -92,7 +93,10 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   report.cutFaces = cuts.piecesOf.size();
   if (progress.cancelled() || cuts.piecesOf.empty()) return report;
   replace(result, cuts, byPosition);
-  joinCoincidentPieces(result, static_cast<Face>(mesh.faceSlots()), progress.part(0.6, 0.65));
+  const auto firstPiece = static_cast<Face>(mesh.faceSlots());
+  joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
+  if (progress.cancelled()) return report;
+  uniteAtSharedWalls(result, firstPiece, progress.part(0.63, 0.65));
   if (progress.cancelled()) return report;
   relink(result, progress.part(0.65, 0.7));
   removeDegenerateFaces(result, progress.part(0.7, 0.75));

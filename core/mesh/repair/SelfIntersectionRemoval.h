@@ -33,10 +33,10 @@ struct IntersectionRemoval {
 // (autorefine()), and the pieces are joined the other way: where two sheets crossed, two now touch along the cut, each
 // on its side, and are separated by the last digits (separateCoincidentVertices()), so that every piece of the surface
 // stays where it was and nothing intersects. Where surfaces lie on each other in one plane, pieces that bound nothing
-// are removed (joinCoincidentPieces()). Begins with these faces and includes whatever intersects what it has to cut.
-// Abandoned, with the mesh unchanged, when that is too much (tolerance::kMaxSelfIntersectionPairs), when the result
-// would have more self-intersections than allowed, or if cancelled. Needs O(n) for the mesh beside O(m log m) for m
-// intersections.
+// are removed (joinCoincidentPieces()), and solids with a wall in common are united (uniteAtSharedWalls()). Begins with
+// these faces and includes whatever intersects what it has to cut. Abandoned, with the mesh unchanged, when that is too
+// much (tolerance::kMaxSelfIntersectionPairs), when the result would have more self-intersections than allowed, or if
+// cancelled. Needs O(n) for the mesh beside O(m log m) for m intersections.
 IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                             std::size_t allowed, Progress progress = {});
 // Removes all self-intersections connected with these faces, as removeSelfIntersections() does. Allowed are those that
