@@ -61,6 +61,18 @@ class ExerciseTest : public QObject {
     QCOMPARE(ran({"exercise", "shaft.handwheel", "-o", "shaft.dxf"}), 0);
     QCOMPARE(ran({"exercise", "shaft.handwheel", "--import-target", "shaft.dxf", "-o", "drawn.handwheel"}), 0);
     QVERIFY(bench.run({"exercise", "shaft.handwheel", "--import-target", "none.dxf", "-o", "x.handwheel"}).code != 0);
+    // The shaft is as long as its bar of 120 mm: 0.5 mm to be faced are too much, and the program says where it lies.
+    const Ran placed = bench.run({"exercise", "shaft.handwheel", "--import-target", "shaft.dxf", "--facing", "0.5",
+                                  "-o", "faced.exercise.json"});
+    QVERIFY2(placed.code == 0 && placed.err.contains("does not fit") &&
+                 placed.err.contains("0.5 mm behind the free end of the bar, at Z 119.5 mm"),
+             placed.err);
+    double highest = 0.0;
+    const auto faced = nlohmann::json::parse(bench.content("faced.exercise.json").toStdString());
+    for (const auto& segment : faced["task"]["target"]["segments"])
+      highest = std::max(highest, segment[1].get<double>());
+    QVERIFY(std::abs(highest - 119.5) < 1e-6);
+    QVERIFY(bench.run({"exercise", "shaft.handwheel", "--facing", "1", "-o", "x.handwheel"}).code != 0);
     // The same files give the same marks.
     QCOMPARE(
         bench.run({"mark", "shaft.handwheel", "bob.handwheel", "ada.handwheel", "--json", "--sort", "-Points"}).out,

@@ -89,11 +89,26 @@ class TargetTest : public QObject {
     const Bench bench;
     bench.put("shaft.svg", kShaft);
     QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);  // 50 x 100 mm
-    const Ran ran = bench.run({"target", "shaft.svg", "--of", "bar.handwheel", "-o", "with.handwheel", "--json"});
-    QVERIFY2(ran.code == 0, ran.err);
-    // The furthest is the rim beyond the upper end of the shaft, which stays where it is drawn: within the bar.
-    const double over = parsed(ran)["deviation"]["largest_over"]["distance"].get<double>();
-    QVERIFY(std::abs(over - std::hypot(25.0 - 12.0, 20.0)) < 1e-6);
+    const auto over = [&bench](const QStringList& more) {
+      const Ran ran = bench.run(
+          QStringList{"target", "shaft.svg", "--of", "bar.handwheel", "-o", "with.handwheel", "--json"} + more);
+      if (ran.code != 0) qWarning("%s", ran.err.constData());
+      const nlohmann::json json = parsed(ran);
+      return std::pair(json["deviation"]["largest_over"]["distance"].get<double>(),
+                       json["facing_allowance"].get<double>());
+    };
+    // Wherever it was drawn, 1 mm is left to be faced. The furthest is the rim at the chuck's end, 100 - 1 - 80 mm
+    // behind the shoulder of 40 mm; with 20 mm to be faced it is the rim of the free end, beyond the 24 mm.
+    const auto [usual, facing] = over({});
+    QVERIFY(std::abs(usual - std::hypot(25.0 - 20.0, 19.0)) < 1e-6 && std::abs(facing - 1.0) < 1e-9);
+    const auto [asked, more] = over({"--facing", "20"});
+    QVERIFY(std::abs(asked - std::hypot(25.0 - 12.0, 20.0)) < 1e-6 && std::abs(more - 20.0) < 1e-9);
+    for (const char* const wrong : {"-1", "x", "1e9"})
+      QCOMPARE(bench.run({"target", "shaft.svg", "--of", "bar.handwheel", "--facing", wrong}).code, 1);
+    // It can be changed afterwards.
+    QCOMPARE(bench.run({"set", "with.handwheel", "facing_allowance=2.5", "-o", "set.handwheel"}).code, 0);
+    QVERIFY(std::abs(parsed(bench.run({"target", "set.handwheel", "--json"}))["lower_end"].get<double>() - 17.5) <
+            1e-9);
     const Ran inspected = bench.run({"inspect", "with.handwheel"});
     QVERIFY2(inspected.out.contains("cylinder Ø50, Z 0 to 100, length 100"), inspected.out);
     QVERIFY2(inspected.out.contains("target shaft.svg: "), inspected.out);

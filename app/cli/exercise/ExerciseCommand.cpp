@@ -63,10 +63,11 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
                                                            const OperationValues& values, Progress progress) {
   auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
   if (values.isSet("import-target")) {
-    auto imported = exercise->subject->withImportedTarget(*changed->task, values.text("import-target"), progress);
+    auto imported = exercise->subject->withImportedTarget(*changed->task, values.text("import-target"),
+                                                          values.given("facing"), progress);
     if (!imported) return imported.error();
-    for (const Note& note : imported->notes) complain(noteText(note).toStdString());
     changed->task = std::move(imported->task);
+    for (const Note& note : imported->notes) complain(noteText(note).toStdString());
   }
   if (values.isSet("round-target")) {
     auto rounded = withRoundedTarget(*exercise->subject, *changed->task, values);
@@ -137,6 +138,7 @@ std::string problemOf(const Arguments& arguments, const OperationValues& values)
   for (const char* const purpose : kPurposes) purposes += values.isSet(purpose) ? 1 : 0;
   for (const char* const change : {"import-target", "round-target"})
     if (purposes > 0 && values.isSet(change)) return "--" + std::string(change) + " is for the exercise itself.";
+  if (values.isSet("facing") && !values.isSet("import-target")) return "--facing needs --import-target.";
   if (values.isSet("sharp-corners") && !values.isSet("round-target")) return "--sharp-corners needs --round-target.";
   if (purposes > 1) return "Give one of --student, --stock, --solution and --hand-in.";
   if (values.isSet("hand-in") && !values.isSet("name")) return "--hand-in needs the student's name: --name NAME.";
@@ -203,6 +205,16 @@ const Operation& exerciseOperation() {
            .word = "MIN",
            .hasDefault = false},
           word("import-target", "FILE", "Make what is in this DXF, SVG, STEP, mesh or workpiece the target"),
+          {.property = {.id = "facing",
+                        .group = {},
+                        .label = {},
+                        .value = 0.0,
+                        .quantity = Quantity::Length,
+                        .least = 0.0,
+                        .largest = Exercise::kLargestFigure},
+           .meaning = "With --import-target: what is left for facing at the free end of the bar; 1 without it",
+           .word = "MM",
+           .hasDefault = false},
           withoutDefault(*roundTargetOperation().find("round-target")),
           *roundTargetOperation().find("sharp-corners"),
       }};

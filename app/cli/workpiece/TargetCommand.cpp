@@ -9,19 +9,24 @@
 #include "document/OperationText.h"
 #include "document/workpiece/DrawingExport.h"
 #include "document/workpiece/TargetImport.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TargetReport.h"
 #include "text/NoteText.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace handwheel {
 
 namespace {
 
+constexpr double kMostFacing = 1e4;  // mm
+
 struct TargetRequest {
   std::filesystem::path input, part, output;
   UnturnedFaces others = UnturnedFaces::Refuse;
+  std::optional<double> allowance;  // mm
   bool asJson = false;
 };
 
@@ -29,18 +34,19 @@ struct TargetRequest {
 struct TargetOutcome {
   std::shared_ptr<const WorkpieceTarget> target;
   std::vector<Note> notes;
+  double allowance = 0.0;  // mm, left for facing
   std::optional<TargetDeviation> deviation;
   DocumentFile file;    // of the workpiece
   std::string refusal;  // a sentence; nothing was written
 };
 
-// A bar that has room for the part: a millimetre more around it and at its upper end.
-WorkpieceSnapshot barFor(const ImportedTarget& imported) {
+// A bar that has room for the part where it is: a millimetre more around it, and the allowance at its upper end.
+WorkpieceSnapshot barFor(const ImportedTarget& imported, double allowance) {
   const TargetProfile& target = imported.profile;
   WorkpieceSnapshot workpiece;
   workpiece.stock.diameter = std::ceil(2.0 * target.largestRadius() + 1.0);
-  workpiece.stock.position = target.lowerEnd();
-  workpiece.stock.length = std::ceil(target.length() + 1.0);
+  workpiece.stock.length = std::ceil(target.length() + allowance);
+  workpiece.stock.position = target.upperEnd() + allowance - workpiece.stock.length;
   workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
   return workpiece;
 }
@@ -56,22 +62,25 @@ Result<WrittenFile> writeOutcome(const TargetRequest& request, const OpenedFile&
 
 Result<TargetOutcome> carryOut(const TargetRequest& request, const DocumentKinds& kinds, Progress progress) {
   const std::string overwrites = refusalToOverwrite(request.output, {request.input});
-  if (!request.output.empty() && !overwrites.empty()) return TargetOutcome{{}, {}, {}, {}, overwrites};
+  if (!request.output.empty() && !overwrites.empty()) return TargetOutcome{{}, {}, 0.0, {}, {}, overwrites};
   const Result<ImportedTarget> imported = importTarget(request.input, request.others, progress.part(0.0, 0.4));
   if (!imported) return imported.error();
   OpenedFile file = DocumentKinds::blank(*kinds.withId("workpiece"));
-  WorkpieceSnapshot workpiece = barFor(*imported);
+  WorkpieceSnapshot workpiece = barFor(*imported, request.allowance.value_or(kUsualAllowance));
   const bool hasPart = !request.part.empty();
   if (hasPart) {
     Result<OpenedFile> opened = kinds.open(request.part, {}, progress.part(0.4, 0.5));
     if (!opened) return opened.error();
     const auto* const given = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
-    if (!given) return TargetOutcome{{}, {}, {}, {}, request.part.string() + " is not a workpiece."};
+    if (!given) return TargetOutcome{{}, {}, 0.0, {}, {}, request.part.string() + " is not a workpiece."};
     workpiece = *given;
     file = std::move(opened.value());
   }
-  workpiece.target = placedTarget(*imported, workpiece.stock);
-  TargetOutcome outcome{workpiece.target, imported->notes, {}, file.file, {}};
+  workpiece.target =
+      hasPart ? placedTarget(*imported, workpiece.stock, request.allowance)
+              : std::make_shared<const WorkpieceTarget>(WorkpieceTarget{imported->profile, imported->source});
+  TargetOutcome outcome{
+      workpiece.target, imported->notes, allowanceOf(workpiece.target->profile, workpiece.stock), {}, file.file, {}};
   if (hasPart) outcome.deviation = deviationOf(workpiece, progress.part(0.5, 0.7));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (request.output.empty()) return outcome;
@@ -95,13 +104,16 @@ std::string targetText(const TargetOutcome& outcome, bool asJson) {
   if (asJson) {
     nlohmann::json json = {{"volume", profile.volume()},          {"length", profile.length()},
                            {"lower_end", profile.lowerEnd()},     {"largest_diameter", 2.0 * profile.largestRadius()},
-                           {"bored_through", profile.isClosed()}, {"dimensions", dimensionsJson(profile, kTolerance)}};
+                           {"bored_through", profile.isClosed()}, {"dimensions", dimensionsJson(profile, kTolerance)},
+                           {kAllowanceId, outcome.allowance}};
     if (outcome.deviation) json["deviation"] = deviationJson(*outcome.deviation);
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   }
   std::string text = "Turned part Ø" + roundedText(2.0 * profile.largestRadius()) + " × " +
                      roundedText(profile.length()) + " mm, volume " + roundedText(profile.volume()) + " mm³\n";
   for (const ProfileFeature& feature : featuresOf(profile, kTolerance)) text += "  " + textOf(feature) + "\n";
+  text += "Finished face, zero of the drawing and of programs: Z " + roundedText(profile.upperEnd()) + ", " +
+          roundedText(outcome.allowance) + " mm behind the free end of the bar.\n";
   if (!outcome.deviation) return text;
   return text + placeText("too large", outcome.deviation->largestOver) +
          placeText("too small", outcome.deviation->largestUnder);
@@ -114,6 +126,8 @@ std::string targetPurpose() {
          ".\n"
          "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
          "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
+         "In the bar, what --facing says is left for facing at the free end, 1 mm if the bar has it; a target of a\n"
+         "workpiece stays where it was.\n"
          "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
          "y = 0 in DXF and the lowest line in SVG.";
 }
@@ -127,6 +141,7 @@ Command targetCommand() {
            purpose,
            {
                {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
+               {"facing", 0, "MM", "What is left for facing at the free end of the bar"},
                {"output", 'o', "OUT", "The drawing or document to write"},
                {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
                {"json", 0, "", "Report as JSON"},
@@ -142,6 +157,12 @@ int runTarget(const Arguments& arguments, const DocumentKinds& kinds) {
   request.output = arguments.valueOf("output");
   request.others = arguments.has("ignore-unturned") ? UnturnedFaces::Ignore : UnturnedFaces::Refuse;
   request.asJson = arguments.has("json");
+  if (arguments.has("facing")) {
+    double facing = 0.0;
+    if (!readNumber(arguments.valueOf("facing"), facing) || !(facing >= 0.0 && facing <= kMostFacing))
+      return failUsage("--facing takes a length in mm from 0 to " + shortestText(kMostFacing) + ".", "target");
+    request.allowance = facing;
+  }
   std::optional<Result<TargetOutcome>> outcome;
   runInterruptible("Reading", [&](CommandJob& job) { outcome = carryOut(request, kinds, job.progress()); });
   if (!*outcome) return fail(outcome->error());

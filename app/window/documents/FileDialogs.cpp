@@ -9,6 +9,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 
 namespace handwheel {
 
@@ -28,6 +29,17 @@ QString folderFor(const Document& document) {
   const QFileInfo file(document.path());
   const bool isOwn = !document.path().isEmpty() && file.absoluteDir().exists() && !isSample(file);
   return isOwn ? file.absolutePath() : lastFolder();
+}
+
+void beginInFolderOf(QFileDialog& dialog, const QString& purpose) {
+  const QString key = QStringLiteral("folders/") + purpose;
+  const auto isThere = [](const QString& folder) { return !folder.isEmpty() && QFileInfo(folder).isDir(); };
+  QString folder = QSettings().value(key).toString();
+  if (!isThere(folder)) folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  dialog.setDirectory(isThere(folder) ? folder : QDir::homePath());
+  QObject::connect(&dialog, &QFileDialog::filesSelected, &dialog, [key](const QStringList& paths) {
+    QSettings().setValue(key, QFileInfo(paths.first()).absolutePath());
+  });
 }
 
 QFileDialog* openingDialog(QWidget* window, const Document& document, const QString& title, const QString& filter) {

@@ -20,6 +20,10 @@ void rememberFolder(const QString& path);
 // That of the document's own file; of one without a file, or with one of the samples, the folder that was used last.
 QString folderFor(const Document& document);
 
+// Lets a dialog begin in the folder that was used last for this purpose, a word for the settings; at first in that of
+// the user's documents, and never among the samples. What is chosen is remembered.
+void beginInFolderOf(QFileDialog& dialog, const QString& purpose);
+
 // A dialog for a file that is there, in the folder for the document; the folder that is chosen is remembered. It is
 // owned by the window and ends with its closing; to be opened by the caller.
 QFileDialog* openingDialog(QWidget* window, const Document& document, const QString& title, const QString& filter);

@@ -53,6 +53,8 @@ class ExerciseUi : public RigidPartsUi {
   void takeTarget(const SnapshotPointer& work);
   void askForTarget();
   void importTarget(DocumentTab* owner, const QString& path);
+  void askForPlace(DocumentTab* owner, const QString& name, const TaskPointer& before,
+                   const ExerciseSubject::ImportedTask& imported);
   void changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
   void askToRound();
   void chooseSubmissions();

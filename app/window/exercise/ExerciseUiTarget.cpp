@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The target of an exercise: from a file, from the work that was begun, in round sizes. Each is one undo step.
+#include "controls/PropertyDialog.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
@@ -9,6 +10,7 @@
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseUi.h"
 #include "window/exercise/RoundTargetDialog.h"
 
@@ -22,11 +24,12 @@ void ExerciseUi::askForTarget() {
   QStringList patterns;
   for (const std::string& ending : current()->exercise().subject->targetEndings())
     patterns << QLatin1Char('*') + QString::fromStdString(ending);
-  auto* dialog = new QFileDialog(parts().window, tr("Import a target"), QFileInfo(current()->path()).path(),
+  auto* dialog = new QFileDialog(parts().window, tr("Import a target"), QString(),
                                  tr("Turned parts (%1)").arg(patterns.join(QLatin1Char(' '))));
   dialog->setObjectName(QStringLiteral("exerciseTargetDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
+  beginInFolderOf(*dialog, QStringLiteral("targets"));
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, owner = document()](const QString& path) { importTarget(owner, path); });
   dialog->open();
@@ -44,19 +47,46 @@ void ExerciseUi::importTarget(DocumentTab* owner, const QString& path) {
   job.work = [this, owner, path, name, exercise = static_cast<ExerciseDocument&>(owner->document).exercise(),
               failed = job.failed](Progress progress) -> Job::Finish {
     const auto imported =
-        exercise.subject->withImportedTarget(*exercise.task, QFile::encodeName(path).toStdString(), progress);
+        exercise.subject->withImportedTarget(*exercise.task, QFile::encodeName(path).toStdString(), {}, progress);
     if (!imported) return [failed, error = imported.error()] { failed(error); };
-    return [this, owner, name, before = exercise.task, made = *imported] {
-      changeTarget(owner, tr("Import target"), before, made.task);
-      QStringList notes;
-      for (const Note& note : made.notes) notes << noteText(note);
-      parts().log.add(tr("Target read from %1").arg(name));
-      emit message({notes.isEmpty() ? Message::Weight::Info : Message::Weight::Warning,
-                    tr("%1 is the target now").arg(name), notes.join(QLatin1Char(' ')),
-                    tr("“Marks” says what is measured of it.")});
-    };
+    return [this, owner, name, before = exercise.task, made = *imported] { askForPlace(owner, name, before, made); };
   };
   parts().jobs.start(std::move(job));
+}
+
+// What is changed in the dialog is changed in the task that it holds.
+void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const TaskPointer& before,
+                             const ExerciseSubject::ImportedTask& imported) {
+  if (!parts().tabs.contains(owner)) return;
+  QStringList notes;
+  for (const Note& note : imported.notes) notes << noteText(note);
+  const auto task = std::make_shared<TaskPointer>(imported.task);
+  const ExerciseSubject& subject = *static_cast<ExerciseDocument&>(owner->document).exercise().subject;
+  auto* dialog = new PropertyDialog(
+      {tr("Where the target lies"), notes.join(QLatin1Char('\n')), tr("&Import")},
+      [task, &subject, place = imported.place] {
+        std::vector<Property> shown = subject.properties(**task);
+        std::erase_if(shown, [&](const Property& each) { return each.group != place; });
+        return shown;
+      },
+      [task, &subject](const std::string& id, const PropertyValue& value) -> Status {
+        Result<TaskPointer> changed = subject.withProperty(**task, id, value);
+        if (!changed) return changed.error();
+        *task = std::move(*changed);
+        return Done{};
+      },
+      parts().window);
+  dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
+  dialog->setModal(true);
+  connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task] {
+    changeTarget(owner, tr("Import target"), before, *task);
+    parts().log.add(tr("Target read from %1").arg(name));
+    emit message({Message::Weight::Info,
+                  tr("%1 is the target now").arg(name),
+                  {},
+                  tr("“Task” says where it lies in the bar, “Marks” what is measured of it.")});
+  });
+  dialog->open();
 }
 
 // Where the task was changed in the meantime it stays as it is.

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/TargetView.h"
 
+#include "controls/PropertyDialog.h"
 #include "document/workpiece/DeviationDisplay.h"
 #include "document/workpiece/TargetEdit.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TargetReport.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "panels/LogModel.h"
@@ -14,6 +16,7 @@
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -136,7 +139,7 @@ void TargetView::setVisible(bool isVisible) {
 void TargetView::showOutline() {
   const WorkpieceDocument* const owner = workpiece();
   const bool isShown = owner && m_isVisible && m_outline.isChecked();
-  const auto target = isShown ? owner->workpiece().target : nullptr;
+  const auto target = !isShown ? nullptr : m_proposed ? m_proposed : owner->workpiece().target;
   if (std::exchange(m_outlined, target) == target) return;
   m_layer->setLines(target ? outlineOf(target->profile) : nullptr);
 }
@@ -210,11 +213,12 @@ std::optional<DisplayModel> TargetView::display(const WorkpieceSnapshot& workpie
 void TargetView::askForFile() {
   QStringList patterns;
   for (const std::string& ending : targetEndings()) patterns << QStringLiteral("*") + QString::fromStdString(ending);
-  auto* dialog = new QFileDialog(m_parts.window, tr("Import a target"), QFileInfo(m_document->document.path()).path(),
+  auto* dialog = new QFileDialog(m_parts.window, tr("Import a target"), QString(),
                                  tr("Turned parts (%1)").arg(patterns.join(QLatin1Char(' '))));
   dialog->setObjectName(QStringLiteral("targetDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
+  beginInFolderOf(*dialog, QStringLiteral("targets"));
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (m_parts.tabs.contains(document)) importFrom(document, path);
   });
@@ -233,16 +237,52 @@ void TargetView::importFrom(DocumentTab* document, const QString& path) {
   job.work = [this, document, path, failed](Progress progress) -> Job::Finish {
     const Result<ImportedTarget> imported = importTarget(path.toStdString(), UnturnedFaces::Refuse, progress);
     if (!imported) return [failed, error = imported.error()] { failed(error); };
-    return [this, document, path, made = *imported] { take(document, made, path); };
+    return [this, document, path, made = *imported] { askForPlace(document, made, path); };
   };
   job.failed = failed;
   m_parts.jobs.start(std::move(job));
 }
 
-void TargetView::take(DocumentTab* document, const ImportedTarget& imported, const QString& path) {
+// Asks where in the bar it lies, and shows it there meanwhile.
+void TargetView::askForPlace(DocumentTab* document, const ImportedTarget& imported, const QString& path) {
   if (!m_parts.tabs.contains(document)) return;
-  const StockCylinder& stock = static_cast<const WorkpieceDocument&>(document->document).workpiece().stock;
-  document->document.commit(tr("Import target"), std::make_unique<TargetEdit>(placedTarget(imported, stock)));
+  const StockCylinder stock = static_cast<const WorkpieceDocument&>(document->document).workpiece().stock;
+  propose(document, placedTarget(imported, stock));
+  auto* dialog = new PropertyDialog(
+      {tr("Where the target lies"),
+       tr("The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is "
+          "left "
+          "for facing. It can be changed later in the panel Stock."),
+       tr("&Import")},
+      [this, stock] { return placeProperties(m_proposed->profile, stock); },
+      [this, document, stock](const std::string&, const PropertyValue& value) -> Status {
+        Result<TargetProfile> placed = withPlace(m_proposed->profile, stock, value);
+        if (!placed) return placed.error();
+        propose(document,
+                std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(*placed), m_proposed->source}));
+        return Done{};
+      },
+      m_parts.window);
+  dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
+  dialog->setModal(true);
+  dialog->setLengthUnit(document->document.displayUnit());
+  connect(dialog, &QDialog::finished, this, [this, document, imported, path](int result) {
+    const auto target = std::exchange(m_proposed, nullptr);
+    if (result == QDialog::Accepted) take(document, target, imported, path);
+    showOutline();
+  });
+  dialog->open();
+}
+
+void TargetView::propose(DocumentTab* document, std::shared_ptr<const WorkpieceTarget> target) {
+  m_proposed = std::move(target);
+  if (document == m_document) showOutline();
+}
+
+void TargetView::take(DocumentTab* document, const std::shared_ptr<const WorkpieceTarget>& target,
+                      const ImportedTarget& imported, const QString& path) {
+  if (!m_parts.tabs.contains(document)) return;
+  document->document.commit(tr("Import target"), std::make_unique<TargetEdit>(target));
   m_parts.log.add(tr("Target read from %1").arg(QFileInfo(path).fileName()));
   for (const Note& note : imported.notes) m_parts.log.add(noteText(note));
 }

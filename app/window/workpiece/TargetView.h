@@ -34,7 +34,7 @@ class TargetView : public QObject {
   std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
   bool isSettled() const { return m_measuring.isIdle(); }
 
-  // Reads a target as a job and sets it as one undo step.
+  // Reads a target as a job, asks where it lies in the bar, and sets it as one undo step.
   void importFrom(DocumentTab* document, const QString& path);
 
  signals:
@@ -44,7 +44,10 @@ class TargetView : public QObject {
  private:
   const WorkpieceDocument* workpiece() const;
   void askForFile();
-  void take(DocumentTab* document, const ImportedTarget& imported, const QString& path);
+  void askForPlace(DocumentTab* document, const ImportedTarget& imported, const QString& path);
+  void propose(DocumentTab* document, std::shared_ptr<const WorkpieceTarget> target);
+  void take(DocumentTab* document, const std::shared_ptr<const WorkpieceTarget>& target, const ImportedTarget& imported,
+            const QString& path);
   void refresh();
   void measured(const PartMeasurement& measurement);
   void choose(const QAction& shown, QAction& other);
@@ -57,6 +60,7 @@ class TargetView : public QObject {
   JobRunner m_measuring;
   std::shared_ptr<PathLayer> m_layer;
   std::shared_ptr<const WorkpieceTarget> m_outlined;  // in the layer
+  std::shared_ptr<const WorkpieceTarget> m_proposed;  // while it is asked for its place; null: none is
   bool m_isVisible = true;
   double m_range = 0.1;  // mm, of the colours
 };

@@ -99,11 +99,13 @@ class ExerciseSubject {
   struct ImportedTask {
     TaskPointer task;
     std::vector<Note> notes;  // what the teacher should know of it
+    std::string place = {};   // group of the properties that say where it lies, to be confirmed; empty: none
   };
   // A task whose target is in a file: a drawing, a solid, a mesh or a document of our own. Blocks. Errors: those of the
-  // readers, FormatUnknown; the subject is the path.
+  // readers, FormatUnknown, ValueOutOfRange; the subject is the path. facing: mm of the stock that are left at its free
+  // end, to be worked off; none: what is usual.
   virtual Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
-                                                  Progress progress) const = 0;
+                                                  std::optional<double> facing, Progress progress) const = 0;
   // A task whose target is in round sizes, as a drawing has them. step: mm; hollow corners of up to largestFillet (mm)
   // become sharp. Errors: ExerciseError::WithoutTarget, those of the target in such a step.
   struct RoundedTask {

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/workpiece/TargetImport.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "machining/target/DxfReader.h"
 #include "machining/target/SvgReader.h"
@@ -15,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kOnDiameter = 2.0, kToFace = 1.0, kInChuck = 30.0;  // mm
+constexpr double kOnDiameter = 2.0, kInChuck = 30.0;  // mm
 
 // Whole millimetres, as bars are ordered and cut.
 double wholeAbove(double mm) {
@@ -24,9 +25,10 @@ double wholeAbove(double mm) {
 
 Note noteOn(const StockCylinder& bar) {
   return {QT_TRANSLATE_NOOP("Note",
-                            "The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes "
-                            "other sizes; for an exercise use Import target… in its panel."),
-          {roundedText(bar.diameter, 6), roundedText(bar.length, 6)}};
+                            "The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at "
+                            "the free end. The panel Stock takes other sizes; for an exercise use Import target… in "
+                            "its panel."),
+          {roundedText(bar.diameter, 6), roundedText(bar.length, 6), roundedText(kUsualAllowance, 6)}};
 }
 
 }  // namespace
@@ -41,14 +43,12 @@ Result<OpenedFile> openDrawing(const DocumentKind& kind, const std::filesystem::
   WorkpieceSnapshot bar;
   const std::pair<WorkpieceField, double> sizes[] = {
       {WorkpieceField::Diameter, wholeAbove(2.0 * imported->profile.largestRadius() + kOnDiameter)},
-      {WorkpieceField::Length, wholeAbove(imported->profile.length() + kToFace + kInChuck)}};
+      {WorkpieceField::Length, wholeAbove(imported->profile.length() + kUsualAllowance + kInChuck)}};
   for (const auto& [field, size] : sizes) {
     if (const Status checked = checkValue(field, size); !checked) return checked.error();
     bar = withValue(std::move(bar), field, size);
   }
-  const double end = bar.stock.position + bar.stock.length - kToFace;
-  bar.target = std::make_shared<const WorkpieceTarget>(
-      WorkpieceTarget{imported->profile.moved(end - imported->profile.upperEnd()), imported->source});
+  bar.target = placedTarget(*imported, bar.stock);
   OpenedFile opened;
   opened.kind = &kind;
   opened.file.lost = {LostAttribute::Curves};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/PassesProgram.h"
 
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceErrors.h"
 
 namespace handwheel {
@@ -22,7 +23,8 @@ Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramD
     program.tools[tool.number] = {tool.noseRadius, tool.orientationIn(dialect), {0.0, 0.0}, tool.tool};
   }
   const StockCylinder& stock = workpiece.stock;
-  const auto moves = movesOf(passes, 0.5 * stock.diameter, stock.length, how);
+  const double zero = programZero(workpiece) - stock.position;
+  const auto moves = movesOf(passes, 0.5 * stock.diameter, zero, how);
   program.text = programText(moves, dialect, "recorded passes", comments);
   return program;
 }

@@ -3,6 +3,7 @@
 #include "document/workpiece/ProgramTrial.h"
 
 #include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/finish/FinishMeter.h"
 #include "machining/program/ProgramInterpreter.h"
@@ -47,7 +48,7 @@ LatheCollision crashOf(const ProgramCollision& collision) {
 ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
                              double nose) {
   const LatheSetup lathe = latheOf(workpiece);
-  ProgramSetup setup = usualSetup(dialect, workpiece.stock, lathe.chuck.grip, nose);
+  ProgramSetup setup = usualSetup(dialect, workpiece.stock, lathe.chuck.grip, nose, programAllowance(workpiece));
   const bool drills = lathe.tailstock.fitting == LatheFitting::Drill;
   setup.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, drills ? toolNamed(tools, lathe.tailstock.drill) : nullptr};
   if (workpiece.programTools) setup.tools = inDialect(*workpiece.programTools, ProgramDialect::LinuxCnc, dialect);

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // The machine for a workpiece, in its lathe as it was set up, with the tools of its table and the standard one
-// (usualSetup()). tools: those of the lathe.
+// (usualSetup()). Program zero is as programZero() has it. tools: those of the lathe.
 ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
                              double nose);
 

@@ -9,6 +9,7 @@
 #include "document/Utf8.h"
 #include "document/formats/MeshFormatTable.h"
 #include "document/formats/step/StepReader.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/DxfReader.h"
@@ -57,10 +58,10 @@ Result<ImportedTarget> fromWorkpiece(std::string_view bytes, Progress progress) 
   const Result<OpenedFile> opened = kinds.openContainer(bytes, progress);
   if (!opened) return opened.error();
   const auto& workpiece = static_cast<const WorkpieceSnapshot&>(*opened->content);
-  if (workpiece.target) return ImportedTarget{workpiece.target->profile, {}, {}};
+  if (workpiece.target) return ImportedTarget{workpiece.target->profile, {}, {}, true};
   Result<TargetProfile> section = sectionOf(workpiece);
   if (!section) return section.error();
-  return ImportedTarget{std::move(section.value()), {}, {}};
+  return ImportedTarget{std::move(section.value()), {}, {}, true};
 }
 
 // 3MF is an archive, as our own.
@@ -116,14 +117,15 @@ std::vector<std::string> targetEndings() {
   return endings;
 }
 
-std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock) {
+std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock,
+                                                    std::optional<double> allowance) {
   constexpr double kSlack = 1e-3;  // mm
   const TargetProfile& profile = imported.profile;
   const double lower = stock.position - kSlack, upper = stock.position + stock.length + kSlack;
-  const bool isWithin = profile.lowerEnd() >= lower && profile.upperEnd() <= upper;
-  const double move = isWithin ? 0.0 : stock.position + stock.length - profile.upperEnd();
-  return std::make_shared<const WorkpieceTarget>(
-      WorkpieceTarget{move == 0.0 ? profile : profile.moved(move), imported.source});
+  const bool stays = imported.isPlaced && !allowance && profile.lowerEnd() >= lower && profile.upperEnd() <= upper;
+  return std::make_shared<const WorkpieceTarget>(WorkpieceTarget{
+      stays ? profile : withAllowance(profile, stock, allowance.value_or(usualAllowance(profile, stock))),
+      imported.source});
 }
 
 Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece) {

@@ -9,6 +9,7 @@
 #include "machining/target/TurnedStep.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace handwheel {
 
@@ -17,6 +18,7 @@ struct ImportedTarget {
   TargetProfile profile;
   std::string source;       // name of the file, UTF-8
   std::vector<Note> notes;  // what the user should know of how it was read
+  bool isPlaced = false;    // it was in a bar, as a workpiece of our own
 };
 
 // Reads a target by the content of the file: a turned part in STEP or as a mesh, the half section in DXF or SVG, or a
@@ -27,8 +29,11 @@ Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedF
 // The extensions of these files: ".step", …
 std::vector<std::string> targetEndings();
 
-// The target of a workpiece: moved so that its upper end is that of the bar, unless it is within the bar already.
-std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock);
+// The target of a workpiece, with this allowance for facing (mm) at the free end of the bar. None: one from another
+// workpiece stays where it was there if the bar has it all; where the zero of a drawing is says nothing of the bar, so
+// that any other is given the usual allowance.
+std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock,
+                                                    std::optional<double> allowance = {});
 
 // The section of a workpiece where it stands: of what was cut, or of the bar. Errors: those of TargetProfile::make().
 Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceDocument.h"
 
+#include "document/workpiece/TargetEdit.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceEdit.h"
 #include "document/workpiece/WorkpieceErrors.h"
 
@@ -15,7 +17,8 @@ std::vector<Property> WorkpieceDocument::properties() const {
   std::vector<Property> all = workpieceProperties(*m_workpiece);
   for (Property& own : all) {
     const auto field = fieldNamed(own.id);
-    if (file().assigned && field && isOfAnExercise(*field)) own.editable = false;
+    const bool isGiven = own.id == kAllowanceId || (field && isOfAnExercise(*field));
+    if (file().assigned && isGiven) own.editable = false;
     if (field == WorkpieceField::Material) own.value = materialInWords(m_workpiece->material);
   }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
@@ -23,6 +26,7 @@ std::vector<Property> WorkpieceDocument::properties() const {
 }
 
 Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
+  if (id == kAllowanceId && m_workpiece->target) return allowanceEdit(value);
   const auto field = fieldNamed(id);
   if (!field) return Document::propertyEdit(id, value);
   if (file().assigned && isOfAnExercise(*field)) return Error{WorkpieceError::BarOfExercise, {}, {}, {}};
@@ -33,6 +37,16 @@ Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string&
       *field == WorkpieceField::Material ? PropertyValue(materialOfWords(std::get<std::string>(value))) : value;
   if (propertyOf(*m_workpiece, *field).value == stored) return std::unique_ptr<Edit>();
   return std::unique_ptr<Edit>(std::make_unique<WorkpieceEdit>(*field, stored));
+}
+
+Result<std::unique_ptr<Edit>> WorkpieceDocument::allowanceEdit(const PropertyValue& value) const {
+  if (file().assigned) return Error{WorkpieceError::BarOfExercise, {}, {}, {}};
+  const WorkpieceTarget& target = *m_workpiece->target;
+  Result<TargetProfile> placed = withPlace(target.profile, m_workpiece->stock, value);
+  if (!placed) return placed.error();
+  if (*placed == target.profile) return std::unique_ptr<Edit>();
+  return std::unique_ptr<Edit>(std::make_unique<TargetEdit>(
+      std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(*placed), target.source})));
 }
 
 void WorkpieceDocument::addCrashes(std::span<const LatheCollision> crashes) {

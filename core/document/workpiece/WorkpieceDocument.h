@@ -28,6 +28,7 @@ class WorkpieceDocument : public Document {
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
  private:
+  Result<std::unique_ptr<Edit>> allowanceEdit(const PropertyValue& value) const;
   friend class WorkpieceEdit;
   friend class TargetEdit;
   friend class TurnedPartEdit;

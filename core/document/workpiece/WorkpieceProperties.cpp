@@ -3,6 +3,7 @@
 #include "document/workpiece/WorkpieceProperties.h"
 
 #include "document/Utf8.h"
+#include "document/workpiece/TargetPlace.h"
 #include "machining/force/WorkMaterials.h"
 
 #include <QCoreApplication>
@@ -155,6 +156,8 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
     all.push_back(propertyOf(workpiece, field));
     all.back().editable = !workpiece.part || !isOfTheBar(field);
   }
+  if (workpiece.target)
+    for (Property& each : placeProperties(workpiece.target->profile, workpiece.stock)) all.push_back(std::move(each));
   const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
   all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));

@@ -45,8 +45,10 @@ Status checkCycles(const std::string& text, const CycleTask& task, const Program
     const double outer = isCut ? deviation.outer[i] : 0.0, inner = isBored ? deviation.inner[i] : 0.0;
     const double least = std::min(outer, inner);
     if (isInside && least < -kGouge)
-      return Error{
-          ProgramError::CyclesGouge, {roundedText(-least, 3), roundedText(z - task.base - part.length(), 4)}, {}, {}};
+      return Error{ProgramError::CyclesGouge,
+                   {roundedText(-least, 3), roundedText(z - task.base - part.length() + task.allowance, 4)},
+                   {},
+                   {}};
   }
   return Done{};
 }
@@ -74,11 +76,11 @@ Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect,
   const Result<std::vector<ToolMove>> turned = roughAndFinish(task.target, 0.5 * task.stock.diameter, limited);
   if (!turned) return turned.error();
   moves.insert(moves.end(), turned->begin(), turned->end());
-  const double front = task.target.upperEnd() - (task.base + task.part.length());
+  const double front = task.target.upperEnd() - (task.base + task.part.length() - task.allowance);
   for (ToolMove& move : moves)
     for (ProfilePoint* each : {&move.from, &move.to, &move.centre}) each->y() += front;
   program.text = programText(moves, dialect, "rough and finish", commentsOf(program.tools));
-  ProgramSetup setup = usualSetup(dialect, task.stock, task.grip, settings.nose);
+  ProgramSetup setup = usualSetup(dialect, task.stock, task.grip, settings.nose, task.allowance);
   setup.tools = program.tools;
   setup.lathe = task.lathe;
   const Status problem = checkCycles(program.text, task, setup, progress);

@@ -20,6 +20,7 @@ struct CycleTask {
   double grip = 0.0;                       // mm of the part, from its lower end, that the chuck holds
   LatheTools tools = {};                   // of the lathe, for bores
   std::optional<ProgramLathe> lathe = {};  // in which it is made; none: a chuck that grips so
+  double allowance = 0.0;                  // mm of the part beyond z = 0 of the program
 };
 
 // What was written, and the tools with which it was simulated; those that turn the outside are a nose alone.
@@ -29,8 +30,9 @@ struct CycleProgram {
 };
 
 // The cycles of drillAndBore(), where there is a drill, and of roughAndFinish() as a program whose z = 0 is the upper
-// end of the part. It is simulated before it is given away: it collides nowhere, not with the chuck either, and cuts no
-// more than 0.005 mm into the target. Errors: CyclesCollide, CyclesGouge, Cancelled, those of both.
+// end of the part but for the allowance. It is simulated before it is given away: it collides nowhere, not with the
+// chuck either, and cuts no more than 0.005 mm into the target. Errors: CyclesCollide, CyclesGouge, Cancelled, those of
+// both.
 Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
                                   Progress progress = {});
 

@@ -122,13 +122,15 @@ ProgramTools inDialect(ProgramTools tools, ProgramDialect from, ProgramDialect t
   return tools;
 }
 
-ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose) {
+ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose,
+                        double allowance) {
   constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
   ProgramSetup setup;
   setup.dialect = dialect;
   setup.standard = {nose, outsideOrientation(dialect), {0, 0}};
   setup.grip = grip;
-  setup.reference = {0.5 * stock.diameter + kHomeDistance, kHomeDistance};
+  setup.allowance = allowance;
+  setup.reference = {0.5 * stock.diameter + kHomeDistance, allowance + kHomeDistance};
   return setup;
 }
 

@@ -57,6 +57,7 @@ struct ProgramSetup {
   ProgramTool standard;                    // what any other number has
   ProfilePoint reference{0, 0};            // mm, (r, z): machine zero, in the coordinates of the part
   double grip = 0.0;                       // mm of the part, from its lower end, that the chuck holds
+  double allowance = 0.0;                  // mm of the bar beyond z = 0, to be faced
   std::optional<ProgramLathe> lathe = {};  // for the bodies of tools; none: they meet the work alone
   double rapidSpeed = 5000.0;              // mm/min
   double toolChange = 2.0;                 // s
@@ -68,9 +69,11 @@ struct ProgramSetup {
   const ProgramTool& toolOf(const ToolMove& move) const { return tool(move.shape != 0 ? move.shape : move.tool); }
 };
 
-// The machine for a bar whose upper end is z = 0, and whose lower end is in the chuck over this length (mm): every tool
-// turns the outside with this nose (mm; 0: an ideal point), and machine zero is 100 mm above and beside the bar.
-ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose);
+// The machine for a bar that goes beyond z = 0 by this allowance (mm), and whose lower end is in the chuck over this
+// length (mm): every tool turns the outside with this nose (mm; 0: an ideal point), and machine zero is 100 mm above
+// and beside the bar.
+ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose,
+                        double allowance = 0.0);
 
 // The tools in the text of a tool table of LinuxCNC: "T1 P1 X0 Z0 D0.8 Q2" (mm, D is a diameter). Where the comment of
 // a line begins with the id of one of the bodies, ";right-roughing", the tool has it, and its nose and orientation

@@ -88,7 +88,7 @@ ProfilePoint ProgramSimulation::toCentre(const ToolMove& move, double nose) cons
 // The jaws are around the part: what drills or bores may go past their face, within the part. low: of the nose.
 bool ProgramSimulation::isInChuck(const ProfilePoint& low, TurningSide side) const {
   const double held = side == TurningSide::Bore ? 0.0 : m_setup.grip;
-  const double face = held - m_part.length() - kTouch;
+  const double face = held - zeroHeight() - kTouch;
   const double reach = m_largest + std::max(m_largest, 40.0);  // mm: jaws and body
   return low.y() < face && low.x() < reach;
 }
@@ -184,7 +184,7 @@ bool ProgramSimulation::step() {
   const bool isLeaving = leavesThread(move);
   m_state.lead.reset();
   const TurningPass shape = shapeOf(move);
-  const Taken taken = isLeaving ? Taken{0.0, move.to + ProfilePoint(0.0, m_part.length())} : cutMove(move, shape);
+  const Taken taken = isLeaving ? Taken{0.0, move.to + ProfilePoint(0.0, zeroHeight())} : cutMove(move, shape);
   if (isLeaving) followBody(move);
   meetChuck(move, shape.noseRadius, shape.side, taken.place);
   judge(move, taken, shape.noseRadius);
@@ -213,14 +213,14 @@ void ProgramSimulation::meetBody(const ToolMove& move, const ProfilePoint& centr
 void ProgramSimulation::followBody(const ToolMove& move) {
   const ProgramTool& tool = m_setup.toolOf(move);
   if (!tool.body) return;
-  const ProfilePoint toPart = toCentre(move, tool.noseRadius) + ProfilePoint(0.0, m_part.length());
+  const ProfilePoint toPart = toCentre(move, tool.noseRadius) + ProfilePoint(0.0, zeroHeight());
   const int pieces = piecesOf(move);
   for (int i = 1; i <= pieces; ++i)
     meetBody(move, pointOn(move, static_cast<double>(i) / pieces) + toPart, tool.noseRadius);
 }
 
 ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const TurningPass& shape) {
-  const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, m_part.length());
+  const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, zeroHeight());
   // The path of a tool is that of its tip.
   const ProfilePoint toTip(0.0, shape.tool ? -shape.noseRadius : 0.0);
   const double reach = m_largest + shape.noseRadius;

@@ -107,6 +107,7 @@ class ProgramSimulation {
   Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
   void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end,
               double speed);
+  double zeroHeight() const { return m_part.length() - m_setup.allowance; }  // of program zero, in the part
   ForcePeakMeter& meterOf(const ToolMove& move);
   bool collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place);
   static bool isThread(const ToolMove& move);

@@ -65,8 +65,8 @@ bool ProgramSimulation::leavesThread(const ToolMove& move) const {
 // right-hand. The first move of several begins in the half plane of +x.
 TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   const ProgramTool& tool = m_setup.toolOf(move);
-  const double length = m_part.length(), nose = tool.noseRadius;
-  const ProfilePoint shift = ProfilePoint(0.0, length) - nose * tipDirection(m_setup.dialect, tool.orientation);
+  const double nose = tool.noseRadius;
+  const ProfilePoint shift = ProfilePoint(0.0, zeroHeight()) - nose * tipDirection(m_setup.dialect, tool.orientation);
   const double way = move.to.y() - move.from.y();
   TurningPass pass;
   pass.noseRadius = nose;

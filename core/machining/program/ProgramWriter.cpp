@@ -223,8 +223,7 @@ std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect,
   return writer.finish();
 }
 
-std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double length,
-                              const PassProgram& how) {
+std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double zero, const PassProgram& how) {
   std::vector<ToolMove> moves;
   if (passes.empty()) return moves;
   const std::vector<PassTool> tools = toolsOf(passes);
@@ -244,7 +243,7 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius
   for (const TurningPass& pass : passes) {
     if (pass.path.empty()) continue;
     const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
-    const ProfilePoint toTip(-nose, -nose - length);
+    const ProfilePoint toTip(-nose, -nose - zero);
     move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, pass));
     if (pass.thread) {
       const std::vector<ProfilePoint> tips = threadTips(pass, toTip);

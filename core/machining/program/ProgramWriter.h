@@ -41,8 +41,8 @@ bool isProgrammable(const TurningPass& pass);
 
 // The moves that repeat recorded passes on the outside, each with its tool of toolsOf(): to each pass from above, along
 // it at its mean speed, and away. A program moves the tip of a tool; of a round nose alone the corner of its tangents
-// towards the axis and the chuck. length: mm, of the part, whose upper end is z = 0.
-std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double length,
-                              const PassProgram& how);
+// towards the axis and the chuck. zero: mm, height of z = 0 above the lower
+// end of the part.
+std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double zero, const PassProgram& how);
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "window/workpiece/program/ProgramDock.h"
 
 #include "controls/ScrolledPanel.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
@@ -138,13 +139,13 @@ void ProgramDock::showBanner(const ProgramSession* session) {
     m_banner->hide();
 }
 
-// On the axis, at the end of the bar.
+// On the axis, at the finished face or the end of the bar.
 void ProgramDock::showZero(bool isShown) {
   constexpr double kSize = 0.06;  // of the diameter of the bar
   std::pair<double, double> zero;
   if (isShown) {
-    const StockCylinder& stock = static_cast<const WorkpieceDocument&>(m_document->document).workpiece().stock;
-    zero = {stock.position + stock.length, kSize * stock.diameter};
+    const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(m_document->document).workpiece();
+    zero = {programZero(workpiece), kSize * workpiece.stock.diameter};
   }
   if (std::exchange(m_zero, zero) == zero) return;
   m_zeroLayer->setLines(isShown ? zeroSymbol(zero.first, zero.second, tr("Program zero")) : nullptr);

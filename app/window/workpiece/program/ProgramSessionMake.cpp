@@ -5,6 +5,7 @@
 #include "controls/program/ProgramEditor.h"
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/PassesProgram.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/TurningFidelity.h"
@@ -95,7 +96,8 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
                          start.stock.position,
                          latheOf(start).chuck.grip,
                          tools,
-                         programSetupFor(start, tools, dialect, settings.nose).lathe};
+                         programSetupFor(start, tools, dialect, settings.nose).lathe,
+                         programAllowance(start)};
     const Result<CycleProgram> program = cycleProgram(task, dialect, settings, progress);
     if (!program) return [failed, error = program.error()] { failed(error); };
     return [this, made = *program] { offer(made.text, made.tools); };

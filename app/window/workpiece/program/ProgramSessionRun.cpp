@@ -5,6 +5,7 @@
 #include "controls/QuantityText.h"
 #include "controls/program/ProgramEditor.h"
 #include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -30,10 +31,6 @@
 namespace handwheel {
 
 namespace {
-
-double zeroOf(const StockCylinder& stock) {
-  return stock.position + stock.length;
-}
 
 bool isOfProgram(const Error& error) {
   return error.code == ProgramError::Refused || error.code == ProgramError::Endless ||
@@ -109,7 +106,7 @@ void ProgramSession::documentChanged() {
   takeStoredTools();
   const StockCylinder &a = m_start.stock, &b = now.stock;
   const bool isSame = m_start.part == now.part && m_start.chord == now.chord && a.diameter == b.diameter &&
-                      a.length == b.length && a.position == b.position &&
+                      a.length == b.length && a.position == b.position && programZero(m_start) == programZero(now) &&
                       latheOf(m_start).chuck == latheOf(now).chuck &&
                       latheOf(m_start).tailstock == latheOf(now).tailstock;
   if (m_trial && !isSame) forgetRun();
@@ -136,7 +133,7 @@ void ProgramSession::run() {
       return [this, problems = programProblems(text, setup, progress.part(0.95, 1.0))] { checked(problems, true); };
     if (!trial) return [failed, error = trial.error()] { failed(error); };
     const double dash = 0.02 * std::max(start.stock.diameter, start.stock.length);
-    const PathLayer::Lines lines = toolPathLines(trial.value()->path(), zeroOf(start.stock), dash);
+    const PathLayer::Lines lines = toolPathLines(trial.value()->path(), programZero(start), dash);
     std::vector<ProgramFinding> limits;
     if (task) limits = limitFindings(*task, start, *trial.value(), progress.part(0.9, 1.0));
     return [this, made = trial.value(), lines, limits] { ran(made, lines, limits); };
@@ -251,7 +248,7 @@ void ProgramSession::goTo(const ProgramPosition& position) {
   if (!m_trial->path().moves.empty()) {
     const ToolMove& move = steps.moveAt(position);
     m_picture.tool = toolOutline(m_trial->setup().toolOf(move), m_trial->setup().dialect, steps.tipAt(position),
-                                 zeroOf(m_start.stock));
+                                 programZero(m_start));
   }
   showPart();
   emit pictureChanged();

@@ -37,7 +37,7 @@ class TurningSubject : public ExerciseSubject {
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
   std::vector<std::string> targetEndings() const override;
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
-                                          Progress progress) const override;
+                                          std::optional<double> facing, Progress progress) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
   std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,

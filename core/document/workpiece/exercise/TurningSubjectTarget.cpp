@@ -5,11 +5,13 @@
 #include "base/NumberText.h"
 #include "document/exercise/ExerciseErrors.h"
 #include "document/workpiece/TargetImport.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/exercise/TurningSubject.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/RoundedTarget.h"
 
 #include <QtGlobal>
+#include <cmath>
 
 namespace handwheel {
 
@@ -21,11 +23,12 @@ TaskPointer withTarget(const ExerciseTask& task, TargetProfile target) {
   return std::make_shared<const TurningTask>(std::move(changed));
 }
 
-// Where the zero of a drawing is says nothing of the bar: such a part ends where the bar ends.
-TargetProfile placed(const ImportedTarget& imported, const StockCylinder& stock, bool isOwn) {
-  if (isOwn) return placedTarget(imported, stock)->profile;
-  const double move = stock.position + stock.length - imported.profile.upperEnd();
-  return move == 0.0 ? imported.profile : imported.profile.moved(move);
+Note noteOnPlace(const TargetProfile& target, const StockCylinder& stock) {
+  const auto text = [](double mm) { return roundedText(std::round(mm * 1e3) / 1e3 + 0.0, 7); };
+  return {QT_TRANSLATE_NOOP("Note",
+                            "The finished face, zero of the drawing and of programs, is %1 mm behind the free end of "
+                            "the bar, at Z %2 mm; %3 mm of the bar are left behind the part at the chuck's end."),
+          {text(allowanceOf(target, stock)), text(target.upperEnd()), text(target.lowerEnd() - stock.position)}};
 }
 
 std::vector<Note> notesOnSize(const TargetProfile& target, const StockCylinder& stock) {
@@ -34,7 +37,7 @@ std::vector<Note> notesOnSize(const TargetProfile& target, const StockCylinder& 
   if (diameter <= stock.diameter + kSlack && target.lowerEnd() >= stock.position - kSlack) return {};
   return {{QT_TRANSLATE_NOOP("Note",
                              "The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar "
-                             "to a larger size, then import the target again."),
+                             "to a larger size, then what is left for facing."),
            {roundedText(diameter, 6), roundedText(target.length(), 6), roundedText(stock.diameter, 6),
             roundedText(stock.length, 6)}}};
 }
@@ -59,14 +62,21 @@ std::vector<std::string> TurningSubject::targetEndings() const {
 
 Result<ExerciseSubject::ImportedTask> TurningSubject::withImportedTarget(const ExerciseTask& task,
                                                                          const std::filesystem::path& path,
+                                                                         std::optional<double> facing,
                                                                          Progress progress) const {
   Result<ImportedTarget> imported = importTarget(path, UnturnedFaces::Refuse, progress);
   if (!imported) return imported.error();
   const StockCylinder& stock = static_cast<const TurningTask&>(task).stock;
-  TargetProfile target = placed(*imported, stock, isContainerName(path));
+  if (facing && !(*facing <= stock.length))
+    return Error{ErrorCode::ValueOutOfRange,
+                 {kAllowanceId, shownText(*facing), "0", shownText(stock.length)},
+                 {},
+                 path.string()};
+  const TargetProfile target = placedTarget(*imported, stock, facing)->profile;
   std::vector<Note> notes = notesOnSize(target, stock);
   notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
-  return ImportedTask{handwheel::withTarget(task, std::move(target)), std::move(notes)};
+  notes.push_back(noteOnPlace(target, stock));
+  return ImportedTask{handwheel::withTarget(task, target), std::move(notes), "Target"};
 }
 
 Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,

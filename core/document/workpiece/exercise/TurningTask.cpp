@@ -5,6 +5,7 @@
 #include "base/JsonText.h"
 #include "base/NumberText.h"
 #include "document/container/UnknownPart.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/exercise/TargetJson.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
@@ -200,6 +201,8 @@ std::vector<Property> propertiesOf(const TurningTask& task) {
     if (materials().all()[i].id == task.material) material.value = static_cast<double>(i);
   }
   all.insert(all.begin() + 2, std::move(material));
+  if (task.target)
+    for (Property& each : placeProperties(*task.target, task.stock)) all.push_back(std::move(each));
   for (Property& tool : toolProperties(task)) all.push_back(std::move(tool));
   return all;
 }
@@ -211,6 +214,12 @@ Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, co
     if (!number || !(*number >= 0.0 && *number < static_cast<double>(materials().all().size())))
       return malformed("there is no such choice");
     task.material = materials().all()[static_cast<std::size_t>(*number)].id;
+    return task;
+  }
+  if (id == kAllowanceId && task.target) {
+    Result<TargetProfile> placed = withPlace(*task.target, task.stock, value);
+    if (!placed) return placed.error();
+    task.target = std::move(*placed);
     return task;
   }
   if (id.starts_with(kToolPrefix)) return withTool(std::move(task), id, value);

@@ -4,6 +4,8 @@
 
 #include "TestClass.h"
 #include "document/workpiece/PassesProgram.h"
+#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceErrors.h"
 #include "machining/program/ProgramErrors.h"
 
@@ -62,6 +64,37 @@ class ProgramTrialTest : public QObject {
     TurnedProfile again(workpiece.stock, kSpacing);
     for (const auto& pass : trial->part()->passes) cut(again, *pass);
     QVERIFY(again == trial->part()->profile);
+  }
+
+  // With a target, program zero is its finished face: 3 mm behind the end of the bar. A program that turns a pin to Z 0
+  // and more to Z -50 makes a shoulder 53 mm behind the end of the bar; what was cut becomes a program that does the
+  // same.
+  void zeroIsTheFinishedFace() {
+    WorkpieceSnapshot workpiece = freshBar();
+    const auto drawn =
+        TargetProfile::make({{{0, 0}, {18, 0}, 0.0}, {{18, 0}, {18, 60}, 0.0}, {{18, 60}, {0, 60}, 0.0}});
+    workpiece.target = placedTarget({*drawn, "x.dxf", {}}, workpiece.stock, 3.0);
+    QVERIFY(std::abs(programZero(workpiece) + 3.0) < 1e-9);
+    const ProgramSetup setup = programSetupFor(workpiece, {}, ProgramDialect::LinuxCnc, 0.0);
+    const auto trial = ProgramTrial::run(
+        workpiece, "G7 G21 G97 S600 M3\nG0 X2 Z5\nG1 Z0 F120\nG0 X44\nG0 Z5\nG0 X36\nG1 Z-50 F120\nG0 X44\nG0 Z5\nM2\n",
+        setup, kSpacing, nullptr);
+    QVERIFY(trial && trial.value()->part());
+    QCOMPARE(trial.value()->collisionCount(), std::size_t(0));
+    const TurnedProfile& part = trial.value()->part()->profile;
+    QCOMPARE(radiusAt(part, 99.0), 1.0);  // down to 97 mm
+    QCOMPARE(radiusAt(part, 97.2), 1.0);
+    QCOMPARE(radiusAt(part, 96.8), 18.0);
+    QCOMPARE(radiusAt(part, 47.2), 18.0);
+    QCOMPARE(radiusAt(part, 46.8), 20.0);
+    workpiece.part = trial.value()->part();
+    const auto written = passesProgram(workpiece, ProgramDialect::LinuxCnc, {});
+    QVERIFY(written.hasValue());
+    workpiece.part = nullptr;
+    const auto again = ProgramTrial::run(workpiece, written->text, setup, kSpacing, nullptr);
+    QVERIFY(again && again.value()->part());
+    const TurnedProfile& repeated = again.value()->part()->profile;
+    for (std::size_t i = 0; i < part.size(); ++i) QVERIFY(std::abs(repeated.radius(i) - part.radius(i)) < 2e-3);
   }
 
   // The part at a place of the path: in the middle of the cut the tip is at z = -24, 76 mm above the lower end.

@@ -7,6 +7,7 @@
 #include "document/workpiece/DrawingExport.h"
 #include "document/workpiece/TargetBlobs.h"
 #include "document/workpiece/TargetEdit.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TargetReport.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
@@ -162,13 +163,55 @@ class WorkpieceTargetTest : public QObject {
     QCOMPARE(error.subject, path.string());
   }
 
-  // Its upper end is that of the bar, unless it is within the bar.
+  // A drawing of 80 mm in a bar of 100 mm, wherever it was drawn: 1 mm is left for facing, 19 mm at the chuck's end. A
+  // workpiece stays where it was, if the bar has it all.
   void placed() {
     const StockCylinder stock{50.0, 100.0, 10.0};
-    const auto moved = placedTarget({steppedShaft(), "x", {}}, stock);
-    QCOMPARE(moved->profile.upperEnd(), 110.0);
-    const auto kept = placedTarget({steppedShaft().moved(20.0), "x", {}}, stock);
+    for (const double drawnAt : {-500.0, 0.0, 20.0}) {
+      const auto usual = placedTarget({steppedShaft().moved(drawnAt), "x", {}}, stock);
+      QVERIFY(std::abs(usual->profile.upperEnd() - 109.0) < 1e-9);
+      QVERIFY(std::abs(usual->profile.lowerEnd() - 29.0) < 1e-9);
+      const auto asked = placedTarget({steppedShaft().moved(drawnAt), "x", {}}, stock, 2.5);
+      QVERIFY(std::abs(asked->profile.upperEnd() - 107.5) < 1e-9);
+    }
+    const auto kept = placedTarget({steppedShaft().moved(20.0), "x", {}, true}, stock);
     QCOMPARE(kept->profile.lowerEnd(), 20.0);
+    const auto beyond = placedTarget({steppedShaft().moved(-5.0), "x", {}, true}, stock);
+    QVERIFY(std::abs(beyond->profile.upperEnd() - 109.0) < 1e-9);
+    // A bar that is hardly longer has what it has, and a shorter one nothing.
+    QVERIFY(std::abs(usualAllowance(steppedShaft(), {50.0, 80.25, 0.0}) - 0.25) < 1e-9);
+    QCOMPARE(usualAllowance(steppedShaft(), {50.0, 70.0, 0.0}), 0.0);
+  }
+
+  // What is left for facing can be changed, undone and saved; where it does not fit, that is said.
+  void theAllowanceIsAProperty() {
+    WorkpieceKind kind;
+    OpenedFile opened = DocumentKinds::blank(kind);
+    auto bar = std::make_shared<WorkpieceSnapshot>(withTarget());  // 50 × 100 mm
+    bar->target = placedTarget({steppedShaft(), "x.dxf", {}}, bar->stock);
+    opened.content = bar;
+    const auto document = kind.make(std::move(opened));
+    const auto& now = static_cast<const WorkpieceDocument&>(*document);
+    const auto value = [&](const char* id) { return std::get<double>(document->property(id)->value); };
+    QCOMPARE(value("facing_allowance"), 1.0);
+    QCOMPARE(value("target_face"), 99.0);
+    QCOMPARE(value("target_left"), 19.0);
+    QVERIFY(document->setProperty("facing_allowance", 3.0));
+    QVERIFY(std::abs(now.workpiece().target->profile.upperEnd() - 97.0) < 1e-9);
+    QCOMPARE(now.workpiece().target->source, std::string("x.dxf"));
+    QVERIFY(std::abs(programZero(now.workpiece()) - 97.0) < 1e-9);
+    Container container;
+    m_kind.save(now.workpiece(), container);
+    std::vector<Error> damage;
+    const auto back = m_kind.load(container, damage, {});
+    QVERIFY(std::abs(programAllowance(static_cast<const WorkpieceSnapshot&>(**back)) - 3.0) < 1e-9);
+    document->history()->undo();
+    QCOMPARE(value("facing_allowance"), 1.0);
+    QVERIFY(document->property("facing_allowance")->problem.empty());
+    QVERIFY(document->setProperty("facing_allowance", 20.5));  // of 20 mm
+    QVERIFY(!document->property("facing_allowance")->problem.empty());
+    for (const PropertyValue& wrong : {PropertyValue(-1.0), PropertyValue(101.0), PropertyValue(std::string("1"))})
+      QVERIFY(!document->setProperty("facing_allowance", wrong));
   }
 
   void deviationOfABar() {

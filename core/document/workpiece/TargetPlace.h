@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "document/Property.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+namespace handwheel {
+
+// Where a target lies in its bar: its finished face, which is the zero of the drawing and of programs, is behind the
+// free end of the bar by what is left there for facing. All lengths are in mm.
+
+inline constexpr double kUsualAllowance = 1.0;
+inline constexpr const char* kAllowanceId = "facing_allowance";
+
+// What is left for facing; negative where the target goes beyond the bar.
+double allowanceOf(const TargetProfile& target, const StockCylinder& stock);
+// The usual allowance, or what the bar has where that is less.
+double usualAllowance(const TargetProfile& target, const StockCylinder& stock);
+// The target moved to another allowance.
+TargetProfile withAllowance(const TargetProfile& target, const StockCylinder& stock, double allowance);
+
+// Z of program zero in the coordinates of the document: the finished face of the target, or the free end of the bar.
+double programZero(const WorkpieceSnapshot& workpiece);
+// How far the bar goes beyond it: 0 without a target.
+double programAllowance(const WorkpieceSnapshot& workpiece);
+
+// The allowance, which can be changed, with a remark where the target does not fit into the bar; where the finished
+// face is, and what is left at the chuck's end.
+std::vector<Property> placeProperties(const TargetProfile& target, const StockCylinder& stock);
+// The target with another value of the allowance. Errors: ElementMalformed, ValueOutOfRange.
+Result<TargetProfile> withPlace(const TargetProfile& target, const StockCylinder& stock, const PropertyValue& value);
+
+}  // namespace handwheel
