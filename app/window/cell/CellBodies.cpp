@@ -21,6 +21,7 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
       m_shapes(new QMenu(tr("Add a &shape"), parts.window)),
       m_add(tr("&Add a body from a file…"), this),
       m_link(tr("Add a body &linked to a file…"), this),
+      m_rename(tr("Re&name the body"), this),
       m_mount(tr("&Mount the body on the tool flange"), this),
       m_release(tr("Take the body off the &robot"), this),
       m_remove(tr("&Remove the body"), this),
@@ -33,6 +34,7 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
   prepare(m_add, "addBody", "add-mesh", tr("Add the shape of another file beside the robot"));
   prepare(m_link, "linkBody", nullptr,
           tr("Add the shape of another file and link to the file, to read it again when it has changed"));
+  prepare(m_rename, "renameBody", nullptr, tr("Give the selected body another name, in the list"));
   prepare(m_mount, "mountBody", nullptr,
           tr("Let the robot carry the selected body as a tool: its origin comes to the flange"));
   prepare(m_release, "releaseBody", nullptr, tr("Leave the selected body where the robot holds it"));
@@ -65,6 +67,11 @@ void CellBodies::connectActions() {
       values.setValid("link", true);
       apply(values);
     });
+  });
+  connect(&m_rename, &QAction::triggered, this, [this] {
+    if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
+    m_list->setFocus();
+    m_list->edit(m_list->currentIndex().siblingAtColumn(BodyModel::Name));
   });
   connect(&m_mount, &QAction::triggered, this, &CellBodies::mountSelected);
   connect(&m_release, &QAction::triggered, this, &CellBodies::releaseSelected);
@@ -111,8 +118,8 @@ QList<QAction*> CellBodies::adding() {
 }
 
 QList<QAction*> CellBodies::all() {
-  return adding() +
-         QList<QAction*>{&m_mount, &m_release, &m_remove, &m_hide, &m_showAll, &m_update, &m_relink, &m_unlink};
+  return adding() + QList<QAction*>{&m_rename,  &m_mount,  &m_release, &m_remove, &m_hide,
+                                    &m_showAll, &m_update, &m_relink,  &m_unlink};
 }
 
 void CellBodies::setDocument(DocumentTab* document) {
@@ -147,7 +154,7 @@ void CellBodies::update() {
   offer(m_showAll, std::any_of(bodies.begin(), bodies.end(), isHidden), tr("No body is hidden."));
   const BodyPointer body = selected();
   const QString noSingleBody = m_selection.empty() ? noBody : tr("Select one body only.");
-  offer(m_mount, body != nullptr, noSingleBody);
+  for (QAction* action : {&m_rename, &m_mount}) offer(*action, body != nullptr, noSingleBody);
   offer(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);
   offer(m_relink, body != nullptr, noSingleBody);
   const QString noLink = body ? tr("The body is not linked to a file.") : m_relink.property(kDisabledReason).toString();

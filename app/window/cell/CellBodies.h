@@ -64,7 +64,7 @@ class CellBodies : public QObject {
   BodySelection m_selection;
   BodyList* m_list;
   QMenu* m_shapes;  // owned by the window
-  QAction m_add, m_link, m_mount, m_release, m_remove, m_hide, m_showAll, m_update, m_relink, m_unlink;
+  QAction m_add, m_link, m_rename, m_mount, m_release, m_remove, m_hide, m_showAll, m_update, m_relink, m_unlink;
   QMenu* m_menu;  // owned by the window
   std::weak_ptr<const CellRobot> m_measured;
   Box m_robotAtRest;  // of m_measured

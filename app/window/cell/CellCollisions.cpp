@@ -41,6 +41,14 @@ std::shared_ptr<const CellScene> CellCollisions::scene() const {
   return isUsable ? m_scene : nullptr;
 }
 
+std::shared_ptr<const CellScene> CellCollisions::sceneFor(std::size_t arm) const {
+  if (arm == activeArmNumber(cell().robot(), *cell().plans())) return scene();
+  const auto found = std::find_if(m_others.begin(), m_others.end(), [&](const auto& other) {
+    return other && other->armNumber == arm && other->standsAs(cell().joints());
+  });
+  return isReady() && found != m_others.end() ? *found : nullptr;
+}
+
 bool CellCollisions::isPrepared() const {
   if (!isOfPresentRobots() || !(m_scene->bodies == cell().bodies())) return false;
   return m_allowed == cell().plans()->allowed && m_scene->standsAs(cell().joints()) &&

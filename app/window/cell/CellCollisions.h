@@ -23,6 +23,9 @@ class CellCollisions : public QObject {
   // The cell prepared for planning with the robot that is planned for, as it is now; null while that is under way, or
   // impossible.
   std::shared_ptr<const CellScene> scene() const;
+  // The same for another robot, by its number; null, too, while the other ones are being prepared.
+  std::shared_ptr<const CellScene> sceneFor(std::size_t arm) const;
+  bool isReady() const { return m_document && isPrepared() && areOthersPrepared(); }  // for all robots
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
   // Prepares the cell if that was cancelled. Whoever needs scene() and has none calls it.
   void prepareIfIdle();

@@ -41,8 +41,8 @@ void CellPaths::reportVerified(const PathResult& result) {
   const QString name = QString::fromStdString(result.basis.path.name);
   const PathRemark remark = remarkOf(state, result.basis.path, cell().displayUnit(), QLocale());
   const QString title = tr("%1 was verified: %2").arg(name, remark.summary);
-  const bool isFree = result.checked && result.checked->isCertified();
-  QStringList details = isFree ? QStringList() : result.collisions;
+  const bool isFree = result.found && result.found->isCertified;
+  QStringList details = isFree || !result.found ? QStringList() : collisionsOf(*result.found);
   if (!result.problem.isEmpty()) details += result.problem;
   if (result.checked) {
     details.prepend(
@@ -53,10 +53,6 @@ void CellPaths::reportVerified(const PathResult& result) {
                   isFree ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
   Message said{isFree ? Message::Weight::Info : Message::Weight::Warning, title, details.join(QStringLiteral("; "))};
   said.about = &m_document->document;
-  // Until the next report, or the next change of the document.
-  said.isOver = [this, report = ++m_reports, at = m_document->document.revision(), &document = m_document->document] {
-    return m_reports != report || document.revision() != at;
-  };
   emit message(said);
 }
 
@@ -137,6 +133,7 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
   const bool wasEdited = old != changed.paths.end() && !(before && *old == *before);
   if (wasEdited) planned.name = changed.freePathName(wanted);
   const QString name = QString::fromStdString(planned.name);
+  const int count = static_cast<int>(planned.places.size());
   const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, planned.name};
   if (old == changed.paths.end() || wasEdited)
     changed.paths.push_back(std::move(planned));
@@ -144,7 +141,9 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
     *old = std::move(planned);
   commit(text.arg(name), std::move(changed));
   m_tree->select(entry);
-  if (!wasEdited) return;
+  if (!wasEdited)
+    return reportStored(tr("%1 was planned").arg(name),
+                        tr("It has %Ln place(s), and is selected in the list.", nullptr, count));
   emit message({Message::Weight::Info,
                 tr("%1 was changed while it was planned").arg(QString::fromStdString(wanted)),
                 tr("Your changes stay; what was planned is %1.").arg(name),

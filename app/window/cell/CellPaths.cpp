@@ -15,6 +15,7 @@
 #include "window/documents/FileDialogs.h"
 
 #include <QFileDialog>
+#include <QLabel>
 #include <algorithm>
 
 namespace handwheel {
@@ -28,6 +29,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_robots(robots),
       m_selected(std::move(selected)),
       m_tree(new PlanTree(parts.window)),
+      m_detail(new QLabel(parts.window)),
       m_layer(std::make_shared<PathLayer>()),
       m_checks(parts, collisions, this),
       m_store(tr("&Store this configuration"), this),
@@ -45,7 +47,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_export(tr("&Export a robot program…"), this),
       m_import(tr("Open a robot program as a pa&th…"), this),
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
-      m_remove(tr("Re&move from the plan"), this),
+      m_rename(tr("Re&name"), this),
+      m_remove(tr("Remo&ve from the plan"), this),
       m_optimise(tr("Optimise the order and &configurations"), this),
       m_choose(tr("Plan for this ro&bot"), this),
       m_menu(new QMenu(parts.window)) {
@@ -69,21 +72,29 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
   prepare(m_verify, "verifyPath", "ok",
           tr("Prove each motion of the selected path free of collisions, or list all that collides; also once more, if "
              "it is proven already"));
-  prepare(m_verifyAll, "verifyAllPaths", nullptr,
-          tr("Verify all paths of the robot that is planned for that are not verified as they are now"));
+  prepare(
+      m_verifyAll, "verifyAllPaths", nullptr,
+      tr("Verify the paths of all robots that are not verified as they are now, each with the other robots where they "
+         "stand"));
   prepare(m_export, "exportProgram", "save-as",
           tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
   prepare(m_semantics, "readSemantics", nullptr,
           tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that "
              "is planned for"));
+  prepare(m_rename, "renamePlan", nullptr, tr("Give the selected configuration, path or target another name"));
   prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place, target or robot"));
   prepare(m_optimise, "optimisePath", nullptr,
           tr("Visit the critical places in the order, and reach them in the configurations, that take the least time"));
   prepare(m_choose, "chooseRobot", nullptr,
           tr("Plan for the selected robot from now on; the others stand where they are"));
   m_menu->setObjectName(QStringLiteral("planMenu"));
-  m_menu->addActions(all());
+  m_menu->addActions(ofRows() + ofConfigurations() + ofPaths() + ofVerification() + ofPrograms() + QList{&m_choose});
+  m_detail->setObjectName(QStringLiteral("planDetail"));
+  m_detail->setTextFormat(Qt::PlainText);
+  m_detail->setWordWrap(true);
+  m_detail->setContentsMargins(12, 4, 8, 4);
+  m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
   parts.viewport.addLayer(m_layer);
   connectActions();
   update();
@@ -132,10 +143,16 @@ void CellPaths::connectActions() {
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::readSemantics);
     dialog->open();
   });
+  connect(&m_rename, &QAction::triggered, this, [this] {
+    if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
+    m_tree->setFocus();
+    m_tree->editItem(m_tree->currentItem(), 0);
+  });
   connect(&m_remove, &QAction::triggered, this, &CellPaths::removeCurrent);
   connect(m_tree, &PlanTree::currentChanged, this, [this] {
     verify();
     offerActions();  // not update(): the row would be another one when a double click ends
+    showDetail();
     showPath();
     emit rowChanged();
   });
@@ -146,12 +163,6 @@ void CellPaths::connectActions() {
           [this](const QPoint& position) { m_menu->popup(m_tree->viewport()->mapToGlobal(position)); });
   connect(&m_collisions, &CellCollisions::prepared, this, &CellPaths::verify);
   connect(&m_targets, &CellTargets::reachChanged, this, &CellPaths::update);
-}
-
-QList<QAction*> CellPaths::all() {
-  return {&m_store,     &m_storeTarget, &m_go,     &m_plan,      &m_again,    &m_optimise,
-          &m_insert,    &m_here,        &m_up,     &m_down,      &m_straight, &m_verify,
-          &m_verifyAll, &m_export,      &m_import, &m_semantics, &m_remove,   &m_choose};
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
@@ -242,6 +253,25 @@ void CellPaths::update() {
     remarks[each.name] = remarkOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
   m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, remarks, m_targets.reach());
   offerActions();
+  showDetail();
+}
+
+// The list has room for a few words only.
+void CellPaths::showDetail() {
+  using Kind = PlanTree::Entry::Kind;
+  const PlanTree::Entry entry = m_tree->current();
+  QString text;
+  const RobotPath* const of =
+      entry.kind == Kind::Path || entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
+  if (of) {
+    const PathRemark remark = remarkOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale());
+    text = remark.isFree ? remark.summary : remark.details;
+  } else if (const auto reach = m_targets.reach().find(entry.name);
+             entry.kind == Kind::Target && reach != m_targets.reach().end()) {
+    text = reach->second.remark;
+  }
+  m_detail->setText(text);
+  m_detail->setVisible(!text.isEmpty());
 }
 
 void CellPaths::offerActions() {
@@ -279,6 +309,8 @@ void CellPaths::offerActions() {
         present ? tr("Only a path that is proven free of collisions is exported.") : noPath);
   offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
+  offer(m_rename, entry.kind == Kind::Configuration || entry.kind == Kind::Path || isTarget,
+        tr("Select a configuration, a path or a target first."));
   offer(m_remove, isSomething, tr("Select a configuration, a path, a place, a target or a robot first."));
 }
 

@@ -12,6 +12,8 @@
 #include <QMenu>
 #include <QPointer>
 
+class QLabel;
+
 namespace handwheel {
 
 class CellRobots;
@@ -36,7 +38,15 @@ class CellPaths : public QObject {
 
   void setDocument(DocumentTab* document);
   void forget(const DocumentTab* document) { m_checks.forget(document); }
-  QList<QAction*> all();
+  // The actions, by what they are for.
+  QList<QAction*> ofConfigurations() { return {&m_store, &m_storeTarget, &m_go}; }
+  QList<QAction*> ofPaths() {
+    return {&m_plan, &m_again, &m_optimise, &m_insert, &m_here, &m_up, &m_down, &m_straight};
+  }
+  QList<QAction*> ofPrograms() { return {&m_export, &m_import}; }
+  QList<QAction*> ofVerification() { return {&m_verify, &m_verifyAll, &m_semantics}; }
+  QList<QAction*> ofRows() { return {&m_rename, &m_remove}; }
+  QAction* choosing() { return &m_choose; }                                                        // the robot
   QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
   // Plans a path along a curve on a part (processOperation()). surface: of the part; null: it is found.
@@ -50,8 +60,9 @@ class CellPaths : public QObject {
   // Adds the configuration of the document to the path of the selected row, behind the selected place or at the end, or
   // begins one with it.
   void addPlace();
-  PlanTree* tree() const { return m_tree; }  // owned by the window
-  void setVisible(bool isVisible);           // the line of the path in the view
+  PlanTree* tree() const { return m_tree; }    // owned by the window
+  QLabel* detail() const { return m_detail; }  // what is known of the selected row in full; owned by the window
+  void setVisible(bool isVisible);             // the line of the path in the view
 
   const NamedTarget* target() const;  // of the selected row; null: that is none
   // The present path, and what is known of it; null while nothing is.
@@ -104,6 +115,8 @@ class CellPaths : public QObject {
   void setStraight(bool isStraight);
   void removeCurrent();
   void rename(const PlanTree::Entry& entry, const QString& name);
+  void reportStored(const QString& title, const QString& detail);
+  void showDetail();
   void readSemantics(const QString& file);
   void reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot);
   void askForProgram();
@@ -128,6 +141,7 @@ class CellPaths : public QObject {
   std::function<BodyPointer()> m_selected;
   DocumentTab* m_document = nullptr;
   PlanTree* m_tree;
+  QLabel* m_detail;
   std::shared_ptr<PathLayer> m_layer;
   PathChecks m_checks;
   // How a path is to be worked off that is being planned for it; the owner of that job.
@@ -138,9 +152,8 @@ class CellPaths : public QObject {
   };
   std::optional<WantedProcess> m_wanted;
   std::uint64_t m_remakes = 0;  // that were begun
-  std::uint64_t m_reports = 0;  // of verifications that were asked for
   QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify,
-      m_verifyAll, m_export, m_import, m_semantics, m_remove, m_optimise, m_choose;
+      m_verifyAll, m_export, m_import, m_semantics, m_rename, m_remove, m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window
 };
 

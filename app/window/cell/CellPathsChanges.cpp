@@ -80,6 +80,15 @@ void CellPaths::store() {
   changed.configurations.push_back({name, cell().joints(), changed.arm});
   commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed));
   m_tree->select({Kind::Configuration, name});
+  reportStored(tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."));
+}
+
+// Also while a tool is used, when nobody looks at the list.
+void CellPaths::reportStored(const QString& title, const QString& detail) {
+  m_parts.log.add(title);
+  Message said{Message::Weight::Info, title, detail};
+  said.about = &m_document->document;
+  emit message(said);
 }
 
 // On the selected body it moves with that, unless the robot itself carries it.
@@ -98,6 +107,8 @@ void CellPaths::storeTarget() {
   commit(body ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name)) : tr("Store %1").arg(name),
          std::move(changed));
   m_tree->select(entry);
+  reportStored(tr("%1 was stored").arg(name), body ? tr("It moves with %1.").arg(QString::fromStdString(body->name))
+                                                   : tr("It is selected in the list."));
 }
 
 // It stays on its body.
@@ -158,8 +169,12 @@ void CellPaths::insertAt(std::size_t behind) {
     place.speed = of.places[behind - 1].motion == place.motion ? of.places[behind - 1].speed : place.speed;
   of.places.insert(of.places.begin() + static_cast<std::ptrdiff_t>(behind), std::move(place));
   const PlanTree::Entry inserted{Kind::Place, of.name, behind};
-  commit(tr("Insert a place into %1").arg(QString::fromStdString(of.name)), std::move(changed));
+  const QString name = QString::fromStdString(of.name);
+  const std::size_t count = of.places.size();
+  commit(tr("Insert a place into %1").arg(name), std::move(changed));
   m_tree->select(inserted);
+  reportStored(tr("Place %1 of %2 was stored").arg(behind + 1).arg(name),
+               tr("The path has %Ln place(s) now.", nullptr, static_cast<int>(count)));
 }
 
 void CellPaths::addPlace() {
@@ -173,9 +188,11 @@ void CellPaths::addPlace() {
   CellPlans changed = plans();
   RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}, changed.arm};
   const PlanTree::Entry first{Kind::Place, begun.name, 0};
+  const QString name = QString::fromStdString(begun.name);
   changed.paths.push_back(std::move(begun));
   commit(tr("Begin a path"), std::move(changed));
   m_tree->select(first);
+  reportStored(tr("Place 1 of %1 was stored").arg(name), tr("The next places that are stored continue the path."));
 }
 
 void CellPaths::setPlaceHere() {
@@ -252,6 +269,7 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
     of->name = wanted;
   }
   commit(tr("Rename %1").arg(QString::fromStdString(entry.name)), std::move(changed));
+  if (entry.kind == Kind::Path) m_checks.renamed(entry.name, wanted);
   m_tree->select({entry.kind, wanted});
 }
 

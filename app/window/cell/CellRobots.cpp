@@ -203,6 +203,7 @@ void CellRobots::addTo(DocumentTab& tab, const std::shared_ptr<const RobotCellSn
   const QString text = tr("Add the robot %1").arg(QString::fromStdString(changed->robot->arms.back().name));
   document.commit(text, document.robotsEdit(std::move(changed).value()));
   m_parts.log.add(text);
+  if (&tab == m_document) emit added();
 }
 
 void CellRobots::report(const Document& document, const Error& error) {

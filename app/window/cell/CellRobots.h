@@ -35,6 +35,7 @@ class CellRobots : public QObject {
 
  signals:
   void message(const handwheel::Message& message);
+  void added();  // a robot, to the cell in view
 
  private:
   using Reading = std::function<Result<OpenedFile>(Progress)>;

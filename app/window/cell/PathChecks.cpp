@@ -14,23 +14,6 @@
 
 namespace handwheel {
 
-namespace {
-
-QStringList collisionsOf(const CellScene& scene, const CheckedPath& checked) {
-  constexpr std::size_t kMostListed = 5;
-  QStringList texts;
-  const auto& all = checked.verification.collisions;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) {
-    const auto [link, other] = scene.namesOf(all[i].deepest);
-    texts += PathChecks::tr("On the way to place %1: %2 with %3")
-                 .arg(checked.placeOf(all[i].motion) + 1)
-                 .arg(QString::fromStdString(link), QString::fromStdString(other));
-  }
-  return texts;
-}
-
-}  // namespace
-
 PathChecks::PathChecks(const WindowContext& parts, CellCollisions& collisions, QObject* parent)
     : QObject(parent), m_parts(parts), m_collisions(collisions) {
   connect(&collisions, &CellCollisions::prepared, this, &PathChecks::goOn);
@@ -38,13 +21,47 @@ PathChecks::PathChecks(const WindowContext& parts, CellCollisions& collisions, Q
 
 PathChecks::~PathChecks() {
   m_parts.jobs.cancelOf(this);
+  m_parts.jobs.cancelOf(&m_results);
 }
 
 void PathChecks::setDocument(DocumentTab* document) {
   m_run.reset();
   m_waiting.clear();
   m_parts.jobs.cancelOf(this);
+  m_parts.jobs.cancelOf(&m_results);
+  m_digests.reset();
   m_document = document;
+  if (document) recall();
+}
+
+// What is stored of the paths of a document that was opened.
+void PathChecks::recall() {
+  const auto now = content();
+  if (m_results.contains(m_document) || now->proofs->empty()) return;
+  Job job;
+  job.name = tr("Comparing the cell with what was verified");
+  job.owner = &m_results;
+  job.work = [this, now](Progress) -> Job::Finish {
+    const auto digests = std::make_shared<const PathDigests>(now);
+    std::map<std::string, PathResult> results;
+    for (const RobotPath& path : now->plans->paths) {
+      const auto proof = now->proofs->find(path.name);
+      if (proof == now->proofs->end()) continue;
+      const QDateTime at = QDateTime::fromString(QString::fromStdString(proof->second.at), Qt::ISODate).toLocalTime();
+      results[path.name] = {basisOf(*now, path),
+                            proof->second.found,
+                            {},
+                            nullptr,
+                            at,
+                            changeBetween(proof->second.basis, digests->of(path))};
+    }
+    return [this, digests, results = std::move(results)]() mutable {
+      m_results[m_document].merge(results);
+      m_digests = digests;
+      emit changed();
+    };
+  };
+  m_parts.jobs.start(std::move(job));
 }
 
 std::shared_ptr<const RobotCellSnapshot> PathChecks::content() const {
@@ -71,7 +88,9 @@ PathChecks::State PathChecks::stateOf(const RobotPath& path) const {
   if (!m_document) return {};
   const auto now = content();
   State state{resultOf(path, *now), BasisChange::Nothing, isRunning(path, *now)};
-  if (state.last) state.change = changeSince(state.last->basis, *now, path);
+  if (state.last)
+    state.change = state.last->changedBefore != BasisChange::Nothing ? state.last->changedBefore
+                                                                     : changeSince(state.last->basis, *now, path);
   return state;
 }
 
@@ -81,15 +100,18 @@ std::shared_ptr<const CheckedPath> PathChecks::of(const RobotPath& path) const {
 }
 
 void PathChecks::verify(const RobotPath& path, Wish wish) {
-  const auto scene = m_collisions.scene();
   const auto now = content();
+  const auto scene = sceneFor(path, *now);
+  if (!scene) return;
   const State state = stateOf(path);
   if (state.isUnderWay) {
     m_run->isAsked |= wish == Wish::Again;
     return;
   }
-  const bool isKnown = state.last && state.change == BasisChange::Nothing;
-  if (wish == Wish::Known && isKnown) return;
+  // What was only stored is verified again.
+  const bool isKnown =
+      state.last && state.change == BasisChange::Nothing && (state.last->checked || !state.last->found);
+  if (wish != Wish::Again && isKnown) return;
   const FidelityValues& fidelity = m_parts.fidelity.values();
   const PathCheckSettings settings{
       .clearance = now->plans->clearance,
@@ -99,7 +121,7 @@ void PathChecks::verify(const RobotPath& path, Wish wish) {
   if (m_run && !m_waiting.empty()) m_waiting.push_back(m_run->basis.path.name);
   m_parts.jobs.cancelOf(this);
   const std::uint64_t run = ++m_runs;
-  m_run = Run{basisOf(*now, path, scene->dofs), wish == Wish::Again, run};
+  m_run = Run{basisOf(*now, path), wish == Wish::Again, wish == Wish::OfAll, run};
   Job job;
   job.name = tr("Verifying %1").arg(QString::fromStdString(path.name));
   job.owner = this;
@@ -109,50 +131,87 @@ void PathChecks::verify(const RobotPath& path, Wish wish) {
     m_waiting.clear();
     if (m_document) emit changed();
   };
-  job.work = [this, run, scene, path, settings, plans = now->plans](Progress progress) -> Job::Finish {
-    auto found = checkPath(*scene, *plans, path, settings, progress);
-    return [this, run, scene, found = std::move(found)] { take(run, *scene, found); };
+  job.work = [this, run, scene, path, settings, now, former = m_digests](Progress progress) -> Job::Finish {
+    // With its tool.
+    const Result<CellPlans> plans = withArmChosen(*now->robot, *now->plans, scene->plannedArm().name);
+    Outcome outcome{plans ? checkPath(*scene, *plans, path, settings, progress) : Result<CheckedPath>(plans.error()),
+                    scene, nullptr};
+    outcome.digests = std::make_shared<const PathDigests>(now, former.get());
+    return [this, run, outcome = std::move(outcome)] { take(run, outcome); };
   };
   m_parts.jobs.start(std::move(job));
   emit changed();
 }
 
-void PathChecks::take(std::uint64_t run, const CellScene& scene, const Result<CheckedPath>& found) {
+void PathChecks::take(std::uint64_t run, const Outcome& outcome) {
   if (!m_document || !m_run || m_run->number != run) return;
   const Run done = std::move(*m_run);
   m_run.reset();
-  PathResult result{.basis = done.basis, .checked = nullptr, .at = QDateTime::currentDateTime()};
-  if (found) {
-    result.checked = std::make_shared<const CheckedPath>(*found);
-    result.collisions = collisionsOf(scene, *found);
-    result.hasShapeless = !scene.shapeless.empty();
+  m_digests = outcome.digests;
+  PathResult result{.basis = done.basis, .found = {}, .checked = nullptr, .at = QDateTime::currentDateTime()};
+  if (outcome.checked) {
+    result.checked = std::make_shared<const CheckedPath>(*outcome.checked);
+    result.found = findingsOf(*outcome.checked, *outcome.scene, done.basis.clearance);
   } else {
-    result.problem = errorSentence(found.error());
+    result.problem = errorSentence(outcome.checked.error());
   }
   m_results[m_document][done.basis.path.name] = result;
+  store(result, done.isAsked || done.isOfAll);
   emit changed();
   if (done.isAsked) emit verified(result);
   goOn();
 }
 
+// With the document. Only one that a person asked for, and that says something new, is a change that is to be saved.
+void PathChecks::store(const PathResult& result, bool isAsked) {
+  auto& cell = static_cast<RobotCellDocument&>(m_document->document);
+  const std::string& name = result.basis.path.name;
+  PathProofs proofs = cell.proofs();
+  const auto known = proofs.find(name);
+  if (!result.found) {
+    if (proofs.erase(name) > 0) cell.setProofs(std::move(proofs), false);
+    return;
+  }
+  const PathProof proof{*result.found, result.at.toUTC().toString(Qt::ISODate).toStdString(),
+                        m_digests->of(result.basis.path)};
+  const bool isNew = known == proofs.end() || known->second.found != proof.found || known->second.basis != proof.basis;
+  proofs[name] = proof;
+  cell.setProofs(std::move(proofs), isAsked && isNew);
+}
+
+void PathChecks::renamed(const std::string& from, const std::string& to) {
+  auto& cell = static_cast<RobotCellDocument&>(m_document->document);
+  PathProofs proofs = cell.proofs();
+  auto proof = proofs.extract(from);
+  if (proof.empty()) return;
+  proof.key() = to;
+  proofs.insert(std::move(proof));
+  cell.setProofs(std::move(proofs), false);
+}
+
+// Those of all robots, each with the others where they stand.
 void PathChecks::verifyAll() {
   if (!m_document) return;
   m_waiting.clear();
-  const auto now = content();
-  for (const RobotPath& path : now->plans->paths) {
-    if (isSameArm(*now->robot, path.arm, now->plans->arm) && path.places.size() >= 2) m_waiting.push_back(path.name);
+  for (const RobotPath& path : content()->plans->paths) {
+    if (path.places.size() >= 2) m_waiting.push_back(path.name);
   }
   goOn();
 }
 
+std::shared_ptr<const CellScene> PathChecks::sceneFor(const RobotPath& path, const RobotCellSnapshot& now) const {
+  const auto number = armNumber(*now.robot, path.arm);
+  return number ? m_collisions.sceneFor(*number) : nullptr;
+}
+
 // With the next one that waits, once the cell is prepared and nothing else is under way.
 void PathChecks::goOn() {
-  if (!m_document || !m_collisions.scene()) return;
+  if (!m_document || !m_collisions.isReady()) return;
   const auto now = content();
   while (!m_run && !m_waiting.empty()) {
     const RobotPath* const path = now->plans->path(m_waiting.front());
     m_waiting.pop_front();
-    if (path && path->places.size() >= 2 && isSameArm(*now->robot, path->arm, now->plans->arm)) verify(*path);
+    if (path && path->places.size() >= 2) verify(*path, Wish::OfAll);
   }
 }
 

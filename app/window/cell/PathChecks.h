@@ -4,6 +4,7 @@
 
 #include "tools/cell/PathBasis.h"
 #include "tools/cell/PathCheck.h"
+#include "tools/cell/PathDigests.h"
 #include "window/cell/CellCollisions.h"
 
 #include <QDateTime>
@@ -17,27 +18,28 @@ namespace handwheel {
 // The result of the last verification of a path.
 struct PathResult {
   PathBasis basis;
-  std::shared_ptr<const CheckedPath> checked;  // null: it could not be verified
+  std::optional<PathFindings> found;           // none: it could not be verified
   QString problem = {};                        // then why
-  QStringList collisions = {};                 // the first of them
-  bool hasShapeless = false;                   // links without meshes were left out
+  std::shared_ptr<const CheckedPath> checked;  // null: not in this session
   QDateTime at = {};
+  BasisChange changedBefore = BasisChange::Nothing;  // of one that was stored: since then, before it was opened
 };
 
 // What is known of the paths of the open cells. A path is verified on a worker, one at a time; its result is kept until
 // it is verified again, also while another path or document is shown, and holds as long as nothing changes that it
-// depends on. Window thread.
+// depends on. In brief it is stored with the cell, with digests of what it depends on. Window thread.
 class PathChecks : public QObject {
   Q_OBJECT
 
  public:
   // What is known of a path now.
   struct State {
-    const PathResult* last = nullptr;  // null: it was not verified since the document was opened
+    const PathResult* last = nullptr;  // null: it was never verified
     BasisChange change = BasisChange::Nothing;
     bool isUnderWay = false;
   };
-  enum class Wish { Known, Again };  // Again: even if it is known, and verified() follows
+  // Again: even if it is known, and verified() follows. OfAll: one of all that a person asked for.
+  enum class Wish { Known, Again, OfAll };
 
   PathChecks(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
   ~PathChecks() override;
@@ -45,11 +47,13 @@ class PathChecks : public QObject {
   void setDocument(DocumentTab* document);
   void forget(const DocumentTab* document) { m_results.erase(document); }
 
-  // Begins to verify a path of the robot that is planned for, unless its result is known. What is under way for another
-  // path or another state of it ends. The cell must be prepared.
+  // Begins to verify a path, unless its result is known. What is under way for another path or another state of it
+  // ends. Nothing happens where the cell is not prepared for its robot.
   void verify(const RobotPath& path, Wish wish = Wish::Known);
-  // All paths of that robot whose results are not known, one after the other.
+  // All paths of all robots whose results are not known, one after the other.
   void verifyAll();
+  // To be called when a path got another name: what is stored of it goes along.
+  void renamed(const std::string& from, const std::string& to);
   State stateOf(const RobotPath& path) const;
   // What holds for the path as it and the cell are now; null: nothing.
   std::shared_ptr<const CheckedPath> of(const RobotPath& path) const;
@@ -62,22 +66,33 @@ class PathChecks : public QObject {
   struct Run {
     PathBasis basis;
     bool isAsked = false;
+    bool isOfAll = false;
     std::uint64_t number = 0;
+  };
+  // What a run found, or why nothing.
+  struct Outcome {
+    Result<CheckedPath> checked;
+    std::shared_ptr<const CellScene> scene;
+    std::shared_ptr<const PathDigests> digests;
   };
 
   std::shared_ptr<const RobotCellSnapshot> content() const;
+  std::shared_ptr<const CellScene> sceneFor(const RobotPath& path, const RobotCellSnapshot& now) const;
   const PathResult* resultOf(const RobotPath& path, const RobotCellSnapshot& now) const;
   bool isRunning(const RobotPath& path, const RobotCellSnapshot& now) const;
+  void recall();
   void goOn();
-  void take(std::uint64_t run, const CellScene& scene, const Result<CheckedPath>& found);
+  void take(std::uint64_t run, const Outcome& outcome);
+  void store(const PathResult& result, bool isAsked);
 
   WindowContext m_parts;
   CellCollisions& m_collisions;
   DocumentTab* m_document = nullptr;
   std::map<const DocumentTab*, std::map<std::string, PathResult>> m_results;  // by the name of the path
   std::optional<Run> m_run;
-  std::uint64_t m_runs = 0;           // that were begun
-  std::deque<std::string> m_waiting;  // names of paths that are to be verified, too
+  std::uint64_t m_runs = 0;                      // that were begun
+  std::deque<std::string> m_waiting;             // names of paths that are to be verified, too
+  std::shared_ptr<const PathDigests> m_digests;  // the last that were made of the document
 };
 
 }  // namespace handwheel

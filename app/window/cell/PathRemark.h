@@ -15,10 +15,14 @@ struct PathRemark {
   QString summary;  // "free of collisions (14:05, clearance 12.3 mm)"
   QString details;  // sentences, a line each
   QString icon;     // its name; empty: none
+  bool isFree = false;
 };
 PathRemark remarkOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale);
 
 // "12.3 mm": the least clearance that was found; "> 1000 mm" where everything is further away than is measured.
-QString clearanceText(const CheckedPath& checked, LengthUnit unit, const QLocale& locale);
+QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
+
+// The first collisions that were found, a text each.
+QStringList collisionsOf(const PathFindings& found);
 
 }  // namespace handwheel

@@ -135,15 +135,15 @@ void RobotCellUi::selectRobotToPlace(std::size_t number) {
   const RobotArm& robot = robots.arms[number];
   selectRobot(robot.base);
   if (robot.base != robots.model.root) return;
-  emit message({Message::Weight::Info,
-                tr("%1 cannot be moved").arg(QString::fromStdString(robot.name)),
-                tr("Everything in the cell is measured from the base of its first robot."),
-                tr("Move the bodies and the other robots."),
-                {},
-                {},
-                {},
-                {},
-                &document()->document});
+  say({Message::Weight::Info,
+       tr("%1 cannot be moved").arg(QString::fromStdString(robot.name)),
+       tr("Everything in the cell is measured from the base of its first robot."),
+       tr("Move the bodies and the other robots."),
+       {},
+       {},
+       {},
+       {},
+       &document()->document});
 }
 
 std::unique_ptr<Tool> RobotCellUi::placeTool() {

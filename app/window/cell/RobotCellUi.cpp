@@ -55,9 +55,10 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   };
   connect(&window.fidelity, &FidelityChoice::changed, this, follow);
   follow();
-  connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
-  connect(&m_paths, &CellPaths::message, this, &KindUi::message);
-  connect(&m_robots, &CellRobots::message, this, &KindUi::message);
+  connect(&m_bodies, &CellBodies::message, this, &RobotCellUi::say);
+  connect(&m_paths, &CellPaths::message, this, &RobotCellUi::say);
+  connect(&m_robots, &CellRobots::message, this, &RobotCellUi::say);
+  connect(&m_robots, &CellRobots::added, this, &RobotCellUi::showRobots);
   connect(&m_pathDock, &PathDock::partsShown, this, [this](const std::shared_ptr<const DisplayModel>& model) {
     showPast(model);
     m_toolCamera.follow(model.get());
@@ -126,6 +127,7 @@ QWidget* RobotCellUi::makePanel() {
   plansColumn->setContentsMargins(0, 0, 0, 0);
   plansColumn->addLayout(plansLine);
   plansColumn->addWidget(m_paths.tree(), 1);
+  plansColumn->addWidget(m_paths.detail());
   auto* panel = new QSplitter(Qt::Vertical, parts().window);
   panel->setObjectName(QStringLiteral("cellPanel"));
   panel->setChildrenCollapsible(false);
@@ -155,6 +157,31 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
 }
 
+// A message is about the state of its document: it goes with the next change of that, and where a newer one tells of
+// the same. An error stays beside another one.
+void RobotCellUi::say(Message message) {
+  const Document* const about = message.about;
+  if (about) {
+    const bool isNews = message.weight == Message::Weight::Info;
+    SaidLast& last = m_said[about];
+    ++last.number;
+    if (isNews) last.news = last.number;
+    last.title = message.title;
+    message.isOver = [this, about, isNews, title = message.title, number = last.number, at = about->revision()] {
+      const auto now = m_said.find(about);
+      if (now == m_said.end() || about->revision() != at) return true;
+      const SaidLast& newest = now->second;
+      return newest.news > number || (newest.number > number && (isNews || newest.title == title));
+    };
+  }
+  emit KindUi::message(message);
+}
+
+// One that was added may stand outside the view.
+void RobotCellUi::showRobots() {
+  parts().viewport.fit();
+}
+
 void RobotCellUi::begin(const QString&) {
   askForLibraryRobot(parts().window, tr("New cell"), this, [this](const char* id) {
     OpenedFile opened;
@@ -164,9 +191,22 @@ void RobotCellUi::begin(const QString&) {
   });
 }
 
+// Grouped by what a planner works on; what is for the selected row of any kind stands below.
 QList<QAction*> RobotCellUi::menu() {
-  return m_robots.all() + m_bodies.all() + m_paths.all() +
-         QList<QAction*>{m_pathDock.action(), m_reach.action(), m_toolCamera.action()};
+  const std::pair<QString, QList<QAction*>> groups[] = {
+      {tr("&Robots"), m_robots.all() + QList<QAction*>{m_paths.choosing(), m_reach.action(), m_toolCamera.action()}},
+      {tr("&Bodies"), m_bodies.all()},
+      {tr("C&onfigurations and targets"), m_paths.ofConfigurations()},
+      {tr("P&aths"), m_paths.ofPaths()},
+      {tr("Verif&ication"), m_paths.ofVerification() + QList<QAction*>{m_pathDock.action()}},
+      {tr("Pro&grams"), m_paths.ofPrograms()}};
+  QList<QAction*> entries;
+  for (const auto& [title, actions] : groups) {
+    auto* const menu = new QMenu(title, parts().window);
+    menu->addActions(actions);
+    entries += menu->menuAction();
+  }
+  return entries + m_paths.ofRows();
 }
 
 QList<QAction*> RobotCellUi::toolBar() {
@@ -190,6 +230,7 @@ DisplayModel RobotCellUi::displayed(const Document& document) const {
 
 void RobotCellUi::forget(DocumentTab* document) {
   m_tries.erase(document);
+  m_said.erase(&document->document);
   m_paths.forget(document);
   parts().jobs.cancelOf(document);
 }
@@ -343,15 +384,15 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
   const bool isCovered = sightOf(*body, view) == BodySight::Covered;
   markSelected(isCovered);
   if (!isCovered || !isNew) return;
-  emit message({Message::Weight::Info,
-                tr("%1 is inside another object").arg(QString::fromStdString(body->name)),
-                tr("It is at the position given in its file; everything else is transparent while it is selected."),
-                tr("Type another position in the panel."),
-                {},
-                {},
-                {},
-                {},
-                &document()->document});
+  say({Message::Weight::Info,
+       tr("%1 is inside another object").arg(QString::fromStdString(body->name)),
+       tr("It is at the position given in its file; everything else is transparent while it is selected."),
+       tr("Type another position in the panel."),
+       {},
+       {},
+       {},
+       {},
+       &document()->document});
 }
 
 std::vector<StartAction> RobotCellUi::startActions() const {

@@ -17,6 +17,7 @@
 #include "window/kinds/RigidPartsUi.h"
 
 #include <QElapsedTimer>
+#include <map>
 
 namespace handwheel {
 
@@ -65,6 +66,8 @@ class RobotCellUi : public RigidPartsUi {
   BodyPointer placedBody(BodyId id) const;
   std::optional<Body> shownBody(const Document& document) const;
   QWidget* makePanel();
+  void say(Message message);
+  void showRobots();
   void select(const Pick& pick);
   void followRow(bool isChosen);  // by a person
   std::string selectedRobot() const;
@@ -73,6 +76,12 @@ class RobotCellUi : public RigidPartsUi {
   void markSelected(bool isCovered);
   void lookAgain();
   void reveal(BodyId id, bool isNew);
+
+  // Of the messages about a document; numbers count on from 1.
+  struct SaidLast {
+    std::uint64_t number = 0, news = 0;  // of the last, and of the last that was no error or warning
+    QString title = {};
+  };
 
   CellBodies m_bodies;
   CellCollisions m_collisions;
@@ -90,6 +99,7 @@ class RobotCellUi : public RigidPartsUi {
   bool m_showsRow = true;         // in the panel, not the selected body: it was selected later
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged
+  std::map<const Document*, SaidLast> m_said;
 };
 
 }  // namespace handwheel

@@ -67,6 +67,7 @@ class Loading {
       m_damage.push_back({ErrorCode::ReferenceMissing, {"the robot", std::exchange(plans->arm, {})}, {}, {}});
       cell->plans = std::move(plans);
     }
+    cell->proofs = std::make_shared<const PathProofs>(readProofs(m_container));
     cell->robot = std::move(robot);
     Result<BodySet> bodies = readBodies(m_container, kCellFolder, m_damage, progress.part(0.5, 1.0));
     if (!bodies) return bodies.error();
@@ -172,6 +173,9 @@ void writeCell(const RobotCellSnapshot& cell, Container& container) {
                                             : nlohmann::json());
   }
   writePlans(*cell.plans, robot.model, container);
+  std::set<std::string> paths;
+  for (const RobotPath& path : cell.plans->paths) paths.insert(path.name);
+  writeProofs(*cell.proofs, paths, container);
   writeBodies(cell.bodies, kCellFolder, container);
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t kMostRead = std::size_t{256} << 20;  // bytes of sources, 
 constexpr std::size_t kPointBytes = 12;                    // that a point counts at least
 
 // A whole number that is not negative; the fallback where there is none.
-std::size_t countAt(const XmlElement& element, std::string_view attribute, std::size_t fallback) {
+std::size_t attributeCount(const XmlElement& element, std::string_view attribute, std::size_t fallback) {
   const std::string* text = element.attribute(attribute);
   std::size_t value = fallback;
   if (text) std::from_chars(text->data(), text->data() + text->size(), value);
@@ -45,8 +45,9 @@ std::vector<Vec3> readPoints(const XmlElement& source) {
   const XmlElement* common = source.child("technique_common");
   const XmlElement* accessor = common ? common->child("accessor") : nullptr;
   if (!array) return points;
-  const std::size_t stride = std::clamp<std::size_t>(accessor ? countAt(*accessor, "stride", 1) : 3, 3, kMostInputs);
-  const std::size_t offset = accessor ? countAt(*accessor, "offset", 0) : 0;
+  const std::size_t stride =
+      std::clamp<std::size_t>(accessor ? attributeCount(*accessor, "stride", 1) : 3, 3, kMostInputs);
+  const std::size_t offset = accessor ? attributeCount(*accessor, "offset", 0) : 0;
   std::string_view text = array->text;
   std::size_t number = 0;
   Vec3 point;
@@ -109,7 +110,7 @@ std::optional<ColladaGeometry::Layout> ColladaGeometry::layoutOf(const XmlElemen
   };
   for (const XmlElement& input : first(primitive)) {
     if (input.name != "input") continue;
-    const std::size_t offset = countAt(input, "offset", 0);
+    const std::size_t offset = attributeCount(input, "offset", 0);
     if (offset >= kMostInputs) return {};
     layout.stride = std::max(layout.stride, offset + 1);
     const std::string* semantic = input.attribute("semantic");

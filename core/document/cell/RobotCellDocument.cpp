@@ -57,6 +57,7 @@ RobotCellDocument::RobotCellDocument(OpenedFile opened, QObject* parent)
   m_robot = content.robot;
   m_joints = content.joints;
   m_plans = content.plans;
+  m_proofs = content.proofs;
   m_source = content.source;
 }
 
@@ -65,9 +66,15 @@ SnapshotPointer RobotCellDocument::snapshot() const {
   snapshot->robot = m_robot;
   snapshot->joints = m_joints;
   snapshot->plans = m_plans;
+  snapshot->proofs = m_proofs;
   snapshot->source = m_source;
   snapshot->bodies = bodies();
   return snapshot;
+}
+
+void RobotCellDocument::setProofs(PathProofs proofs, bool isChange) {
+  m_proofs = std::make_shared<const PathProofs>(std::move(proofs));
+  if (isChange) wasRecorded();
 }
 
 std::vector<Property> RobotCellDocument::properties() const {

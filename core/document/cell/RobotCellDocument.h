@@ -24,6 +24,11 @@ class RobotCellDocument : public Document, public BodyOwner {
   const JointValues& joints() const { return m_joints; }
   const std::shared_ptr<const CellPlans>& plans() const { return m_plans; }  // never null
 
+  // What verifications found of the paths, and of what state of the cell: it is stored with it, and no edit.
+  const PathProofs& proofs() const { return *m_proofs; }
+  // isChange: the document is modified then; else the next save takes it along.
+  void setProofs(PathProofs proofs, bool isChange);
+
   SnapshotPointer snapshot() const override;
   // Those of cellProperties(), of bodyProperties(), of the targets, then those of every document.
   std::vector<Property> properties() const override;
@@ -59,6 +64,7 @@ class RobotCellDocument : public Document, public BodyOwner {
   std::shared_ptr<const CellRobot> m_robot;
   JointValues m_joints;
   std::shared_ptr<const CellPlans> m_plans;
+  std::shared_ptr<const PathProofs> m_proofs;
   std::string m_source;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/Snapshot.h"
+#include "document/cell/PathProof.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "robot/RobotArms.h"
 #include "robot/program/RobotPath.h"
@@ -27,6 +28,8 @@ struct RobotCellSnapshot : Snapshot {
   std::string source;                      // the file that the first robot came from, as text in UTF-8
   BodySet bodies;                          // what stands beside the robots; in the frame of the root
   std::shared_ptr<const CellPlans> plans = std::make_shared<const CellPlans>();  // never null
+  // What verifications found, perhaps of a former state of the cell. Never null.
+  std::shared_ptr<const PathProofs> proofs = std::make_shared<const PathProofs>();
 };
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "tools/cell/PathBasis.h"
 
 #include "document/cell/CellArms.h"
+#include "robot/arm/SerialArm.h"
 
 #include <algorithm>
 
@@ -27,12 +28,19 @@ bool standAlike(const PathBasis& basis, const JointValues& joints) {
 
 }  // namespace
 
-PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path, std::span<const std::uint32_t> planned) {
+std::vector<std::uint32_t> plannedDofs(const CellRobot& robot, std::string_view arm) {
+  const auto number = armNumber(robot, arm);
+  if (!number) return {};
+  auto planned = SerialArm::of(robot.model, robot.model.root, robot.arms[*number].flange);
+  return planned ? std::move(planned->dofs) : std::vector<std::uint32_t>();
+}
+
+PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path) {
   return {path,
           cell.robot,
           cell.bodies,
           cell.joints,
-          {planned.begin(), planned.end()},
+          plannedDofs(*cell.robot, path.arm),
           cell.plans->allowed,
           toolOf(*cell.robot, *cell.plans, path.arm),
           cell.plans->clearance};

@@ -4,8 +4,6 @@
 
 #include "document/cell/RobotCellSnapshot.h"
 
-#include <span>
-
 namespace handwheel {
 
 // What the verification of a path depends on: what it found holds as long as none of this changes. Lengths in mm,
@@ -20,10 +18,10 @@ struct PathBasis {
   Pose tool = Pose::Identity();  // of the robot of the path
   double clearance = 0.0;
 };
-PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path, std::span<const std::uint32_t> planned);
+PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path);
 
-// What has changed first, in this order.
-enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance };
+// The degrees of freedom that paths of a robot set, by its name as in RobotPath::arm.
+std::vector<std::uint32_t> plannedDofs(const CellRobot& robot, std::string_view arm);
 
 // Compares with the cell and the path as they are now. The name of the path, and how it was chosen on a part, do not
 // count; nor do names and colours of bodies, and whether they are shown. O(places + bodies).

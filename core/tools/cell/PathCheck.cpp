@@ -80,6 +80,24 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   return checked;
 }
 
+PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance) {
+  const auto& all = checked.verification.collisions;
+  PathFindings found{.isCertified = checked.isCertified(),
+                     .stopsAt = checked.way.stopsAt,
+                     .collisions = all.size(),
+                     .clearance = clearance,
+                     .leastClearance = checked.metrics.leastClearance,
+                     .seconds = checked.seconds,
+                     .hasShapeless = !scene.shapeless.empty(),
+                     .robotsMoved = checked.robotsMoved,
+                     .partMoved = checked.partMoved};
+  for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
+    auto [link, other] = scene.namesOf(all[i].deepest);
+    found.listed.push_back({checked.placeOf(all[i].motion), std::move(link), std::move(other)});
+  }
+  return found;
+}
+
 TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& way,
                 std::span<const double> blends) {
   const auto place = [&](const ArmValues& values) {

@@ -46,6 +46,9 @@ struct CheckedPath {
   std::size_t placeOf(std::size_t motion) const { return way.placeOf[motion]; }
 };
 
+// In brief. clearance: that was asked for, mm.
+PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance);
+
 // How a path is verified.
 struct PathCheckSettings {
   double clearance = 0.0;                                // mm that it must keep

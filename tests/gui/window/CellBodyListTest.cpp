@@ -77,6 +77,19 @@ class CellBodyListTest : public QObject {
     QVERIFY2(problem->text().contains("'box'"), qPrintable(problem->text()));
   }
 
+  void isRenamedByTheMenu() {
+    CellWindow driver;
+    driver.choose("add-box");
+    driver.choose("renameBody");
+    auto* editor = driver.list()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->setText("vice");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(driver.field("body.1.name"), "vice");
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.field("body.1.name"), "box");
+  }
+
   void aRightClickOpensTheMenuOfTheBody() {
     CellWindow driver;
     driver.choose("add-box");

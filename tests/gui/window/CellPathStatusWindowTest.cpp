@@ -4,6 +4,8 @@
 #include "WindowTestMain.h"
 
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QTemporaryDir>
 
 using namespace handwheel;
@@ -80,24 +82,108 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.remark(1).contains("free"));
   }
 
-  // Stored and opened: nothing is claimed that was not proven in this session.
+  // Stored and opened: what was proven is known, as long as nothing was changed since it was.
   void afterOpening() {
     QTemporaryDir folder;
-    const QString file = folder.filePath("cell.handwheel");
+    const QString file = folder.filePath("cell.handwheel"), changed = folder.filePath("changed.handwheel");
     {
       TwoPaths driver;
       driver.choose("saveFileAs");
       QVERIFY(driver.enterFileName("saveDialog", file));
       QVERIFY(driver.settle());
+      driver.choose("add-box");
+      QVERIFY(driver.settle());
+      QVERIFY(driver.becomes(1, "free"));
+      driver.choose("saveFileAs");
+      QVERIFY(driver.enterFileName("saveDialog", changed));
+      QVERIFY(driver.settle());
     }
+    {
+      PlanningWindow driver;
+      QVERIFY(driver.open(file));
+      for (int path = 0; path < 2; ++path)
+        QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(path)->text(1).contains("free"), kPatienceMs);
+      // It is proven anew before it is exported.
+      QVERIFY(!driver.find<QAction>("exportProgram")->isEnabled());
+      driver.clickItem(driver.paths()->child(1));
+      QTRY_VERIFY_WITH_TIMEOUT(driver.find<QAction>("exportProgram")->isEnabled(), kPatienceMs);
+      driver.choose("add-box");
+      QVERIFY(driver.settle());
+      QCOMPARE(driver.paths()->child(0)->text(1), QString("not verified since the bodies were changed"));
+    }
+    PlanningWindow driver;  // the one path was not verified after the box came
+    QVERIFY(driver.open(changed));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->child(0)->text(1), QString("not verified since the bodies were changed"),
+                              kPatienceMs);
+    QVERIFY(driver.paths()->child(1)->text(1).contains("free"));
+    driver.clickItem(driver.paths()->child(0));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free"), kPatienceMs);
+  }
+
+  // The whole of what is known of the selected path is below the list.
+  void detailsAreReadable() {
+    TwoPaths driver;
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    auto* detail = driver.find<QLabel>("planDetail");
+    QVERIFY(detail->isVisible() && detail->wordWrap());
+    QVERIFY(detail->text().contains("free of collisions"));
+    driver.choose("add-box");
+    driver.tree()->setCurrentItem(driver.configurations()->child(0));
+    QVERIFY(!detail->isVisible());
+    QVERIFY(driver.settle());
+  }
+
+  // Another name by the menu: as by F2.
+  void renamedByTheMenu() {
+    TwoPaths driver;
+    const auto rename = [&](const char* name) {
+      driver.choose("renamePlan");
+      auto* editor = driver.tree()->findChild<QLineEdit*>();
+      if (!editor) return false;
+      editor->setText(name);
+      QTest::keyClick(editor, Qt::Key_Return);
+      return true;
+    };
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QVERIFY(rename("weld"));
+    QTRY_COMPARE(driver.paths()->child(0)->text(0), QString("weld"));
+    driver.tree()->setCurrentItem(driver.configurations()->child(1));
+    QVERIFY(rename("right"));
+    QTRY_COMPARE(driver.configurations()->child(1)->text(0), QString("right"));
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));  // a place has none
+    QVERIFY(!driver.find<QAction>("renamePlan")->isEnabled());
+  }
+
+  // A banner goes with the state that it tells of, and is not found again below a newer one.
+  void bannersGo() {
+    TwoPaths driver;
+    auto* bar = driver.find<QWidget>("messageText");
+    driver.choose("storeConfiguration");
+    QVERIFY(driver.text("messageText").contains("Configuration 3 was stored"));
+    driver.choose("storeConfiguration");
+    QVERIFY(driver.text("messageText").contains("Configuration 4 was stored"));
+    QVERIFY(driver.configurations()->child(3)->isSelected());
+    driver.click("quickActions/undo");
+    QVERIFY(!bar->isVisible());
+    driver.choose("storeConfiguration");
+    driver.edit("joint.joint_1", "11");
+    QVERIFY(!bar->isVisible());
+    QVERIFY(driver.settle());
+  }
+
+  // What a planner looks for is in menus by subject; no more entries than are seen at a glance.
+  void menuIsGrouped() {
     PlanningWindow driver;
-    QVERIFY(driver.open(file));
-    QCOMPARE(driver.paths()->childCount(), 2);
-    for (int path = 0; path < 2; ++path) QCOMPARE(driver.paths()->child(path)->text(1), QString("not verified yet"));
-    driver.choose("verifyAllPaths");
-    for (int path = 0; path < 2; ++path) {
-      QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(path)->text(1).contains("free"), kPatienceMs);
+    auto* menu = driver.find<QMenu>("kindMenu/cell");
+    int entries = 0;
+    QStringList groups;
+    for (const QAction* action : menu->actions()) {
+      entries += action->isSeparator() ? 0 : 1;
+      if (action->menu()) groups += QString(action->text()).remove('&');
     }
+    QVERIFY(entries <= 16);
+    QCOMPARE(groups,
+             QStringList({"Robots", "Bodies", "Configurations and targets", "Paths", "Verification", "Programs"}));
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QInputDialog>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <cmath>
@@ -80,6 +81,43 @@ class CellRobotsWindowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(driver.box()->count(), 2);
     QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
+  }
+
+  // All paths of both robots are verified, each with the other robot where it stands; a new robot is in view.
+  void allRobotsAreVerified() {
+    TwoRobotsWindow driver;
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.view()->setCamera(driver.view()->camera());  // at once where it flies to
+    QVERIFY(!driver.placeOf("ur5_link_2/0").isNull());
+    const auto plan = [&](const char* joint, const char* from, const char* to) {
+      driver.edit(joint, from);
+      driver.choose("storeConfiguration");
+      driver.edit(joint, to);
+      driver.choose("storeConfiguration");
+      if (!driver.settle()) return;
+      driver.choose("planPath");
+      QTest::qWait(50);
+      QTest::mouseClick(driver.find<QDialog>("planDialog")->findChild<QPushButton*>("planNow"), Qt::LeftButton);
+    };
+    const auto remark = [&](int path) {
+      auto* paths = driver.tree()->topLevelItem(1);
+      return paths->childCount() > path ? paths->child(path)->text(1) : QString();
+    };
+    plan("joint.joint_1", "20", "-20");
+    QTRY_VERIFY_WITH_TIMEOUT(remark(0).contains("free"), kPatienceMs);
+    driver.box()->setCurrentIndex(1);
+    emit driver.box()->activated(1);
+    QVERIFY(driver.settle());
+    plan("joint.ur5_joint_1", "10", "30");
+    QTRY_VERIFY_WITH_TIMEOUT(remark(1).contains("free"), kPatienceMs);
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    QVERIFY(remark(0).contains("not verified since"));
+    driver.choose("verifyAllPaths");
+    QTRY_VERIFY_WITH_TIMEOUT(remark(0).contains("free"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(remark(1).contains("free"), kPatienceMs);
   }
 
   // What was selected last has its fields in the panel: a body, the robot in the list, a robot in the view.

@@ -4,7 +4,6 @@
 
 #include "ArmCell.h"
 #include "TestClass.h"
-#include "document/cell/CellScene.h"
 #include "document/cell/RobotChanges.h"
 #include "robot/dh/DhTable.h"
 #include "tools/cell/PathExport.h"
@@ -25,7 +24,7 @@ class PathBasisTest : public QObject {
     CellPlans plans = *m_cell->document().plans();
     plans.paths.push_back(path);
     m_cell->plan(plans);
-    m_basis = basisOf(m_cell->content(), *way(), m_cell->scene()->dofs);
+    m_basis = basisOf(m_cell->content(), *way());
     QCOMPARE(change(), BasisChange::Nothing);
   }
 
@@ -74,7 +73,7 @@ class PathBasisTest : public QObject {
   void anotherRobot() {
     add("ur5");
     QCOMPARE(change(), BasisChange::Robots);
-    m_basis = basisOf(m_cell->content(), *way(), m_cell->scene()->dofs);
+    m_basis = basisOf(m_cell->content(), *way());
     JointValues joints = m_cell->document().joints();
     joints[7] += 0.1;
     m_cell->document().commit("Move", m_cell->document().jointEdit(joints));

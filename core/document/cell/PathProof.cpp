@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/PathProof.h"
+
+#include "base/JsonText.h"
+#include "document/Container.h"
+#include "robot/program/RobotPath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using nlohmann::json;
+
+const std::string kProofs = "cell/proofs.json";
+constexpr std::uint64_t kMethod = 1;  // of verification and digests; counted on when what is proven changes
+
+constexpr std::array<const char*, 7> kParts = {"robots", "path", "joints", "bodies", "allowed", "tool", "clearance"};
+
+json toJson(const std::string& path, const PathProof& proof) {
+  const PathFindings& found = proof.found;
+  json stored = {{"path", path},
+                 {"at", proof.at},
+                 {"certified", found.isCertified},
+                 {"collisions", found.collisions},
+                 {"clearance_mm", found.clearance},
+                 {"least_clearance_mm", found.leastClearance},
+                 {"seconds", found.seconds},
+                 {"shapeless", found.hasShapeless},
+                 {"robots_moved", found.robotsMoved},
+                 {"part_moved", found.partMoved},
+                 {"listed", json::array()},
+                 {"basis", json::object()}};
+  if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
+  for (const PathFindings::Meeting& each : found.listed)
+    stored["listed"].push_back({{"place", each.place}, {"link", each.link}, {"other", each.other}});
+  for (std::size_t i = 0; i < kParts.size(); ++i) stored["basis"][kParts[i]] = proof.basis[i];
+  return stored;
+}
+
+std::optional<double> lengthAt(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number() || !std::isfinite(found->get<double>())) return std::nullopt;
+  return found->get<double>();
+}
+
+bool isAt(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
+std::optional<PathProof> proofFrom(const json& stored) {
+  const auto clearance = lengthAt(stored, "clearance_mm"), least = lengthAt(stored, "least_clearance_mm"),
+             seconds = lengthAt(stored, "seconds");
+  const auto basis = stored.find("basis");
+  if (!clearance || !least || !seconds || basis == stored.end() || !basis->is_object()) return std::nullopt;
+  PathProof proof;
+  proof.at = stringAt(stored, "at");
+  for (std::size_t i = 0; i < kParts.size(); ++i) proof.basis[i] = stringAt(*basis, kParts[i]);
+  PathFindings& found = proof.found;
+  found.isCertified = isAt(stored, "certified");
+  found.collisions = countAt(stored, "collisions");
+  if (stored.contains("stops_at")) found.stopsAt = countAt(stored, "stops_at");
+  found.clearance = *clearance;
+  found.leastClearance = *least;
+  found.seconds = *seconds;
+  found.hasShapeless = isAt(stored, "shapeless");
+  found.partMoved = stringAt(stored, "part_moved");
+  const auto moved = stored.find("robots_moved"), listed = stored.find("listed");
+  for (const json& each : moved != stored.end() && moved->is_array() ? *moved : json::array()) {
+    if (each.is_string()) found.robotsMoved.insert(each.get<std::string>());
+  }
+  for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
+    if (each.is_object() && found.listed.size() < PathFindings::kMostListed)
+      found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other")});
+  }
+  // Who contradicts itself proves nothing.
+  if (found.isCertified && (found.collisions > 0 || found.stopsAt)) return std::nullopt;
+  return proof;
+}
+
+}  // namespace
+
+void writeProofs(const PathProofs& proofs, const std::set<std::string>& paths, Container& container) {
+  json stored = {{"method", kMethod}, {"paths", json::array()}};
+  for (const auto& [path, proof] : proofs) {
+    if (paths.contains(path)) stored["paths"].push_back(toJson(path, proof));
+  }
+  if (!stored["paths"].empty()) container.blobs[kProofs] = stored.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+PathProofs readProofs(const Container& container) {
+  const auto bytes = container.blobs.find(kProofs);
+  if (bytes == container.blobs.end()) return {};
+  const Result<json> stored = parseJson(bytes->second, "proofs");
+  if (!stored || !stored->is_object() || countAt(*stored, "method") != kMethod) return {};
+  const auto paths = stored->find("paths");
+  PathProofs proofs;
+  for (const json& each : paths != stored->end() && paths->is_array() ? *paths : json::array()) {
+    if (!each.is_object() || proofs.size() >= CellPlans::kMost) continue;
+    if (auto proof = proofFrom(each)) proofs.emplace(stringAt(each, "path"), std::move(*proof));
+  }
+  return proofs;
+}
+
+}  // namespace handwheel
