@@ -13,6 +13,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
+#include "window/volume/segmentation/Segmentation.h"
 
 #include <QLocale>
 #include <utility>
@@ -20,7 +21,10 @@
 namespace handwheel {
 
 VolumeUi::VolumeUi(const WindowContext& window)
-    : RigidPartsUi(window, {"Volume"}), m_volumeLayer(std::make_shared<VolumeLayer>()) {
+    : RigidPartsUi(window, {"Volume"}),
+      m_volumeLayer(std::make_shared<VolumeLayer>()),
+      m_segmentation(new Segmentation(window, this)) {
+  connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
   connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
@@ -47,6 +51,7 @@ void VolumeUi::setDocument(DocumentTab* opened) {
   m_still = std::make_shared<ClayChannel>();
   if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
   if (opened) offerStill();
+  m_segmentation->setDocument(opened);
   followTool();
 }
 
@@ -100,6 +105,14 @@ void VolumeUi::followTool() {
     return std::make_unique<ClayForce>(channel, inScene);
   };
   parts().touch.setSource(kClaySource, make, isSame);
+}
+
+QList<QAction*> VolumeUi::menu() {
+  return {m_segmentation->action()};
+}
+
+bool VolumeUi::isSettled() const {
+  return RigidPartsUi::isSettled() && m_segmentation->isSettled();
 }
 
 std::vector<StartAction> VolumeUi::startActions() const {
