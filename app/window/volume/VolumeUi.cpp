@@ -41,11 +41,13 @@ const VolumeSnapshot& VolumeUi::volume() const {
 void VolumeUi::setDocument(DocumentTab* opened) {
   if (document()) document()->document.disconnect(this);
   m_live.reset();
+  m_drawn.reset();
   m_volumeLayer->setVolume({}, {});
   if (opened) {
     const VolumeSnapshot& content = *static_cast<const VolumeDocument&>(opened->document).volume();
     m_volumeLayer->setVisible(opened->visible);
     m_volumeLayer->setVolume(content.volume, content.surface);
+    m_drawn = static_cast<const VolumeDocument&>(opened->document).volume();
   }
   RigidPartsUi::setDocument(opened);
   m_still = std::make_shared<ClayChannel>();
@@ -63,6 +65,9 @@ void VolumeUi::refreshVisibility() {
 
 void VolumeUi::showVolume() {
   if (!document()) return;
+  std::shared_ptr<const void> drawn = m_live;
+  if (!drawn) drawn = static_cast<const VolumeDocument&>(document()->document).volume();
+  if (std::exchange(m_drawn, drawn) == drawn) return;  // the segment of its scan was changed
   offerStill();
   if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface);
   m_volumeLayer->setVolume(volume().volume, volume().surface);

@@ -64,6 +64,9 @@ QLabel* textLabel(const char* name) {
   label->setObjectName(QString::fromLatin1(name));
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
+  // Two lines are kept free, so that nothing moves while figures change.
+  label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
+  label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   return label;
 }
 
@@ -92,7 +95,7 @@ SegmentationPanel::SegmentationPanel(QWidget* parent) : QWidget(parent) {
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 8);
   column->setSpacing(6);
-  for (QWidget* group : {makeRange(), makeParts(), makeActions(), makeGreys(), makeSurface()}) column->addWidget(group);
+  for (QWidget* group : {makeRange(), makeParts(), makeActions(), makeSurface(), makeGreys()}) column->addWidget(group);
   column->addStretch();
 }
 
@@ -147,8 +150,9 @@ QWidget* SegmentationPanel::makeParts() {
   });
   connect(smooth, &QPushButton::clicked, this, &SegmentationPanel::smoothingRequested);
   m_ofParts = {largest, keep, remove};
-  return groupOf(tr("Parts"),
-                 {m_parts, rowOf({largest, smooth}), rowOf({m_keep, keep}), m_debris, m_debrisText, rowOf({remove})});
+  auto* const debris = rowOf({m_debris, remove});
+  static_cast<QHBoxLayout*>(debris->layout())->setStretch(0, 1);
+  return groupOf(tr("Parts"), {m_parts, rowOf({largest, smooth}), rowOf({m_keep, keep}), debris, m_debrisText});
 }
 
 QWidget* SegmentationPanel::makeActions() {
@@ -227,9 +231,8 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
 void SegmentationPanel::setSegment(const Segment& segment) {
   m_segment = segment;
   showRange(segment.range());
-  m_painted->setText(segment.isByRangeAlone()
-                         ? QString()
-                         : tr("Changed beyond its values. Another range starts anew; undo brings this back."));
+  m_painted->setText(
+      segment.isByRangeAlone() ? QString() : tr("Changed by hand: another range starts anew (undo brings this back)."));
   m_painted->setVisible(!segment.isByRangeAlone());
   setFigures({});
 }
