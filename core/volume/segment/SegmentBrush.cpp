@@ -14,10 +14,11 @@ struct Capsule {
   Vec3 from, way;
   double radius;
 
-  bool contains(const Vec3& p) const {
+  // Of a place from the line.
+  double squaredDistance(const Vec3& p) const {
     const double squares = way.squaredNorm();
     const double share = squares > 0.0 ? std::clamp((p - from).dot(way) / squares, 0.0, 1.0) : 0.0;
-    return (p - from - share * way).squaredNorm() <= radius * radius;
+    return (p - from - share * way).squaredNorm();
   }
 };
 
@@ -41,18 +42,25 @@ void applyBrush(Segment& segment, const ImageVolume& image, const SegmentBrush& 
     low[k] = static_cast<int>(std::max(least, 0.0));
     high[k] = static_cast<int>(std::min(largest, last));
   }
+  // From the middle of a brick to its samples, at most.
+  const double half = 0.5 * (SegmentBrick::kSide - 1) * grid.steps.colwise().norm().sum();
   const VoxelIndex firstBrick = low.unaryExpr([](int i) { return i & ~15; });
   for (int bz = firstBrick.z(); bz <= high.z(); bz += SegmentBrick::kSide)
     for (int by = firstBrick.y(); by <= high.y(); by += SegmentBrick::kSide)
       for (int bx = firstBrick.x(); bx <= high.x(); bx += SegmentBrick::kSide) {
         const VoxelIndex first(bx, by, bz);
+        const double middle = std::sqrt(capsule.squaredDistance(
+            grid.place(first.cast<double>() + Vec3::Constant(0.5 * (SegmentBrick::kSide - 1)))));
+        if (middle > brush.radius + half) continue;
+        const bool isWithin = middle < brush.radius - half;
         const VoxelIndex begin = first.cwiseMax(low), stop = (first.array() + 15).matrix().cwiseMin(high);
         const SegmentBrick before = segment.filledBrick(image, first);
         auto brick = std::make_shared<SegmentBrick>(before);
         for (int z = begin.z(); z <= stop.z(); ++z)
           for (int y = begin.y(); y <= stop.y(); ++y)
             for (int x = begin.x(); x <= stop.x(); ++x)
-              if (capsule.contains(grid.place(Vec3(x, y, z)))) brick->set(x & 15, y & 15, z & 15, !brush.isErasing);
+              if (isWithin || capsule.squaredDistance(grid.place(Vec3(x, y, z))) <= brush.radius * brush.radius)
+                brick->set(x & 15, y & 15, z & 15, !brush.isErasing);
         if (brick->rows != before.rows) segment.setBrick(grid.size, first, std::move(brick));
       }
 }

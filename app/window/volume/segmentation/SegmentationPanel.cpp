@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr int kDebrisSteps = 100;
-constexpr double kLeastRadius = 0.01, kLargestRadius = 1000.0;  // mm
+constexpr double kLeastRadius = 0.001;  // mm
 
 NumberField* field(const QString& label, const char* name, Quantity quantity = Quantity::Number) {
   auto* const made = new NumberField;
@@ -80,6 +80,12 @@ QPushButton* button(const QString& text, const char* name, const QString& tip) {
 QString number(double value, int digits = 4) {
   // No exponents: a head has a million mm³.
   return std::abs(value) < 1e4 ? QLocale().toString(value, 'g', digits) : QLocale().toString(value, 'f', 0);
+}
+
+// A ball of more samples would not follow the mouse.
+double largestRadius(const ImageGrid& grid) {
+  constexpr double kMostAcross = 200.0;
+  return 0.5 * kMostAcross * grid.spacing().minCoeff();
 }
 
 // To two digits, so that what is proposed is easily read.
@@ -172,7 +178,6 @@ QWidget* SegmentationPanel::makeActions() {
   QWidget* const grow = action(SliceAction::Grow, tr("&Grow from point"), "segmentGrow",
                                tr("Click a point of the segment: what hangs together with it stays"));
   m_radius = field(tr("Radius of the brush"), "segmentRadius", Quantity::Length);
-  m_radius->setRange(kLeastRadius, kLargestRadius);
   m_isBall = new QCheckBox(tr("Ball (&3D)"));
   m_isBall->setObjectName(QStringLiteral("segmentBall"));
   m_isBall->setToolTip(tr("The brush reaches into the slices around, else it stays in one"));
@@ -224,6 +229,7 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
   }
   m_voxel->setValue(usualVoxel(scan->image.grid()));
   // About a dozen samples across.
+  m_radius->setRange(kLeastRadius, largestRadius(scan->image.grid()));
   m_radius->setValue(roundedOff(6.0 * usualVoxel(scan->image.grid())));
   m_debris->setValue(0);
 }
@@ -283,7 +289,8 @@ SegmentationPanel::Brush SegmentationPanel::brush() const {
 }
 
 void SegmentationPanel::stepRadius(double factor) {
-  m_radius->setValue(std::clamp(m_radius->value() * factor, kLeastRadius, kLargestRadius));
+  if (!m_scan) return;
+  m_radius->setValue(std::clamp(m_radius->value() * factor, kLeastRadius, largestRadius(m_scan->image.grid())));
   emit brushChanged();
 }
 

@@ -63,6 +63,22 @@ class SegmentBrushTest : public QObject {
         }
   }
 
+  // As large as the image and larger: bricks that are wholly within it, too.
+  void large() {
+    const ImageVolume image = noise({70, 60, 50}, 9);
+    const Vec3 middle(33.3, 30.1, 24.7);
+    for (const double radius : {22.0, 90.0}) {
+      Segment painted({200.0, 300.0});
+      applyBrush(painted, image, {radius, false, {}}, middle, middle);
+      for (int z = 0; z < 50; ++z)
+        for (int y = 0; y < 60; ++y)
+          for (int x = 0; x < 70; ++x) {
+            const double distance = (image.grid().steps * (Vec3(x, y, z) - middle)).norm();
+            QCOMPARE(painted.contains(image, {x, y, z}), distance <= radius);
+          }
+    }
+  }
+
   // What changes nothing takes no memory.
   void nothingNew() {
     const ImageVolume image = noise({40, 40, 40}, 4);
