@@ -7,6 +7,8 @@
 #include "volume/VolumeToSurface.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/image/NrrdWriter.h"
+#include "volume/segment/SegmentParts.h"
+#include "volume/segment/SlicePicture.h"
 
 #include <QTemporaryDir>
 #include <cmath>
@@ -63,7 +65,7 @@ struct Files {
 
 void aScan(benchmark::State& state) {
   const Files files;
-  bench::Fastest bytes, open, dicom, threshold, surface;
+  bench::Fastest bytes, open, dicom, threshold, surface, preview, parts;
   const ValueRange bone{300.0, std::numeric_limits<double>::infinity()};
   std::size_t triangles = 0;
   for (auto run : state) {
@@ -75,6 +77,17 @@ void aScan(benchmark::State& state) {
       if (!image || !series) return bars.failed(state, "CT 512 x 512 x 300", "it cannot be read");
       Result<SparseVolume> volume = Error{};
       threshold.add(bench::secondsOf([&] { volume = volumeOfImage(image->image, bone, std::nullopt); }));
+      // As while a handle of the histogram is dragged: another range, shown in the three slices in the middle.
+      preview.add(bench::secondsOf([&] {
+        const Segment dragged({250.0 + 10.0 * i, bone.largest});
+        for (const SlicePlane plane : kSlicePlanes) {
+          const SliceView view = sliceView(image->image.grid(), plane);
+          benchmark::DoNotOptimize(
+              pictureOf(image->image, dragged, view, view.slices / 2, {500.0, 2000.0}, 0x70ff9d2e).pixels.data());
+        }
+      }));
+      parts.add(bench::secondsOf(
+          [&] { benchmark::DoNotOptimize(SegmentParts(image->image, Segment(bone)).samples().data()); }));
       if (!volume) return bars.failed(state, "CT 512 x 512 x 300", "nothing is bone");
       surface.add(bench::secondsOf([&] { triangles = surfaceOf(*volume).triangles.size(); }));
     }
@@ -85,6 +98,9 @@ void aScan(benchmark::State& state) {
   bars.atMost(ct + "opened from DICOM by another process, times reading its bytes", 45.0, ratio(dicom));
   bars.atMost(ct + "bone as a volume, times reading its bytes", 45.0, ratio(threshold));
   bars.atMost(ct + "its surface, times reading its bytes", 12.0, ratio(surface));
+  bars.atMost(ct + "threshold preview in three slices, times reading its bytes", 1.0, ratio(preview));
+  bars.tell(ct + "threshold preview in three slices, ms (bar 100)", 1e3 * preview.seconds);
+  bars.tell(ct + "parts of the segment, s", parts.seconds);
   bars.tell(ct + "reading its bytes, s", bytes.seconds);
   bars.tell(ct + "opened from NRRD, s", open.seconds);
   bars.tell(ct + "opened from DICOM, s", dicom.seconds);

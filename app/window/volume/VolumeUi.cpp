@@ -13,6 +13,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
+#include "window/volume/segmentation/Segmentation.h"
 
 #include <QLocale>
 #include <utility>
@@ -20,7 +21,10 @@
 namespace handwheel {
 
 VolumeUi::VolumeUi(const WindowContext& window)
-    : RigidPartsUi(window, {"Volume"}), m_volumeLayer(std::make_shared<VolumeLayer>()) {
+    : RigidPartsUi(window, {"Volume"}),
+      m_volumeLayer(std::make_shared<VolumeLayer>()),
+      m_segmentation(new Segmentation(window, this)) {
+  connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
   connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
@@ -37,16 +41,19 @@ const VolumeSnapshot& VolumeUi::volume() const {
 void VolumeUi::setDocument(DocumentTab* opened) {
   if (document()) document()->document.disconnect(this);
   m_live.reset();
+  m_drawn.reset();
   m_volumeLayer->setVolume({}, {});
   if (opened) {
     const VolumeSnapshot& content = *static_cast<const VolumeDocument&>(opened->document).volume();
     m_volumeLayer->setVisible(opened->visible);
     m_volumeLayer->setVolume(content.volume, content.surface);
+    m_drawn = static_cast<const VolumeDocument&>(opened->document).volume();
   }
   RigidPartsUi::setDocument(opened);
   m_still = std::make_shared<ClayChannel>();
   if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
   if (opened) offerStill();
+  m_segmentation->setDocument(opened);
   followTool();
 }
 
@@ -58,6 +65,9 @@ void VolumeUi::refreshVisibility() {
 
 void VolumeUi::showVolume() {
   if (!document()) return;
+  std::shared_ptr<const void> drawn = m_live;
+  if (!drawn) drawn = static_cast<const VolumeDocument&>(document()->document).volume();
+  if (std::exchange(m_drawn, drawn) == drawn) return;  // the segment of its scan was changed
   offerStill();
   if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface);
   m_volumeLayer->setVolume(volume().volume, volume().surface);
@@ -100,6 +110,14 @@ void VolumeUi::followTool() {
     return std::make_unique<ClayForce>(channel, inScene);
   };
   parts().touch.setSource(kClaySource, make, isSame);
+}
+
+QList<QAction*> VolumeUi::menu() {
+  return {m_segmentation->action()};
+}
+
+bool VolumeUi::isSettled() const {
+  return RigidPartsUi::isSettled() && m_segmentation->isSettled();
 }
 
 std::vector<StartAction> VolumeUi::startActions() const {

@@ -9,6 +9,7 @@
 namespace handwheel {
 
 class ClayTool;
+class Segmentation;
 class VolumeLayer;
 struct VolumeSnapshot;
 
@@ -26,6 +27,8 @@ class VolumeUi : public RigidPartsUi {
   QString panelTitle() const override { return tr("Volume"); }
   QString panelIcon() const override { return QStringLiteral("kind-volume"); }
   QString menuTitle() const override { return tr("&Volume"); }
+  QList<QAction*> menu() override;
+  bool isSettled() const override;
   std::vector<StartAction> startActions() const override;
   std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
@@ -42,6 +45,8 @@ class VolumeUi : public RigidPartsUi {
   void followTool();
 
   std::shared_ptr<VolumeLayer> m_volumeLayer;
+  Segmentation* m_segmentation;
+  std::shared_ptr<const void> m_drawn;      // the volume in the layer, of the document or of a tool
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is
   std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is

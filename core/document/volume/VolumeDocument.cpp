@@ -10,7 +10,10 @@ namespace handwheel {
 
 VolumeDocument::VolumeDocument(OpenedFile opened, QObject* parent)
     : Document(*opened.kind, std::move(opened.file), parent),
-      m_volume(std::static_pointer_cast<const VolumeSnapshot>(opened.content)) {}
+      m_volume(std::static_pointer_cast<const VolumeSnapshot>(opened.content)),
+      m_scan(m_volume->scan) {
+  if (m_scan) m_segment = Segment(m_scan->usual);
+}
 
 std::vector<Property> VolumeDocument::properties() const {
   const SparseVolume& volume = m_volume->volume;

@@ -7,6 +7,7 @@
 #include "document/FileBytes.h"
 #include "document/volume/ImageFiles.h"
 #include "volume/VolumeErrors.h"
+#include "volume/image/ImageHistogram.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/image/VolumeToImage.h"
 #include "volume/vdb/VdbFile.h"
@@ -19,12 +20,11 @@ namespace handwheel {
 namespace {
 
 // The values of an image that are taken as material where nobody chooses.
-ValueRange usualRange(const ImageFile& file, std::vector<Note>& notes) {
-  if (file.content == kSignedDistance) return {-std::numeric_limits<double>::infinity(), 0.0};
-  const double threshold = otsuThreshold(file.image);
+ValueRange usualRange(const ImageHistogram& histogram, std::vector<Note>& notes) {
+  const double threshold = otsuThreshold(histogram);
   notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                     "Values from %1 on are taken as material: that parts the image best. 'handwheel "
-                                     "segment' takes any other range."),
+                                     "Values from %1 on are taken as material: that parts the image best. The panel "
+                                     "Segmentation and 'handwheel segment' take any other range."),
                    {roundedText(threshold, 4)}});
   return {threshold, std::numeric_limits<double>::infinity()};
 }
@@ -42,12 +42,28 @@ Result<SparseVolume> volumeOfVdb(const std::filesystem::path& path, std::vector<
   return std::move(read->volume);
 }
 
-Result<SparseVolume> volumeOfImageFile(const std::filesystem::path& path, std::vector<Note>& notes, Progress progress) {
-  const Result<ImageFile> file = readImageFile(path, progress.part(0.0, 0.6));
+struct OpenedImage {
+  SparseVolume volume;
+  std::shared_ptr<const Scan> scan;  // null: the image is a volume already
+};
+
+Result<OpenedImage> openImage(const std::filesystem::path& path, std::vector<Note>& notes, Progress progress) {
+  Result<ImageFile> file = readImageFile(path, progress.part(0.0, 0.6));
   if (!file) return file.error();
   const std::vector<Note> remarks = notesOn(file->remarks);
   notes.insert(notes.end(), remarks.begin(), remarks.end());
-  return volumeOfImage(file->image, usualRange(*file, notes), std::nullopt, progress.part(0.6, 1.0));
+  const bool isDistance = file->content == kSignedDistance;
+  std::shared_ptr<Scan> scan;
+  ValueRange range{-std::numeric_limits<double>::infinity(), 0.0};
+  if (!isDistance) {
+    ImageHistogram histogram = histogramOf(file->image);
+    range = usualRange(histogram, notes);
+    scan = std::make_shared<Scan>(Scan{std::move(file->image), std::move(histogram), range});
+  }
+  Result<SparseVolume> volume =
+      volumeOfImage(scan ? scan->image : file->image, range, std::nullopt, progress.part(0.6, 1.0));
+  if (!volume) return volume.error();
+  return OpenedImage{std::move(*volume), std::move(scan)};
 }
 
 }  // namespace
@@ -82,10 +98,18 @@ Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem
   const Result<std::string> head = readFileHead(path);
   if (!head) return head.error();
   const Progress reading = progress.part(0.0, 0.7);
-  const Result<SparseVolume> volume =
-      looksLikeVdb(*head) ? volumeOfVdb(path, notes, reading) : volumeOfImageFile(path, notes, reading);
-  if (!volume) return volume.error();
-  return snapshotOf(*volume, sourceName(path), progress.part(0.7, 1.0));
+  if (looksLikeVdb(*head)) {
+    const Result<SparseVolume> volume = volumeOfVdb(path, notes, reading);
+    if (!volume) return volume.error();
+    return snapshotOf(*volume, sourceName(path), progress.part(0.7, 1.0));
+  }
+  const Result<OpenedImage> image = openImage(path, notes, reading);
+  if (!image) return image.error();
+  const auto made = snapshotOf(image->volume, sourceName(path), progress.part(0.7, 1.0));
+  if (!made) return made.error();
+  auto snapshot = std::make_shared<VolumeSnapshot>(**made);
+  snapshot->scan = image->scan;
+  return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));
 }
 
 bool isVolumeFile(std::string_view head) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "document/Snapshot.h"
+#include "document/volume/Scan.h"
 #include "volume/SparseVolume.h"
 #include "volume/VolumeSurface.h"
 
+#include <memory>
 #include <string>
 
 namespace handwheel {
@@ -13,8 +15,9 @@ namespace handwheel {
 // The value of a volume document.
 struct VolumeSnapshot : Snapshot {
   SparseVolume volume;
-  VolumeSurface surface;  // of the volume
-  std::string source;     // the file that it was made from, UTF-8; empty where there is none
+  VolumeSurface surface;             // of the volume
+  std::string source;                // the file that it was made from, UTF-8; empty where there is none
+  std::shared_ptr<const Scan> scan;  // that was opened; null: none was
 };
 
 }  // namespace handwheel

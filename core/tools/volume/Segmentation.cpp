@@ -3,10 +3,9 @@
 #include "tools/volume/Segmentation.h"
 
 #include "base/NumberText.h"
-#include "volume/VolumeErrors.h"
-#include "volume/VolumeFilters.h"
-#include "volume/VolumeParts.h"
-#include "volume/image/ImageToVolume.h"
+#include "volume/image/ImageHistogram.h"
+#include "volume/segment/SegmentParts.h"
+#include "volume/segment/SegmentToVolume.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -80,23 +79,19 @@ std::optional<ValueRange> rangeIn(std::string_view text) {
 Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress) {
   Segmented done;
   done.range = rangeIn(values.text("range")).value_or(ValueRange{0.0, kNoEnd});
-  if (values.text("range").empty()) done.range.least = otsuThreshold(image);
-  Result<SparseVolume> made = volumeOfImage(image, done.range, values.given("voxel"), progress.part(0.0, 0.6));
+  if (values.text("range").empty()) done.range.least = otsuThreshold(histogramOf(image));
+  Segment segment(done.range);
+  const SegmentParts parts(image, segment, progress.part(0.0, 0.2));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  done.parts = done.kept = parts.samples().size();
+  if (const std::size_t largest = values.whole("largest"); largest > 0 && largest < done.parts) {
+    segment = parts.only(0, largest);
+    done.kept = largest;
+  }
+  Result<SparseVolume> made =
+      volumeOfSmoothed(image, segment, values.given("voxel"), values.flag("smooth"), progress.part(0.2, 1.0));
   if (!made) return made.error();
   done.volume = std::move(*made);
-  if (values.flag("smooth")) smooth(done.volume, progress.part(0.6, 0.9));
-  const std::size_t largest = values.whole("largest");
-  done.parts = (largest > 0 ? keepLargest(done.volume, largest) : partsOf(done.volume)).voxels.size();
-  done.kept = largest > 0 ? std::min(largest, done.parts) : done.parts;
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (done.parts == 0) {
-    const ValueRange all = valuesOf(image);
-    return Error{VolumeErrors::NothingInRange,
-                 {roundedText(done.range.least), roundedText(done.range.largest), roundedText(all.least),
-                  roundedText(all.largest)},
-                 {},
-                 {}};
-  }
   return done;
 }
 

@@ -289,15 +289,16 @@ Result<SparseVolume> volumeOfImage(const ImageVolume& image, const ValueRange& r
   for (std::size_t i = 0; i < blocks.size(); ++i) volume.setContent(blocks[i], std::move(contents[i]));
   makeDistances(volume, volume.blocks(), DepthWindow::Beside::Kept, progress.part(0.7, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (volume.isEmpty()) {
-    const ValueRange all = valuesOf(image);
-    return Error{
-        VolumeErrors::NothingInRange,
-        {roundedText(range.least), roundedText(range.largest), roundedText(all.least), roundedText(all.largest)},
-        {},
-        {}};
-  }
+  if (volume.isEmpty()) return nothingInRange(range, image);
   return volume;
+}
+
+Error nothingInRange(const ValueRange& range, const ImageVolume& image) {
+  const ValueRange all = valuesOf(image);
+  return {VolumeErrors::NothingInRange,
+          {roundedText(range.least), roundedText(range.largest), roundedText(all.least), roundedText(all.largest)},
+          {},
+          {}};
 }
 
 }  // namespace handwheel

@@ -23,6 +23,9 @@ namespace handwheel {
 Result<SparseVolume> volumeOfImage(const ImageVolume& image, const ValueRange& range, std::optional<double> voxel,
                                    Progress progress = {});
 
+// The error that an image has no samples with values of this range.
+Error nothingInRange(const ValueRange& range, const ImageVolume& image);
+
 // The least spacing of the samples; mm.
 double usualVoxel(const ImageGrid& grid);
 

@@ -46,34 +46,4 @@ ValueRange valuesOf(const ImageVolume& image) {
   });
 }
 
-double otsuThreshold(const ImageVolume& image) {
-  constexpr std::size_t kBins = 4096;
-  const ValueRange range = valuesOf(image);
-  const double width = (range.largest - range.least) / kBins;
-  if (!(width > 0.0)) return range.largest;
-  std::vector<double> counts(kBins, 0.0);
-  image.visitSamples([&](auto samples) {
-    for (const auto v : samples)
-      ++counts[std::min(kBins - 1, static_cast<std::size_t>((static_cast<double>(v) - range.least) / width))];
-  });
-  double all = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < kBins; ++i) {
-    all += counts[i];
-    sum += counts[i] * static_cast<double>(i);
-  }
-  double below = 0.0, sumBelow = 0.0, best = -1.0;
-  std::size_t first = 0, last = 0;  // of the bins that are equally good: between two peaks there are many
-  for (std::size_t i = 0; i + 1 < kBins; ++i) {
-    below += counts[i];
-    sumBelow += counts[i] * static_cast<double>(i);
-    if (below == 0.0 || below == all) continue;
-    const double apart = sumBelow / below - (sum - sumBelow) / (all - below);
-    const double variance = below * (all - below) * apart * apart;
-    if (variance > best) first = i;
-    if (variance >= best) last = i;
-    best = std::max(best, variance);
-  }
-  return range.least + width * (0.5 * static_cast<double>(first + last) + 1.0);
-}
-
 }  // namespace handwheel

@@ -69,8 +69,4 @@ struct ValueRange {
 // The least and the largest value of an image. O(samples).
 ValueRange valuesOf(const ImageVolume& image);
 
-// The value that parts an image best in two: the variance between what is below and what is not is the largest (Otsu
-// 1979, "A threshold selection method from gray-level histograms"), to a 4096th of its values. O(samples).
-double otsuThreshold(const ImageVolume& image);
-
 }  // namespace handwheel

@@ -50,17 +50,6 @@ class ImageVolumeTest : public QObject {
     bad.steps *= 1e-9;
     QVERIFY(!checkGrid(bad));
   }
-
-  // Of two peaks it is between them, whatever is more; of one value there is nothing to part.
-  void otsu() {
-    const ImageGrid grid{{50, 10, 10}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
-    const ImageVolume two = imageOf(grid, [](const Vec3& p) { return p.x() < 40.0 ? std::sin(p.y()) : 100.0 + p.z(); });
-    QVERIFY(otsuThreshold(two) > 1.0 && otsuThreshold(two) < 100.0);
-    const ImageVolume steps = imageOf<std::int16_t>(grid, [](const Vec3& p) { return p.x() < 25.0 ? -1000 : 500; });
-    QVERIFY(std::abs(otsuThreshold(steps) - -250.0) < 2.0);
-    const ImageVolume flat = imageOf<std::int16_t>(grid, [](const Vec3&) { return 7; });
-    QCOMPARE(otsuThreshold(flat), 7.0);
-  }
 };
 
 HANDWHEEL_TEST(ImageVolumeTest)

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/image/ImageHistogram.h"
+
+#include <QWidget>
+
+namespace handwheel {
+
+// A histogram with a logarithmic scale and two handles, the ends of a range. A handle is dragged, or moved by the arrow
+// keys: left and right by a hundredth (Ctrl: by a thousandth), up and down choose the other one.
+class HistogramView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistogramView(QWidget* parent = nullptr);
+
+  void setHistogram(const ImageHistogram& histogram);
+  // Ends may be infinite: the handle is at the end of the values then.
+  void setRange(const ValueRange& range);
+  const ValueRange& range() const { return m_range; }
+
+  QSize sizeHint() const override { return {260, 120}; }
+  QSize minimumSizeHint() const override { return {120, 80}; }
+
+ signals:
+  // While a handle is dragged stillDragging is true; the last range is sent once more with false.
+  void rangeEdited(const handwheel::ValueRange& range, bool stillDragging);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class Handle { Lower, Upper };
+
+  double end(Handle handle) const;
+  double placeOf(double value) const;  // pixels
+  double valueAt(double x) const;
+  void move(double value, bool stillDragging);
+
+  ImageHistogram m_histogram;  // with wider bins
+  ValueRange m_range{0.0, 0.0};
+  Handle m_handle = Handle::Lower;  // the one that is moved
+  bool m_isDragging = false;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/JobRunner.h"
+#include "window/kinds/KindUi.h"
+#include "window/volume/segmentation/SegmentationPanel.h"
+
+#include <QAction>
+#include <QPointer>
+#include <functional>
+
+class QDockWidget;
+
+namespace handwheel {
+
+class SlicesPanel;
+class VolumeDocument;
+
+// The segmentation of a scan in the window: the docks “Segmentation” and “Slices”, which are there as long as a
+// document with a scan is current and nobody closed them. Every change of the segment is an edit of the document.
+// Window thread.
+class Segmentation : public QObject {
+  Q_OBJECT
+
+ public:
+  Segmentation(const WindowContext& parts, QObject* parent);
+
+  QAction* action() { return &m_toggle; }
+  void setDocument(DocumentTab* document);
+  bool isSettled() const { return m_counting.isIdle() && !m_pause.isActive(); }
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  // What a job makes of a segment; no segment: the reason why not.
+  struct Changed {
+    std::optional<Segment> segment;
+    QString problem = {};
+  };
+  using Change = std::function<Changed(const Scan&, const Segment&, const SegmentParts&, Progress)>;
+
+  VolumeDocument& volume() const;
+  bool isOpen() const { return m_document && m_toggle.isChecked(); }
+  void makeDocks();
+  void connectSlices();
+  void show();
+  void refresh();
+  void count();
+  void commit(Segment segment, const QString& text);
+  void setRange(const ValueRange& range, bool stillDragging);
+  void begin(int through, const Vec3& index, bool opposite);
+  void paint(const Vec3& index);
+  void endStroke();
+  void setBrush();
+  void setGreys(const GreyWindow& greys);
+  // As a job, once more where the segment was changed meanwhile.
+  void change(const QString& name, const QString& text, const Change& how);
+  void keepFirst(int parts);
+  void grow(const Vec3& index);
+  void makeSurface();
+  void fail(const QString& what, const QString& why);
+
+  // A stroke of the brush that goes on.
+  struct Stroke {
+    Segment segment;
+    std::optional<int> plane;
+    double radius;
+    bool isErasing;
+    Vec3 last;
+  };
+
+  WindowContext m_parts;
+  QAction m_toggle;
+  QPointer<QDockWidget> m_panelDock, m_slicesDock;
+  QPointer<SegmentationPanel> m_panel;
+  QPointer<SlicesPanel> m_slices;
+  DocumentTab* m_document = nullptr;  // null: the current one has no scan
+  Segment m_shown;
+  std::optional<Stroke> m_stroke;
+  SegmentFigures m_figures;  // of m_counted
+  Segment m_counted;
+  QTimer m_pause;  // until the segment has been left alone for a moment
+  JobRunner m_counting;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/volume/Scan.h"
+#include "volume/segment/SlicePicture.h"
+
+#include <QImage>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+namespace handwheel {
+
+// What the left button does in a slice.
+enum class SliceAction { Look, Paint, Erase, Grow };
+
+// One plane of a scan: the slice at the crosshair, the segment over it, letters of the patient's sides. The left button
+// does the chosen action, with Shift it moves the crosshair; the right one changes level and width of the greys, the
+// middle one moves the picture; the wheel goes through the slices, with Ctrl it zooms. The keys do the same at the
+// crosshair: arrows, Page up and down, Home and End, Space for the action, [ and ] for the radius, + and - to zoom.
+class SliceCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SliceCanvas(SlicePlane plane, QWidget* parent = nullptr);
+
+  void setScan(std::shared_ptr<const Scan> scan);  // null: none
+  void setSegment(const Segment& segment);
+  void setGreys(const GreyWindow& greys);
+  void setCrosshair(const Vec3& index);
+  // radius: of the brush, mm.
+  void setAction(SliceAction action, double radius);
+
+  const SliceView& view() const { return m_view; }
+  int slice() const;
+  void goToSlice(int slice);
+  // Where a place in the image is shown, pixels of the widget.
+  QPointF shownAt(const Vec3& index) const;
+
+  QSize sizeHint() const override { return {300, 260}; }
+  QSize minimumSizeHint() const override { return {90, 70}; }
+
+ signals:
+  void crosshairMoved(const handwheel::Vec3& index);
+  void greysEdited(const handwheel::GreyWindow& greys);
+  // A stroke of the brush: its first place, each next one, its end. opposite: erase instead of paint, and back.
+  void strokeBegan(int through, const handwheel::Vec3& index, bool opposite);
+  void strokeMoved(const handwheel::Vec3& index);
+  void strokeEnded();
+  void grown(const handwheel::Vec3& index);
+  void radiusStepped(double factor);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class Drag { None, Look, Stroke, Greys, Pan };
+
+  QRectF pictureArea() const;  // of all samples, pixels of the widget
+  Vec3 indexAt(const QPointF& position) const;
+  Vec3 inImage(const Vec3& index) const;
+  void zoomAt(const QPointF& position, double factor);
+  void step(int right, int down, int through);
+  void act();
+  void drawPicture(QPainter& painter);
+  void drawCrosshair(QPainter& painter) const;
+  void drawBrush(QPainter& painter) const;
+  void drawLetters(QPainter& painter) const;
+
+  SlicePlane m_plane;
+  std::shared_ptr<const Scan> m_scan;
+  SliceView m_view{};
+  Segment m_segment;
+  GreyWindow m_greys;
+  Vec3 m_crosshair = Vec3::Zero();
+  SliceAction m_action = SliceAction::Look;
+  double m_radius = 5.0;  // mm
+  QImage m_picture;       // empty: it is to be made anew
+  double m_zoom = 1.0;    // 1: all of it is seen
+  QPointF m_pan;          // of the middle of the picture from that of the widget, pixels
+  Drag m_drag = Drag::None;
+  QPointF m_last;                  // of the pointer while it drags
+  std::optional<QPointF> m_hover;  // of the pointer; none: it is elsewhere
+};
+
+}  // namespace handwheel

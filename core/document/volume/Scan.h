@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/image/ImageHistogram.h"
+
+namespace handwheel {
+
+// The image that a volume was made from, as long as the document is open: it is neither saved nor changed, so no step
+// of the history holds it.
+struct Scan {
+  ImageVolume image;
+  ImageHistogram histogram;
+  ValueRange usual;  // that was taken as material when it was opened
+};
+
+}  // namespace handwheel

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "volume/segment/Segment.h"
+
+namespace handwheel {
+
+// Exchanges the segment of a scan. Versions share bricks, so it holds what changed.
+class SegmentEdit : public Edit {
+ public:
+  // before: the document's segment, for the size of the edit.
+  SegmentEdit(Segment segment, const Segment& before)
+      : m_segment(std::move(segment)),
+        m_bytes(sizeof *this + m_segment.bytesBeside(before) + before.bytesBeside(m_segment)) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override { return m_bytes; }
+
+ private:
+  Segment m_segment;
+  std::size_t m_bytes;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+#include "volume/image/ImageVolume.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// 16 by 16 by 16 samples of an image, each in a segment or not: bit x of row 16 z + y.
+struct SegmentBrick {
+  static constexpr int kSide = 16;
+  std::array<std::uint16_t, kSide * kSide> rows{};
+
+  static std::size_t rowOf(int y, int z) { return static_cast<std::size_t>(z * kSide + y); }
+  bool at(int x, int y, int z) const { return (rows[rowOf(y, z)] >> x & 1) != 0; }
+  void set(int x, int y, int z, bool isIn) {
+    const auto bit = static_cast<std::uint16_t>(1 << x);
+    std::uint16_t& row = rows[rowOf(y, z)];
+    row = static_cast<std::uint16_t>(isIn ? row | bit : row & ~bit);
+  }
+};
+
+// A part of an image: its samples with values of a range, but where bricks say which ones. So a range alone takes no
+// memory, and what is painted takes that of the bricks that it meets.
+//
+// A value: copies share bricks. Reading different copies on different threads is safe.
+class Segment {
+ public:
+  using Brick = std::shared_ptr<const SegmentBrick>;
+
+  Segment() = default;
+  explicit Segment(const ValueRange& range) : m_range(range) {}
+  // Of bricks for a whole image of this size, in the order of brickAt(); a null one is by the range.
+  Segment(const ValueRange& range, const std::array<int, 3>& size, std::vector<Brick> bricks);
+
+  const ValueRange& range() const { return m_range; }
+  bool isByRangeAlone() const { return m_bricks.empty(); }
+  bool hasValue(double value) const { return value >= m_range.least && value <= m_range.largest; }
+
+  // The brick of a sample; null: its samples are by the range.
+  const SegmentBrick* brickOf(int x, int y, int z) const {
+    return m_bricks.empty() ? nullptr : m_bricks[brickAt(x, y, z)].get();
+  }
+  // Whether a sample is in it. O(1).
+  bool contains(const ImageVolume& image, const VoxelIndex& sample) const;
+
+  // The brick of a sample by what is in it now, also where that is by the range. O(samples of a brick).
+  SegmentBrick filledBrick(const ImageVolume& image, const VoxelIndex& sample) const;
+  // Gives a brick of an image of this size other samples.
+  void setBrick(const std::array<int, 3>& size, const VoxelIndex& sample, Brick brick);
+
+  bool operator==(const Segment& other) const;  // by bricks that are shared, not by samples
+  // Memory of what it does not share with the other; bytes.
+  std::size_t bytesBeside(const Segment& other) const;
+
+  static std::array<int, 3> bricksOf(const std::array<int, 3>& size);
+
+ private:
+  std::size_t brickAt(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z >> 4) * static_cast<std::size_t>(m_count[1]) +
+            static_cast<std::size_t>(y >> 4)) *
+               static_cast<std::size_t>(m_count[0]) +
+           static_cast<std::size_t>(x >> 4);
+  }
+
+  ValueRange m_range{0.0, 0.0};
+  std::array<int, 3> m_count{0, 0, 0};  // of bricks
+  std::vector<Brick> m_bricks;          // empty: all are by the range
+};
+
+// Reads which samples of an image are in a segment. Both must outlive it.
+template <class Sample>
+class SegmentReader {
+ public:
+  SegmentReader(const ImageVolume& image, std::span<const Sample> samples, const Segment& segment)
+      : m_samples(samples), m_size(image.grid().size), m_segment(segment) {}
+
+  std::size_t indexOf(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(m_size[1]) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(m_size[0]) +
+           static_cast<std::size_t>(x);
+  }
+  bool at(int x, int y, int z) const {
+    const SegmentBrick* const brick = m_segment.brickOf(x, y, z);
+    if (!brick) return m_segment.hasValue(static_cast<double>(m_samples[indexOf(x, y, z)]));
+    return brick->at(x & 15, y & 15, z & 15);
+  }
+  // The samples of a row along x: 1 for those in it.
+  void readRow(int y, int z, std::span<std::uint8_t> row) const {
+    for (int x = 0; x < m_size[0]; ++x) row[static_cast<std::size_t>(x)] = at(x, y, z) ? 1 : 0;
+  }
+
+ private:
+  std::span<const Sample> m_samples;
+  std::array<int, 3> m_size;
+  const Segment& m_segment;
+};
+
+// Calls visit with a SegmentReader.
+template <class Visit>
+auto readSegment(const ImageVolume& image, const Segment& segment, Visit visit) {
+  return image.visitSamples([&]<class Sample>(std::span<const Sample> samples) {
+    return visit(SegmentReader<Sample>(image, samples, segment));
+  });
+}
+
+}  // namespace handwheel

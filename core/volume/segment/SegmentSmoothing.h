@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "volume/segment/Segment.h"
+
+namespace handwheel {
+
+// The median of a segment: a sample is in it where it is most of the 3³ around, those at the border counting for the
+// ones beyond. Specks of one sample vanish, steps of one are evened. On all threads of the arena; O(samples), and two
+// bytes for each. After a cancel the result is not to be used.
+Segment smoothed(const ImageVolume& image, const Segment& segment, const Progress& progress = {});
+
+}  // namespace handwheel
