@@ -5,16 +5,21 @@
 #include "document/Snapshot.h"
 #include "volume/SparseVolume.h"
 #include "volume/VolumeSurface.h"
+#include "volume/drilling/DrillRecord.h"
 
 #include <string>
 
 namespace handwheel {
+
+// How the holes in a volume were drilled, the first one first.
+using DrilledHoles = std::vector<std::shared_ptr<const DrillRecord>>;
 
 // The value of a volume document.
 struct VolumeSnapshot : Snapshot {
   SparseVolume volume;
   VolumeSurface surface;  // of the volume
   std::string source;     // the file that it was made from, UTF-8; empty where there is none
+  DrilledHoles holes;
 };
 
 }  // namespace handwheel
