@@ -11,6 +11,7 @@
 #include "document/exercise/ExerciseKind.h"
 #include "document/mesh/MeshKind.h"
 #include "document/volume/VolumeKind.h"
+#include "document/volume/exercise/DrillingSubject.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/exercise/TurningSubject.h"
 #include "window/cell/RobotCellUi.h"
@@ -40,6 +41,7 @@ KindEntry entryOf() {
 KindEntry exerciseEntry() {
   std::vector<std::unique_ptr<ExerciseSubject>> subjects;
   subjects.push_back(std::make_unique<TurningSubject>());
+  subjects.push_back(std::make_unique<DrillingSubject>());
   auto kind = std::make_unique<ExerciseKind>(std::move(subjects));
   const auto window = [](const WindowContext& parts) { return std::make_unique<ExerciseUi>(parts); };
   return {std::move(kind), window};

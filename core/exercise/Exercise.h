@@ -21,8 +21,9 @@ struct MarkingCriterion {
   std::string tolerance = {};                    // as the drawing has it: "h10", "N7"; empty: the limits alone
   std::optional<double> lower = {}, upper = {};  // what is within them is right; none: no limit
   double points = 0.0;
-  double slack = 0.0;     // how far beyond a limit the last point is lost, in proportion; 0: at once
-  bool isHidden = false;  // not on the drawing: students do not see it before they are marked
+  double slack = 0.0;       // how far beyond a limit the last point is lost, in proportion; 0: at once
+  bool isHidden = false;    // not on the drawing: students do not see it before they are marked
+  bool isDecisive = false;  // what does not meet it fails: no other criterion gives points then
   // What else the file has of it, for programs that know more: keys and values as the text of a JSON object; empty:
   // nothing. It goes back into files.
   std::string others = {};

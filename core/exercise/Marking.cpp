@@ -78,6 +78,13 @@ Mark markFor(const MarkingCriterion& c, const Figure* figure, const std::string&
   return mark;
 }
 
+// The criterion that the work fails by; null: by none.
+const MarkingCriterion* failedBy(const Exercise& exercise, const Marking& marking) {
+  for (std::size_t i = 0; i < exercise.criteria.size(); ++i)
+    if (exercise.criteria[i].isDecisive && marking.marks[i].verdict != Verdict::Met) return &exercise.criteria[i];
+  return nullptr;
+}
+
 }  // namespace
 
 std::string minutesText(double seconds) {
@@ -121,8 +128,14 @@ Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures
         std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.criterion == c.id; });
     const std::string unit = i < units.size() ? units[i] : std::string();
     marking.marks.push_back(markFor(c, figure == figures.end() ? nullptr : &*figure, unit));
-    marking.points = hundredths(marking.points + marking.marks.back().points);
     marking.of = hundredths(marking.of + marking.marks.back().of);
+  }
+  const MarkingCriterion* const failed = failedBy(exercise, marking);
+  for (Mark& mark : marking.marks) {
+    if (failed && mark.points > 0.0 && mark.criterion != failed->id)
+      mark.reason = {translatable("Note", "no points, as the work fails by “%1”"), {failed->name}};
+    if (failed) mark.points = 0.0;
+    marking.points = hundredths(marking.points + mark.points);
   }
   return marking;
 }

@@ -52,6 +52,53 @@ class VolumeTest : public QObject {
     QVERIFY(reduced["distance_mm"].get<double>() <= 0.2);
   }
 
+  // The exercise that ships, without a window: along the planned path by places of the head alone, handed in and
+  // marked. Into the brain there are no points.
+  void drillTheExercise_data() {
+    QTest::addColumn<double>("end");
+    QTest::addColumn<int>("points");
+    QTest::newRow("good") << 7.5 << 100;
+    QTest::newRow("into the brain") << 16.0 << 0;
+  }
+  void drillTheExercise() {
+    QFETCH(double, end);
+    QFETCH(int, points);
+    const Bench bench;
+    const QString exercise = QStringLiteral(SOURCE_SAMPLES "/exercises/skull.exercise.json");
+    QCOMPARE(bench.run({"exercise", exercise, "--stock", "-o", "stock.handwheel"}).code, 0);
+    // Beside the middle by 30 mm, in front of it by 35, on the ellipsoid of 72, 90 and 66 mm, across its surface.
+    const double x = 30.0, y = 35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);
+    double in[3] = {-x / 5184.0, -y / 8100.0, -z / 4356.0};
+    const double length = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
+    const double from = -8.0 - 3.0, to = end - 3.0;  // of the centre of a head of 6 mm
+    QByteArray path("t_s,x_mm,y_mm,z_mm\n");
+    for (const double depth : {from, to})
+      path += QStringLiteral("%1,%2,%3,%4\n")
+                  .arg(depth - from)  // 1 mm/s
+                  .arg(x + depth * in[0] / length, 0, 'f', 6)
+                  .arg(y + depth * in[1] / length, 0, 'f', 6)
+                  .arg(z + depth * in[2] / length, 0, 'f', 6)
+                  .toLatin1();
+    bench.put("p.csv", path);
+    const Ran drilled =
+        bench.run({"drill", "stock.handwheel", "--path", "p.csv", "--rate", "100", "-o", "work.handwheel", "--json"});
+    QCOMPARE(drilled.err, QByteArray());
+    QCOMPARE(drilled.code, 0);
+    // 8 mm of air, then the 6.5 mm of bone a little obliquely to the inner table.
+    const double through = volumeJson(drilled.out)["breakthrough_s"].get<double>();
+    QVERIFY2(through > 14.0 && through < 14.7, QByteArray::number(through));
+    QCOMPARE(
+        bench.run({"exercise", exercise, "--hand-in", "work.handwheel", "--name", "Ada", "-o", "ada.handwheel"}).code,
+        0);
+    const Ran marked = bench.run({"mark", exercise, "ada.handwheel", "--csv", "class.csv", "--report", "ada.html"});
+    QCOMPARE(marked.code, 0);
+    const QList<QByteArray> row = bench.content("class.csv").split('\n').at(1).split(',');
+    QVERIFY2(row.contains(QByteArray::number(points)), bench.content("class.csv"));
+    const QByteArray report = bench.content("ada.html");
+    QVERIFY(report.contains("Thrust") && report.contains("Breakthrough: the drill is through"));
+    QCOMPARE(report.contains("entered the forbidden region"), points == 0);
+  }
+
   // Down through a block of 20 mm: a hole of the ball's diameter, the work of its volume, and the time at which the
   // front comes out.
   void drill() {

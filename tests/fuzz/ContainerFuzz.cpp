@@ -10,6 +10,7 @@
 #include "document/mesh/SubdivisionLevelStore.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeSnapshot.h"
+#include "document/volume/exercise/DrillingSubject.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/exercise/TurningSubject.h"
@@ -82,6 +83,7 @@ void readAs(const DocumentKind& kind, const Container& container) {
 std::unique_ptr<ExerciseKind> exerciseKind() {
   std::vector<std::unique_ptr<ExerciseSubject>> subjects;
   subjects.push_back(std::make_unique<TurningSubject>());
+  subjects.push_back(std::make_unique<DrillingSubject>());
   return std::make_unique<ExerciseKind>(std::move(subjects));
 }
 

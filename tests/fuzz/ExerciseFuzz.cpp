@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/JsonText.h"
 #include "document/exercise/ExerciseKind.h"
+#include "document/volume/exercise/DrillingSubject.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/DescribedPasses.h"
 #include "document/workpiece/exercise/TurningSubject.h"
@@ -30,6 +31,7 @@ const ExerciseKind& turningExercises() {
   static const ExerciseKind kKind = [] {
     std::vector<std::unique_ptr<ExerciseSubject>> subjects;
     subjects.push_back(std::make_unique<TurningSubject>());
+    subjects.push_back(std::make_unique<DrillingSubject>());
     return ExerciseKind(std::move(subjects));
   }();
   return kKind;

@@ -386,6 +386,20 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "CalcRobT has another tool or frame than the motion"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not told which routine is first"),
     QT_TRANSLATE_NOOP("ErrorWord", "routines call each other endlessly"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a drill is impossible or not known"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a drill was expected, such as ball:6, burr:4 or twist:3"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a hole has too many poses"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a list of holes was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a pose of the drill is impossible"),
+    QT_TRANSLATE_NOOP("ErrorWord", "balls were expected: x; y; z; radius, with “|” between them"),
+    QT_TRANSLATE_NOOP("ErrorWord", "figures of drilling have limits, no tolerance"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no drill"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no list of holes"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no volume"),
+    QT_TRANSLATE_NOOP("ErrorWord", "points were expected: time, depth, beside, across, in order of time"),
+    QT_TRANSLATE_NOOP("ErrorWord", "poses of the drill are lost"),
+    QT_TRANSLATE_NOOP("ErrorWord", "three lengths were expected, with “;” between them"),
+    QT_TRANSLATE_NOOP("ErrorWord", "three numbers were expected, with “;” between them"),
 };
 
 QString shortened(const QString& text) {

@@ -13,6 +13,7 @@
 #include "document/formats/MeshExport.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
+#include "document/volume/exercise/DrillingTask.h"
 #include "tools/volume/DrillOperation.h"
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,7 @@ struct DrillAnswer {
   Drilled drilled;
   DrillSetup setup;
   double voxel = 0.0;
+  DrilledHoles holesBefore;  // of a part that is a volume
 };
 
 // The mean speed of the head while it moves, mm/s.
@@ -75,10 +77,13 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, const 
     const DocumentKind& kind = *kinds.withId("volume");
     DocumentFile file;
     file.displayUnit = done.file.displayUnit;
+    file.assigned = done.file.assigned;
     auto snapshot = std::make_shared<VolumeSnapshot>();
     snapshot->volume = done.drilled.volume;
     snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.0, 0.5));
     snapshot->source = request.part.filename().string();
+    snapshot->holes = done.holesBefore;
+    snapshot->holes.push_back(done.drilled.hole);
     const Result<WrittenFile> written = saveDocument(kind, file, *snapshot, request.output, progress.part(0.5, 1.0));
     if (!written) return written.error();
   }
@@ -86,13 +91,29 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, const 
   return writeFileAtomically(request.forces, forcesText(done.drilled));
 }
 
-Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues& values,
-                              const std::vector<HandPose>& poses, const DocumentKinds& kinds, Progress progress) {
-  const Result<DrillSetup> setup = drillSetupOf(values);
+// The drill of the exercise that the part is work on, its shank along the planned path; what the words name is another.
+void takeTask(const DrillingTask& task, const OperationValues& values, DrillSetup& setup,
+              std::vector<HandPose>& poses) {
+  const bool isNamed = values.isSet("tool") || values.isSet("material") || values.isSet("rpm");
+  if (!isNamed) setup = task.setup();
+  for (HandPose& pose : poses)
+    pose.orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), -task.plan.direction);
+}
+
+Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues& values, std::vector<HandPose> poses,
+                              const DocumentKinds& kinds, Progress progress) {
+  Result<DrillSetup> setup = drillSetupOf(values);
   if (!setup) return setup.error();
   const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
-  DrillAnswer done{opened->file, {}, {}, *setup, 0.0};
+  DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}};
+  if (const auto before = std::dynamic_pointer_cast<const VolumeSnapshot>(opened->content)) {
+    done.holesBefore = before->holes;
+  } else {
+    done.file.assigned = {};
+  }
+  if (const auto task = assignedDrilling(done.file.assigned)) takeTask(*task, values, *setup, poses);
+  done.setup = *setup;
   if (!request.output.empty()) done.refusal = refusalToReplace(request.output, opened->file);
   if (!done.refusal.empty()) return done;
   const double rate = values.number("rate"), feed = feedOf(poses);
@@ -145,8 +166,9 @@ CommandSpec drillSpec() {
   CommandSpec spec = {"drill",
                       "PART",
                       "Drills a part along the path of a head, and says thrust, torque and work. Only the head removes "
-                      "material; its shank\npoints up, along z. The part may be any document. Exit code 0: done; 1: "
-                      "error.",
+                      "material; its shank\npoints up, along z. The part may be any document. Work on an exercise is "
+                      "drilled with the exercise's drill,\nalong its planned path, and can be handed in. Exit code 0: "
+                      "done; 1: error.",
                       {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
                        {"output", 'o', "OUT", "The part as it is then: a .handwheel, or a mesh"},
                        {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};

@@ -3,6 +3,7 @@
 #include "document/AtomicFile.h"
 #include "document/DocumentKind.h"
 #include "plot/PlotExport.h"
+#include "report/exercise/CurvePlot.h"
 #include "report/exercise/MarkingReport.h"
 #include "report/exercise/MarkingWords.h"
 
@@ -32,26 +33,6 @@ std::string escaped(const std::string& text) {
 }
 
 // Names of students come this way, too: they are no words of the program, and stay.
-QString figureWord(const std::string& text) {
-  return QCoreApplication::translate("Figure", text.c_str());
-}
-
-Plot plotOf(const ReportCurve& curve) {
-  Plot plot;
-  plot.title = figureWord(curve.title);
-  plot.locale = QLocale();
-  plot.x = {figureWord(curve.x), QString::fromStdString(curve.xUnit)};
-  plot.y = {figureWord(curve.y), QString::fromStdString(curve.yUnit)};
-  for (const ReportCurve::Series& each : curve.series) {
-    PlotSeries series;
-    series.name = figureWord(each.name);
-    series.dotted = false;
-    for (const auto& [x, y] : each.points) series.points.emplace_back(x, y);
-    plot.series.push_back(std::move(series));
-  }
-  return plot;
-}
-
 std::string word(const char* text) {
   return translatedText({text, {}});
 }

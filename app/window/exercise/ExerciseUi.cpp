@@ -157,7 +157,8 @@ std::vector<StartAction> ExerciseUi::startActions() const {
                                                      {"gourd", tr("Exercise: gourd")},
                                                      {"dumb-bell", tr("Exercise: dumb-bell weight")},
                                                      {"wine-glass", tr("Exercise: wine glass")},
-                                                     {"first-lesson-teacher", tr("Exercise: first shoulder")}};
+                                                     {"first-lesson-teacher", tr("Exercise: first shoulder")},
+                                                     {"skull", tr("Exercise: burr hole in the skull")}};
   for (const auto& [name, text] : shipped) {
     const QString id = QString::fromLatin1(name);
     all.push_back({QStringLiteral("exercise/") + id, text, tr("Open a prepared exercise"), panelIcon(),

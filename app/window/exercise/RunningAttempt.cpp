@@ -111,13 +111,36 @@ void RunningAttempt::begin(const DocumentTab& from) {
   if (const Work* const work = begunFrom(exercise, assigned)) return m_parts.tabs.setCurrent(work->tab);
 
   const DocumentKind* kind = m_parts.kinds.withId(exercise->subject->kind().id());
-  OpenedFile opened = DocumentKinds::blank(*kind);
-  opened.content = exercise->work ? exercise->work : exercise->subject->start(*exercise->task);
+  OpenedFile opened{kind, {}, {}};
+  opened.file.id = newDocumentId();
   opened.file.assigned = assigned;
   if (exercise->work) opened.file.recordings = from.document.file().recordings;
-  DocumentTab* const tab = m_parts.openDocument(std::move(opened));
+  opened.content = exercise->work;
+  if (!opened.content && exercise->subject->startsSlowly()) return prepare(from, exercise, std::move(opened));
+  if (!opened.content) opened.content = exercise->subject->start(*exercise->task);
+  start(exercise, std::move(opened));
+}
+
+// A second click while it is prepared begins the same work.
+void RunningAttempt::prepare(const DocumentTab& from, const std::shared_ptr<const ExerciseSnapshot>& exercise,
+                             OpenedFile work) {
+  Job job;
+  job.name = tr("Preparing the exercise");
+  job.owner = &from;
+  job.work = [this, exercise, work](Progress) mutable {
+    work.content = exercise->subject->start(*exercise->task);
+    return Job::Finish([this, exercise, work]() mutable {
+      if (const Work* const begun = begunFrom(exercise, work.file.assigned)) return m_parts.tabs.setCurrent(begun->tab);
+      start(exercise, std::move(work));
+    });
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void RunningAttempt::start(const std::shared_ptr<const ExerciseSnapshot>& exercise, OpenedFile work) {
+  DocumentTab* const tab = m_parts.openDocument(std::move(work));
   follow(tab);
-  if (Work* const work = find(tab)) work->origin = exercise;
+  if (Work* const begun = find(tab)) begun->origin = exercise;
   emit changed();
 }
 

@@ -45,6 +45,8 @@ class RunningAttempt : public QObject {
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
   Work* begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise, const AssignedExercise& assigned);
+  void prepare(const DocumentTab& from, const std::shared_ptr<const ExerciseSnapshot>& exercise, OpenedFile work);
+  void start(const std::shared_ptr<const ExerciseSnapshot>& exercise, OpenedFile work);
   void connectLesson();
   void follow(DocumentTab* tab);
   bool take(DocumentTab* tab);

@@ -3,16 +3,20 @@
 #include "window/volume/VolumeUi.h"
 
 #include "document/volume/VolumeDocument.h"
+#include "document/volume/VolumeMaking.h"
+#include "document/volume/exercise/DrillingSubject.h"
 #include "simulation/clay/ClayForce.h"
 #include "theme/Theme.h"
 #include "tools/volume/ClayTool.h"
 #include "tools/volume/DrillingTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/VolumeLayer.h"
+#include "window/JobRunner.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
+#include "window/volume/DrillView.h"
 #include "window/volume/segmentation/Segmentation.h"
 
 #include <QLocale>
@@ -23,11 +27,13 @@ namespace handwheel {
 VolumeUi::VolumeUi(const WindowContext& window)
     : RigidPartsUi(window, {"Volume"}),
       m_volumeLayer(std::make_shared<VolumeLayer>()),
-      m_segmentation(new Segmentation(window, this)) {
+      m_segmentation(new Segmentation(window, this)),
+      m_drillView(new DrillView(window, this)) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
   connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
+  connect(m_drillView, &DrillView::message, this, &KindUi::message);
 }
 
 VolumeUi::~VolumeUi() {
@@ -87,13 +93,18 @@ void VolumeUi::showPreview(const ToolPreview& preview) {
   if (std::exchange(m_live, live) != live) showVolume();
 }
 
-// The volume has its own layer.
-DisplayModel VolumeUi::displayed(const Document&) const {
-  return {};
+// The volume has its own layer. Of an exercise the planned path and the forbidden region are shown beside it.
+DisplayModel VolumeUi::displayed(const Document& document) const {
+  const AssignedExercise& assigned = document.file().assigned;
+  if (std::exchange(m_plannedBy, assigned.description) == assigned.description) return m_planned;
+  const auto task = assignedDrilling(assigned);
+  m_planned = task ? DisplayModel{planParts(task->plan)} : DisplayModel();
+  return m_planned;
 }
 
 // The clay is felt through the simulation of its tool, or as it is.
 void VolumeUi::followTool() {
+  m_drillView->follow();
   const auto* const tool = dynamic_cast<const VolumeTool*>(parts().tools.runner().tool());
   const bool isFelt = document() && document()->visible;
   const std::shared_ptr<ClayChannel> channel = !isFelt ? nullptr : tool ? tool->channel() : m_still;
@@ -121,8 +132,27 @@ bool VolumeUi::isSettled() const {
 }
 
 std::vector<StartAction> VolumeUi::startActions() const {
-  return {{QStringLiteral("newVolume"), tr("New &clay"), tr("Start with a ball of clay to be shaped by hand"),
-           panelIcon()}};
+  return {
+      {QStringLiteral("newVolume"), tr("New &clay"), tr("Start with a ball of clay to be shaped by hand"), panelIcon()},
+      {QStringLiteral("newSkull"),
+       tr("New &skull"),
+       tr("Start with a skull to be drilled, made of no patient"),
+       panelIcon(),
+       {},
+       {},
+       true}};
+}
+
+// It takes a second to be made.
+void VolumeUi::begin(const QString&) {
+  Job job;
+  job.name = tr("Making the skull");
+  job.work = [this, kind = parts().kinds.withId("volume")](Progress) {
+    OpenedFile opened{kind, {}, skullContent()};
+    opened.file.id = newDocumentId();
+    return Job::Finish([this, opened]() mutable { parts().openDocument(std::move(opened)); });
+  };
+  parts().jobs.start(std::move(job));
 }
 
 std::vector<ToolDescriptor> VolumeUi::tools() {

@@ -9,6 +9,7 @@
 namespace handwheel {
 
 class ClayTool;
+class DrillView;
 class Segmentation;
 class VolumeLayer;
 struct VolumeSnapshot;
@@ -30,6 +31,7 @@ class VolumeUi : public RigidPartsUi {
   QList<QAction*> menu() override;
   bool isSettled() const override;
   std::vector<StartAction> startActions() const override;
+  void begin(const QString& startAction) override;
   std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
   QString statistics() const override;
@@ -47,10 +49,14 @@ class VolumeUi : public RigidPartsUi {
   std::shared_ptr<VolumeLayer> m_volumeLayer;
   Segmentation* m_segmentation;
   std::shared_ptr<const void> m_drawn;      // the volume in the layer, of the document or of a tool
+  DrillView* m_drillView;
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is
   std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is
   ClayFeel m_feel;
+  // What is displayed of the exercise that the document is work on, and what it was made from.
+  mutable std::shared_ptr<const nlohmann::json> m_plannedBy;
+  mutable DisplayModel m_planned;
 };
 
 }  // namespace handwheel

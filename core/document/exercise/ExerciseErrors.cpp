@@ -40,6 +40,11 @@ const ErrorDescription ExerciseError::NothingTurned{
     .sentences = {translatable("ErrorText", "nothing was turned in the work that was begun; it is the bar itself")},
     .advice = {translatable("ErrorText", "Turn the part first, or import the target from a drawing.")}};
 
+const ErrorDescription ExerciseError::NothingDrilled{
+    .id = "NothingDrilled",
+    .sentences = {translatable("ErrorText", "nothing was drilled in the work that was begun")},
+    .advice = {translatable("ErrorText", "Drill the hole first: its way becomes the planned path.")}};
+
 const ErrorDescription ExerciseError::FieldRefused{
     .id = "FieldRefused",
     .sentences = {translatable("ErrorText", "%1: %2")},

@@ -14,6 +14,7 @@ extern const ErrorDescription NotHandedIn;     // the file is no work that was h
 extern const ErrorDescription WithoutScheme;   // the exercise is a student's, which has no marking scheme
 extern const ErrorDescription WithoutTarget;   // the exercise has no target that could be drawn
 extern const ErrorDescription NothingTurned;   // the work that is to become the target is the untouched bar
+extern const ErrorDescription NothingDrilled;  // the work whose hole is to become the planned path has none
 extern const ErrorDescription FieldRefused;    // {field, in the words of the window, what is wrong}
 extern const ErrorDescription MarkUnknown;     // {step, what is no mark, the marks} a step is to wait for it
 extern const ErrorDescription Fixed;           // a student's copy cannot be changed

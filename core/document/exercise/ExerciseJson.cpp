@@ -64,6 +64,7 @@ void visitCriterion(Criterion& c, const auto& visit) {
   visit("points", c.points);
   visit("slack", c.slack);
   visit("hidden", c.isHidden);
+  visit("decisive", c.isDecisive);
 }
 
 template <class Step>

@@ -177,6 +177,7 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   slack.least = 0.0;
   slack.largest = Exercise::kLargestFigure;
   add("hidden", QT_TRANSLATE_NOOP("Property", "Hidden from students"), c.isHidden);
+  add("decisive", QT_TRANSLATE_NOOP("Property", "Without it no points at all"), c.isDecisive);
   return all;
 }
 
@@ -207,10 +208,10 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
                 const std::vector<FigureType>& types) {
   const auto* text = std::get_if<std::string>(&value);
   const auto* number = std::get_if<double>(&value);
-  if (field == "hidden") {
+  if (field == "hidden" || field == "decisive") {
     const auto* flag = std::get_if<bool>(&value);
     if (!flag) return malformed(id, "a switch was expected");
-    c.isHidden = *flag;
+    (field == "hidden" ? c.isHidden : c.isDecisive) = *flag;
     return Done{};
   }
   if (field == "points" || field == "slack" || field == "figure") {

@@ -50,8 +50,8 @@ struct ReportDetails {
   double seconds = 0.0;  // that the recorded work took
 };
 
-// What a kind of document brings to exercises: what is prepared and what is measured. Turning is one; drilling or
-// assembly would be others. No state; any thread.
+// What a kind of document brings to exercises: what is prepared and what is measured. Turning and drilling are two;
+// assembly would be another. No state; any thread.
 class ExerciseSubject {
  public:
   virtual ~ExerciseSubject() = default;
@@ -84,6 +84,8 @@ class ExerciseSubject {
   virtual std::vector<ExerciseText> conditions(const ExerciseTask& task) const = 0;
   // What a student begins with.
   virtual SnapshotPointer start(const ExerciseTask& task) const = 0;
+  // Whether start() takes longer than a person waits for a click.
+  virtual bool startsSlowly() const { return false; }
   // Whether a document can be work on this task: of the same stock. Error: ExerciseError::OtherWork {reason}.
   virtual Status checkWork(const ExerciseTask& task, const Snapshot& work) const = 0;
   // Work as a description in JSON tells it, for model solutions. Errors: ElementMalformed, Cancelled.

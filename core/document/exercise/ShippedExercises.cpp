@@ -123,6 +123,33 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Exercise", "Turn the stem to 8 mm."),
     QT_TRANSLATE_NOOP("Exercise", "Small cuts: the stem bends."),
     QT_TRANSLATE_NOOP("Exercise", "Depth of the bowl 39 ±0.5"),
+    QT_TRANSLATE_NOOP("Exercise", "Burr hole in the skull"),
+    QT_TRANSLATE_NOOP("Exercise", "Drill through the skull along the planned path, and stop before the brain."),
+    QT_TRANSLATE_NOOP("Exercise", "Choose the drill"),
+    QT_TRANSLATE_NOOP("Exercise",
+                      "Press Shift+D, or choose “Drill” above. Drill, speed and material are those of the exercise. "
+                      "The green rod shows the planned path."),
+    QT_TRANSLATE_NOOP("Exercise", "Find the place"),
+    QT_TRANSLATE_NOOP("Exercise",
+                      "Go with the pointer to where the green rod meets the skull. The circle shows the drill."),
+    QT_TRANSLATE_NOOP("Exercise", "Turn the view until you look along the rod."),
+    QT_TRANSLATE_NOOP("Exercise", "With Shift held, the drill goes straight along the view."),
+    QT_TRANSLATE_NOOP("Exercise", "Drill"),
+    QT_TRANSLATE_NOOP("Exercise",
+                      "Hold the left button: the drill goes on at its feed, and the plots show thrust and torque. Let "
+                      "go as soon as the breakthrough is shown."),
+    QT_TRANSLATE_NOOP("Exercise", "The thrust falls when the tip comes through the inner table."),
+    QT_TRANSLATE_NOOP("Exercise", "Ctrl+Z takes a hole back, and with it all that was measured of it."),
+    QT_TRANSLATE_NOOP("Exercise", "Measure the hole"),
+    QT_TRANSLATE_NOOP("Exercise", "Press “Measure” below."),
+    QT_TRANSLATE_NOOP("Exercise", "The brain is not touched"),
+    QT_TRANSLATE_NOOP("Exercise", "Stopped within 2 mm"),
+    QT_TRANSLATE_NOOP("Exercise", "On the planned path"),
+    QT_TRANSLATE_NOOP("Exercise", "Through within 20 s"),
+    QT_TRANSLATE_NOOP("Exercise", "Thrust below 30 N"),
+    QT_TRANSLATE_NOOP("Exercise", "Gentle in the last millimetre"),
+    QT_TRANSLATE_NOOP("Exercise", "Torque below 150 N·mm"),
+    QT_TRANSLATE_NOOP("Exercise", "Cool drilling"),
 };
 
 void translate(std::string& text) {

@@ -5,6 +5,7 @@
 #include "document/AtomicFile.h"
 #include "document/formats/MeshExport.h"
 #include "document/formats/TextNumber.h"
+#include "document/volume/HoleBlobs.h"
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/VolumeMaking.h"
@@ -93,6 +94,7 @@ Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::fil
 void VolumeKind::save(const Snapshot& content, Container& container) const {
   writeVolume(volumeOf(content).volume, container);
   (*container.manifest)["document"]["source"] = volumeOf(content).source;
+  writeHoles(volumeOf(content).holes, container);
 }
 
 Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector<Error>& damage,
@@ -104,6 +106,7 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.5, 1.0));
   const nlohmann::json source = (*container.manifest)["document"].value("source", nlohmann::json());
   if (source.is_string()) snapshot->source = source.get<std::string>();
+  snapshot->holes = readHoles(container, damage);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return SnapshotPointer(std::move(snapshot));
 }
@@ -138,7 +141,8 @@ nlohmann::json VolumeKind::describe(const Snapshot& content) const {
           {"blocks", volume.volume.blockCount()},
           {"bytes", volume.volume.bytes()},
           {"triangles", volume.surface.triangleCount()},
-          {"source", volume.source}};
+          {"source", volume.source},
+          {"holes", volume.holes.size()}};
 }
 
 DisplayModel VolumeKind::display(const Snapshot& content) const {

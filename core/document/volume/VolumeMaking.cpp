@@ -6,6 +6,7 @@
 #include "document/Container.h"
 #include "document/FileBytes.h"
 #include "document/volume/ImageFiles.h"
+#include "volume/Skull.h"
 #include "volume/VolumeErrors.h"
 #include "volume/image/ImageHistogram.h"
 #include "volume/image/ImageToVolume.h"
@@ -14,6 +15,7 @@
 
 #include <QtGlobal>
 #include <limits>
+#include <mutex>
 
 namespace handwheel {
 
@@ -82,6 +84,18 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
   snapshot->source = source;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));
+}
+
+std::shared_ptr<const VolumeSnapshot> skullContent() {
+  static std::mutex mutex;
+  static std::weak_ptr<const VolumeSnapshot> made;
+  const std::lock_guard lock(mutex);
+  if (auto kept = made.lock()) return kept;
+  auto snapshot = std::make_shared<VolumeSnapshot>();
+  snapshot->volume = shippedSkull();
+  snapshot->surface = VolumeSurface(snapshot->volume);
+  made = snapshot;
+  return snapshot;
 }
 
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,

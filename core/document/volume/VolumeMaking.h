@@ -28,6 +28,9 @@ struct MadeVolume {
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress);
 
+// The content of a document of the skull that ships. It is made when nobody holds it, which takes a second.
+std::shared_ptr<const VolumeSnapshot> skullContent();
+
 // The content of a document of a file of images (ImageFiles.h), or of VDB. An image becomes what is above the threshold
 // that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors: those of the
 // readers and of volumeOfImage(); VolumeErrors::TooLargeToSave.

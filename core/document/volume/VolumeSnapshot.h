@@ -6,11 +6,15 @@
 #include "document/volume/Scan.h"
 #include "volume/SparseVolume.h"
 #include "volume/VolumeSurface.h"
+#include "volume/drilling/DrillRecord.h"
 
 #include <memory>
 #include <string>
 
 namespace handwheel {
+
+// How the holes in a volume were drilled, the first one first.
+using DrilledHoles = std::vector<std::shared_ptr<const DrillRecord>>;
 
 // The value of a volume document.
 struct VolumeSnapshot : Snapshot {
@@ -18,6 +22,7 @@ struct VolumeSnapshot : Snapshot {
   VolumeSurface surface;             // of the volume
   std::string source;                // the file that it was made from, UTF-8; empty where there is none
   std::shared_ptr<const Scan> scan;  // that was opened; null: none was
+  DrilledHoles holes;
 };
 
 }  // namespace handwheel

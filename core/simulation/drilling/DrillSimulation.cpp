@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -17,11 +18,20 @@ std::shared_ptr<const DrillState> beginning(const ClayState& begin) {
 
 }  // namespace
 
+bool isBesidePath(const DrillState& state) {
+  if (state.moments.empty() || !state.plan) return false;
+  const DrillMoment& now = state.moments[state.moments.size() - 1];
+  return now.isCutting && now.deviation > state.plan->tolerance;
+}
+
 DrillSimulation::DrillSimulation(std::shared_ptr<const ClayState> begin, const DrillSetup& setup,
-                                 std::optional<DrillFeed> feed, std::shared_ptr<ClayChannel> channel)
+                                 std::optional<DrillFeed> feed, std::shared_ptr<ClayChannel> channel,
+                                 std::optional<DrillPlan> plan)
     : m_state(beginning(*begin)),
       m_volume(begin->volume),
+      m_setup(setup),
       m_run(m_volume, setup),
+      m_plan(std::move(plan)),
       m_feed(feed),
       m_channel(std::move(channel)) {}
 
@@ -36,24 +46,38 @@ void DrillSimulation::step(double dt, std::span<const SimulationInput> inputs) {
     }
     if (!m_begin) m_begin = input.tip.time;
     m_time = input.tip.time - *m_begin;
-    add(m_run.move(input.proxy, input.tip.orientation * Vec3::UnitZ(), m_time));
+    goTo(input.proxy, input.tip.orientation * Vec3::UnitZ());
   }
-  if (m_start) advance(dt);
+  if (m_start) {
+    goTo(*m_start - m_feed->speed * m_time * m_feed->axis, m_feed->axis);
+    m_time += dt;
+  }
   if (m_hasTicks) publish();
   if (m_isWritten) return;
   m_channel->patch.write({m_state});
   m_isWritten = true;
 }
 
-void DrillSimulation::advance(double dt) {
-  add(m_run.move(*m_start - m_feed->speed * m_time * m_feed->axis, m_feed->axis, m_time));
-  m_time += dt;
-}
-
-void DrillSimulation::add(const DrillTick& tick) {
+// As the record has it, so that it gives the same hole. What is too long for a record is drilled on without.
+void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
+  const DrillPose pose = DrillPose::of(place, axis, m_time);
+  if (!place.allFinite() || !pose.isSound()) return;
+  const DrillTick tick = move(m_run, pose);
   m_load.thrust = std::max(m_load.thrust, tick.thrust);
   m_load.torque = std::max(m_load.torque, tick.torque.norm());
   m_hasTicks = true;
+  if (m_poses.size() == DrillRecord::kMostPoses) return;
+  if (!m_watch) {
+    const Vec3 along = pose.direction();
+    if (!m_plan) {
+      constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+      m_plan = DrillPlan{pose.place() - m_setup.tool.reach() * along, -along, kAnywhere, {}};
+    }
+    m_watch.emplace(*m_plan);
+    m_watch->beginHole(m_setup);
+  }
+  m_poses.push_back(pose);
+  m_moments.push_back(m_watch->add(tick, pose.direction(), m_run.breakthrough().has_value()));
 }
 
 void DrillSimulation::publish() {
@@ -71,6 +95,12 @@ void DrillSimulation::publish() {
   state->energy = m_run.energy();
   state->time = m_time;
   state->breakthrough = m_run.breakthrough();
+  if (m_watch) {
+    state->plan = m_watch->plan();
+    state->figures = m_watch->figures();
+  }
+  state->moments = m_moments;
+  state->poses = m_poses;
   m_state = std::move(state);
   m_isWritten = false;
 }

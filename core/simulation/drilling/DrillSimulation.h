@@ -3,7 +3,8 @@
 #pragma once
 
 #include "simulation/clay/ClaySimulation.h"
-#include "volume/drilling/DrillRun.h"
+#include "volume/drilling/DrillRecord.h"
+#include "volume/drilling/DrillWatch.h"
 
 namespace handwheel {
 
@@ -15,7 +16,14 @@ struct DrillState : ClayState {
   double energy = 0.0;                      // J
   double time = 0.0;                        // s, since the hole was begun
   std::optional<double> breakthrough;       // s, since then
+  std::optional<DrillPlan> plan;            // that it is judged by; none yet
+  DrillFigures figures;                     // by the plan
+  PagedArray<DrillMoment> moments;          // of the hole
+  PagedArray<DrillPose> poses;              // that it can be drilled by again
 };
+
+// Whether the drill takes something beside its planned path at this moment.
+bool isBesidePath(const DrillState& state);
 
 // A drill that is fed by the program, as a person without a device does: from where it is pressed along a direction.
 struct DrillFeed {
@@ -26,21 +34,26 @@ struct DrillFeed {
 // The simulation of drilling: the volume loses what the head passes in a gesture.
 class DrillSimulation : public Simulation {
  public:
-  // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank.
+  // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank. plan: none: straight on
+  // from where the hole is begun.
   DrillSimulation(std::shared_ptr<const ClayState> begin, const DrillSetup& setup, std::optional<DrillFeed> feed,
-                  std::shared_ptr<ClayChannel> channel);
+                  std::shared_ptr<ClayChannel> channel, std::optional<DrillPlan> plan = {});
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
 
  private:
-  void advance(double dt);
-  void add(const DrillTick& tick);
+  void goTo(const Vec3& place, const Vec3& axis);
   void publish();
 
   std::shared_ptr<const DrillState> m_state;
   SparseVolume m_volume;
+  DrillSetup m_setup;
   DrillRun m_run;
+  std::optional<DrillPlan> m_plan;
+  std::optional<DrillWatch> m_watch;  // since the first place of the hole
+  PagedArray<DrillMoment> m_moments;
+  PagedArray<DrillPose> m_poses;
   std::optional<DrillFeed> m_feed;
   std::shared_ptr<ClayChannel> m_channel;
   std::optional<Vec3> m_start;    // of the fed drill

@@ -90,13 +90,18 @@ Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const P
     return Error{
         VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(kMostDrillCycles / rate)}, {}, {}};
   DrillRun run(done.volume, setup);
+  auto hole = std::make_shared<DrillRecord>();
+  hole->setup = setup;
   for (double i = 0.0; i <= cycles && !path.isEmpty(); ++i) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    const HandPose pose = path.at(i / rate);
-    const DrillTick tick = run.move(pose.position, pose.orientation * Vec3::UnitZ(), i / rate);
+    const HandPose at = path.at(i / rate);
+    const DrillPose pose = DrillPose::of(at.position, at.orientation * Vec3::UnitZ(), i / rate);
+    const DrillTick tick = move(run, pose);
+    hole->poses.push_back(pose);
     if (tick.removed > 0.0 || (!done.ticks.empty() && done.ticks.back().removed > 0.0)) done.ticks.push_back(tick);
     progress.set(i / std::max(1.0, cycles));
   }
+  done.hole = std::move(hole);
   done.removed = run.removed();
   done.maxThrust = run.maxThrust();
   done.maxTorque = run.maxTorque();

@@ -6,7 +6,7 @@
 #include "base/Result.h"
 #include "document/Operation.h"
 #include "haptics/device/PoseTrajectory.h"
-#include "volume/drilling/DrillRun.h"
+#include "volume/drilling/DrillRecord.h"
 
 namespace handwheel {
 
@@ -18,13 +18,14 @@ Result<DrillSetup> drillSetupOf(const OperationValues& values);
 
 struct Drilled {
   SparseVolume volume;
-  std::vector<DrillTick> ticks;        // with thrust or removal
-  double removed = 0.0;                // mm³
-  double maxThrust = 0.0;              // N
-  double maxTorque = 0.0;              // N·mm
-  double energy = 0.0;                 // J
-  std::optional<double> breakthrough;  // s
-  double seconds = 0.0;                // of the path
+  std::shared_ptr<const DrillRecord> hole;  // that it can be drilled by again
+  std::vector<DrillTick> ticks;             // with thrust or removal
+  double removed = 0.0;                     // mm³
+  double maxThrust = 0.0;                   // N
+  double maxTorque = 0.0;                   // N·mm
+  double energy = 0.0;                      // J
+  std::optional<double> breakthrough;       // s
+  double seconds = 0.0;                     // of the path
 };
 
 // Goes along a path of the head's centre in cycles of `rate` Hz, the shank as the poses turn +z. Errors:

@@ -53,7 +53,17 @@ std::vector<Vec3> circleAt(const Vec3& centre, const Vec3& axis, double radius) 
 }  // namespace
 
 DrillingTool::DrillingTool(VolumeDocument& document, const SimulationServices& services)
-    : m_document(document), m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
+    : m_document(document),
+      m_task(assignedDrilling(document.file().assigned)),
+      m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
+  if (m_task) {
+    m_head = m_task->tool;
+    m_rpm = m_task->spindle;
+    m_speed = m_task->feed;
+    const std::vector<DrillMaterial>& all = drillMaterials();
+    while (all[m_material].id != m_task->material) ++m_material;
+    return;
+  }
   const SparseVolume& volume = m_document.volume()->volume;
   m_head.diameter = diameterLimits(volume).bring(m_head.diameter);
   m_head.length = 10.0 * m_head.diameter;
@@ -63,7 +73,9 @@ std::span<const ToolKey> DrillingTool::keys() {
   return kDrillKeys;
 }
 
+// As the task has it to the last bit, where there is one: the marks compare it.
 DrillSetup DrillingTool::setup() const {
+  if (m_task) return m_task->setup();
   return {m_head, drillMaterials()[m_material], m_rpm * 2.0 * M_PI / 60.0};
 }
 
@@ -80,7 +92,8 @@ std::unique_ptr<Simulation> DrillingTool::simulation() const {
   auto begin = std::make_shared<ClayState>();
   begin->volume = m_document.volume()->volume;
   begin->surface = m_document.volume()->surface;
-  return std::make_unique<DrillSimulation>(std::move(begin), setup(), m_feed, channel());
+  return std::make_unique<DrillSimulation>(std::move(begin), setup(), m_feed, channel(),
+                                           m_task ? std::optional(m_task->plan) : std::nullopt);
 }
 
 std::shared_ptr<const DrillState> DrillingTool::state() const {
@@ -143,6 +156,10 @@ ToolReply DrillingTool::release() {
   auto after = std::make_shared<VolumeSnapshot>(*m_document.volume());
   after->volume = m_last->volume;
   after->surface = m_last->surface;
+  auto hole = std::make_shared<DrillRecord>();
+  hole->setup = setup();
+  hole->poses = m_last->poses;
+  after->holes.push_back(std::move(hole));
   m_document.commit(holeText(*m_last), std::make_unique<VolumeEdit>(std::move(after), m_last->changedBlocks));
   return ToolReply::Used;
 }
@@ -154,11 +171,18 @@ ToolReply DrillingTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
+// What holding the button does, or is to be stopped for.
+const char* DrillingTool::holdText() const {
+  if (!m_gesture.isOn()) return QT_TRANSLATE_NOOP("Tool", "drill across the surface");
+  const std::shared_ptr<const DrillState> now = state();
+  if (now->figures.forbidden > 0.0) return QT_TRANSLATE_NOOP("Tool", "in the forbidden region: release the button");
+  if (now->breakthrough) return QT_TRANSLATE_NOOP("Tool", "breakthrough: release the button");
+  return isBesidePath(*now) ? QT_TRANSLATE_NOOP("Tool", "beside the planned path")
+                            : QT_TRANSLATE_NOOP("Tool", "drill across the surface");
+}
+
 std::vector<ToolAction> DrillingTool::actions() const {
-  const bool isThrough = m_gesture.isOn() && state()->breakthrough;
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Hold"),
-           isThrough ? QT_TRANSLATE_NOOP("Tool", "breakthrough: release the button")
-                     : QT_TRANSLATE_NOOP("Tool", "drill across the surface")},
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Hold"), holdText()},
           {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+hold"), QT_TRANSLATE_NOOP("Tool", "drill along the view")},
           actionOf(kDrillKeys, "revert", m_gesture.isOn())};
 }
@@ -188,7 +212,8 @@ std::vector<Property> DrillingTool::settings() const {
       numberSetting("rpm", QT_TRANSLATE_NOOP("Property", "Spindle (r/min)"), m_rpm, Quantity::Number, kSpindle),
       numberSetting("feed", QT_TRANSLATE_NOOP("Property", "Feed by the mouse (mm/s)"), m_speed, Quantity::Number,
                     kSpeeds)};
-  const std::shared_ptr<const DrillState> hole = m_gesture.isOn() ? state() : m_last;
+  for (Property& property : all) property.editable = !m_task || property.id == "feed";
+  const std::shared_ptr<const DrillState> hole = this->hole();
   if (!hole) return all;
   if (m_gesture.isOn()) {
     all.push_back(figure("thrust", QT_TRANSLATE_NOOP("Property", "Thrust (N)"), hole->thrust));
@@ -204,6 +229,7 @@ std::vector<Property> DrillingTool::settings() const {
 }
 
 void DrillingTool::setSetting(std::string_view id, const PropertyValue& value) {
+  if (m_task && id != "feed") return;
   int shape = m_head.shape == DrillShape::Twist ? 1 : 0;
   int material = static_cast<int>(m_material);
   if (id == "head" && assignChoice(shape, value, 2)) m_head.shape = shape == 1 ? DrillShape::Twist : DrillShape::Ball;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/volume/VolumeDocument.h"
+#include "document/volume/exercise/DrillingTask.h"
 #include "simulation/SimulatedGesture.h"
 #include "simulation/drilling/DrillSimulation.h"
 #include "tools/ToolKey.h"
@@ -12,7 +13,8 @@ namespace handwheel {
 
 // Tool that drills a volume. With the mouse the drill is fed along the surface's normal, or straight down the view with
 // Shift, from where it is pressed until the button is released; a device drills as the hand goes. A hole is one undo
-// step. Thrust, torque and work are shown while it goes on.
+// step, and how it was drilled is kept with it. Thrust, torque and work are shown while it goes on. In work on an
+// exercise the drill is that of its task, and is judged by the planned path.
 class DrillingTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
@@ -33,14 +35,21 @@ class DrillingTool : public VolumeTool {
   void documentChanged() override { m_gesture.restart(); }
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
- private:
+  // The hole that is drilled, or else the one before; null: there was none.
+  std::shared_ptr<const DrillState> hole() const { return m_gesture.isOn() ? state() : m_last; }
   DrillSetup setup() const;
+  // What is prepared for the exercise; null: it is work on none.
+  const std::shared_ptr<const DrillingTask>& task() const { return m_task; }
+
+ private:
   std::unique_ptr<Simulation> simulation() const;
   std::shared_ptr<const DrillState> state() const;
+  const char* holdText() const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
 
   VolumeDocument& m_document;
+  std::shared_ptr<const DrillingTask> m_task;
   DrillTool m_head;
   std::size_t m_material = 0;       // of drillMaterials()
   double m_rpm = 1000.0;            // r/min

@@ -40,7 +40,11 @@ DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   m_energy += 1e-3 * (-tick.force.dot(way) + load.torque * std::abs(m_setup.spindle) * dt);
   m_maxThrust = std::max(m_maxThrust, load.thrust);
   m_maxTorque = std::max(m_maxTorque, load.torque);
-  if (way.norm() > 0.0) watchFront(place, way, time);
+  if (way.dot(axis) > 0.0) {
+    m_isFrontInside = false;  // on its way out nothing is broken through
+  } else if (way.norm() > 0.0) {
+    watchFront(place, way, time);
+  }
   return tick;
 }
 

@@ -44,6 +44,23 @@ class MarkingTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // A decisive criterion that is not met, or not measured, takes all points, also its own share.
+  void decisiveCriterion() {
+    Exercise exercise = only(within(0.0, 1.0, 5.0, 2.0));
+    exercise.criteria[0].isDecisive = true;
+    exercise.criteria[0].name = "Safe";
+    MarkingCriterion other = within(0.0, 1.0, 3.0, 0.0);
+    other.id = "d2";
+    exercise.criteria.push_back(other);
+    QCOMPARE(markFigures(exercise, {{"d1", 0.5, {}}, {"d2", 0.5, {}}}, {}).points, 8.0);
+    const Marking failed = markFigures(exercise, {{"d1", 1.5, {}}, {"d2", 0.5, {}}}, {});
+    QCOMPARE(failed.points, 0.0);
+    QCOMPARE(failed.of, 8.0);
+    QVERIFY(failed.marks[1].verdict == Verdict::Met && failed.marks[1].points == 0.0);
+    QCOMPARE(failed.marks[1].reason.inEnglish(), std::string("no points, as the work fails by “Safe”"));
+    QCOMPARE(markFigures(exercise, {{"d2", 0.5, {}}}, {}).points, 0.0);
+  }
+
   void theReasonOfEachMark() {
     const MarkingCriterion c = within(19.9, 20.0, 10.0, 0.2);
     QCOMPARE(markOf(c, 19.95).points, 10.0);

@@ -79,6 +79,7 @@ Exercise anyExercise() {
     c.points = std::abs(anyNumber());
     c.slack = std::abs(anyNumber());
     c.isHidden = *rc::gen::arbitrary<bool>();
+    c.isDecisive = *rc::gen::arbitrary<bool>();
     exercise.criteria.push_back(c);
   }
   for (int i = 0; i < steps; ++i) {

@@ -7,6 +7,7 @@
 #include "document/FileBytes.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ShippedExercises.h"
+#include "document/volume/exercise/DrillingSubject.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 #include "document/workpiece/exercise/TurningFigures.h"
@@ -30,6 +31,12 @@ Json descriptionIn(const QString& path) {
   const Result<std::string> text = readFileBytes(path.toStdString());
   Result<Json> json = text ? parseJson(*text, "exercise") : Result<Json>(text.error());
   return json ? *json : Json();
+}
+
+std::vector<std::unique_ptr<ExerciseSubject>> allSubjects() {
+  std::vector<std::unique_ptr<ExerciseSubject>> subjects = turningOnly();
+  subjects.push_back(std::make_unique<DrillingSubject>());
+  return subjects;
 }
 
 Names lostMarks(const Marking& marking) {
@@ -71,7 +78,7 @@ class ShippedExercisesTest : public QObject {
     QTest::addColumn<QString>("path");
     const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
     const QStringList names = folder.entryList({"*.exercise.json"});
-    QCOMPARE(names.size(), 9);
+    QCOMPARE(names.size(), 10);
     for (const QString& name : names) QTest::addRow("%s", qPrintable(name)) << folder.filePath(name);
   }
   void each() {
@@ -79,7 +86,7 @@ class ShippedExercisesTest : public QObject {
     Json description = descriptionIn(path);
     QVERIFY(description.is_object());
     description.erase("for_students");
-    const ExerciseKind kind(turningOnly());
+    const ExerciseKind kind(allSubjects());
     const auto exercise = exerciseFrom(kind, description);
     QVERIFY(exercise->solution && exercise->exercise.points() > 0.0 && exercise->exercise.steps.size() >= 2);
     for (const MarkingCriterion& c : exercise->exercise.criteria) QVERIFY2(isAsNamed(c), c.name.c_str());
@@ -113,7 +120,7 @@ class ShippedExercisesTest : public QObject {
       QVERIFY(json["key"].get<std::string>().starts_with("handwheel-"));
       add(json["title"]);
       add(json["text"]);
-      for (const Json& tool : json["task"]["tools"]) add(tool["name"]);
+      for (const Json& tool : json["task"].value("tools", Json::array())) add(tool["name"]);
       for (const Json& c : json["criteria"]) add(c["name"]);
       for (const Json& step : json["steps"]) {
         add(step["title"]);
@@ -164,8 +171,9 @@ class ShippedExercisesTest : public QObject {
   void drawings_data() { each_data(); }
   void drawings() {
     QFETCH(QString, path);
-    const ExerciseKind kind(turningOnly());
+    const ExerciseKind kind(allSubjects());
     const auto exercise = exerciseFrom(kind, descriptionIn(path));
+    if (exercise->subject->id() != "turning") return;
     const auto& task = static_cast<const TurningTask&>(*exercise->task);
     QVERIFY(task.target.has_value());
     const DrawingTitle title = drawingTitleOf(exercise->exercise, task);

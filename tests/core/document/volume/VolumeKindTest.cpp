@@ -70,6 +70,40 @@ class VolumeKindTest : public QObject {
     }));
   }
 
+  // How holes were drilled comes back to the last bit; without one of its arrays there are no holes, and that is said.
+  void drilledHoles() {
+    const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.5);
+    for (const char* const tool : {"twist:2", "burr:1.5"}) {
+      auto hole = std::make_shared<DrillRecord>();
+      hole->setup.tool = *drillToolOf(tool);
+      hole->setup.material = *drillMaterial("beech");
+      hole->setup.spindle = 77.5;
+      if (tool[0] == 'b') hole->setup.erosion = 2.5;
+      for (int i = 0; i < 5000; ++i)
+        hole->poses.push_back(DrillPose::of(Vec3(0.1, -0.2, 0.003 * i), Vec3(0.1, 0.0, 1.0), 0.001 * i));
+      value->holes.push_back(hole);
+    }
+    Container container;
+    m_kind.save(*value, container);
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded.hasValue() && damage.empty());
+    const DrilledHoles& holes = static_cast<const VolumeSnapshot&>(**loaded).holes;
+    QCOMPARE(holes.size(), std::size_t{2});
+    for (std::size_t k = 0; k < 2; ++k) {
+      const DrillSetup &read = holes[k]->setup, &written = value->holes[k]->setup;
+      QVERIFY(read.tool.shape == written.tool.shape && read.tool.length == written.tool.length);
+      QVERIFY(read.material.id == "beech" && read.material.energy == written.material.energy);
+      QVERIFY(read.spindle == written.spindle && read.erosion == written.erosion);
+      QCOMPARE(holes[k]->poses.size(), std::size_t{5000});
+      for (std::size_t i = 0; i < 5000; ++i) QVERIFY(holes[k]->poses[i] == value->holes[k]->poses[i]);
+    }
+    container.blobs.erase("volume/holes/places/0000");
+    const auto damaged = m_kind.load(container, damage, {});
+    QVERIFY(damaged.hasValue() && !damage.empty());
+    QVERIFY(static_cast<const VolumeSnapshot&>(**damaged).holes.empty());
+  }
+
   // A chunk that is lost is missing, is said, and the rest is closed off: also where the loss is beside what is full.
   void aLostChunk() {
     const auto value = snapshotOf(moved(icosphere(3), Vec3::Zero(), 10.0), 0.06);

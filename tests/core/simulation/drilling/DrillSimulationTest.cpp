@@ -5,6 +5,7 @@
 #include "TestClass.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
+#include "volume/drilling/DrillReview.h"
 
 #include <QtTest>
 #include <cmath>
@@ -69,7 +70,8 @@ class DrillSimulationTest : public QObject {
     QVERIFY(std::abs(through->energy / (0.25 * through->removed) - 1.0) < 0.01);
   }
 
-  // By the hand: as DrillRun with the same places; a hand that only moves drills nothing.
+  // By the hand: as DrillRun with the same places; a hand that only moves drills nothing. What is kept of it gives the
+  // very same hole.
   void byTheHand() {
     DrillSimulation simulation(drilledBall(), fineDrill(), std::nullopt, std::make_shared<ClayChannel>());
     SparseVolume volume = drilledBall()->volume;
@@ -79,11 +81,26 @@ class DrillSimulationTest : public QObject {
       const std::uint32_t gesture = i < 20 ? 0 : 1;
       const SimulationInput input = handAt(place, 0.001 * i, gesture);
       simulation.step(1.0 / 60.0, {&input, 1});
-      if (gesture != 0) run.move(place, Vec3::UnitZ(), 0.001 * (i - 20));
+      if (gesture != 0) move(run, DrillPose::of(place, Vec3::UnitZ(), 0.001 * (i - 20)));
     }
     QVERIFY(run.removed() > 0.0);
     QVERIFY(std::abs(stateOf(simulation)->removed - run.removed()) < 1e-9);
     QVERIFY(std::abs(stateOf(simulation)->maxThrust / run.maxThrust() - 1.0) < 1e-6);
+
+    const auto made = stateOf(simulation);
+    QCOMPARE(made->poses.size(), std::size_t{180});
+    auto record = std::make_shared<DrillRecord>();
+    record->setup = fineDrill();
+    record->poses = made->poses;
+    const std::shared_ptr<const DrillRecord> holes[] = {record};
+    const auto again = reviewDrilling(drilledBall()->volume, *made->plan, holes);
+    QVERIFY(again.has_value());
+    QCOMPARE(again->moments.size(), made->moments.size());
+    for (std::size_t i = 0; i < again->moments.size(); ++i) {
+      QCOMPARE(again->moments[i].thrust, made->moments[i].thrust);
+      QCOMPARE(again->moments[i].temperature, made->moments[i].temperature);
+    }
+    QCOMPARE(countedMaterial(again->left), countedMaterial(made->volume));
   }
 };
 

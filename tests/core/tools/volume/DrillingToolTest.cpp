@@ -6,9 +6,11 @@
 #include "document/volume/VolumeKind.h"
 #include "tools/ToolRunner.h"
 #include "volume/VolumeReader.h"
+#include "volume/drilling/DrillReview.h"
 
 #include <QtTest>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 
@@ -24,7 +26,13 @@ struct DrillBench {
   ToolRunner runner;
   DrillingTool* tool = nullptr;
 
-  DrillBench() {
+  explicit DrillBench(const char* task = nullptr) {
+    if (task) {
+      const nlohmann::json exercise = {{"subject", "drilling"}, {"task", nlohmann::json::parse(task)}};
+      document.assign({std::make_shared<const nlohmann::json>(exercise),
+                       std::make_shared<const nlohmann::json>(nlohmann::json::object())},
+                      false);
+    }
     auto started = std::make_unique<DrillingTool>(document, SimulationServices{clock, simulation});
     tool = started.get();
     runner.start(std::move(started), document);
@@ -67,6 +75,53 @@ class DrillingToolTest : public QObject {
     QVERIFY(bench.setting("max_thrust") > 0.0 && bench.setting("energy") > 0.0);
     bench.document.history()->undo();
     QCOMPARE(bench.document.volume(), before);
+  }
+
+  // What is kept of a hole gives the same volume again, with the same figures; undone, it is gone with it.
+  void theHoleIsKept() {
+    DrillBench bench;
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    const auto before = bench.document.volume();
+    bench.event(PointerEvent::Kind::Press, 1.0, 2.0);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 30.0; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 1.0, 2.0);
+    const auto after = bench.document.volume();
+    QCOMPARE(after->holes.size(), std::size_t{1});
+    const auto review = reviewDrilling(before->volume, bench.tool->hole()->plan.value(), after->holes);
+    QVERIFY(review.has_value());
+    QCOMPARE(countedMaterial(review->left), countedMaterial(after->volume));
+    QCOMPARE(review->figures.thrust, bench.setting("max_thrust"));
+    QCOMPARE(review->figures.torque, bench.setting("max_torque"));
+    bench.document.history()->undo();
+    QVERIFY(bench.document.volume()->holes.empty());
+  }
+
+  // In an exercise the drill is that of the task, and it says where the head must not be.
+  void inAnExercise() {
+    DrillBench bench(R"({"stock": "skull", "entry": [0, 0, 20], "direction": [0, 0, -1], "tolerance": 1,
+                         "forbidden": [[0, 0, 0, 15]], "drill": "burr:4", "spindle_speed": 1500, "feed": 20,
+                         "material": "porcine-bone"})");
+    for (const Property& property : bench.tool->settings()) QCOMPARE(property.editable, property.id == "feed");
+    bench.runner.setSetting("diameter", PropertyValue(9.0));
+    QCOMPARE(bench.tool->setup().tool.diameter, 4.0);
+    QCOMPARE(bench.tool->setup().material.id, std::string("porcine-bone"));
+    QVERIFY(std::abs(bench.tool->setup().spindle - 50.0 * M_PI) < 1e-9);
+    const auto says = [&](const char* text) { return bench.tool->actions().front().effect == text; };
+    QVERIFY(says("drill across the surface"));
+    bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return says("in the forbidden region: release the button"); }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    // 5 mm below the surface at 20 mm/s, known one step of the simulation later at most.
+    const auto hole = bench.tool->hole();
+    for (std::size_t i = 0; i < hole->moments.size(); ++i) {
+      const DrillMoment& moment = hole->moments[i];
+      QVERIFY(std::abs(moment.forbidden - (moment.depth - 5.0)) < 1e-3);
+      QVERIFY(moment.deviation < 1e-3);
+    }
+    // Beside the path by 3 mm.
+    bench.event(PointerEvent::Kind::Press, 3.0, 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return says("beside the planned path"); }, 20'000));
+    bench.runner.perform("revert");
   }
 
   // Beside the part the camera has the mouse; what is discarded leaves nothing.

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/volume/DrillingTool.h"
+#include "window/kinds/KindUi.h"
+
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QTimer>
+
+class QDockWidget;
+class QLabel;
+
+namespace handwheel {
+
+class PlotWidget;
+
+// What the window shows and plays of the Drill tool: the dock with thrust and torque over time, the warnings of an
+// exercise, and the sound. Window thread.
+class DrillView : public QObject {
+  Q_OBJECT
+
+ public:
+  DrillView(const WindowContext& parts, QObject* parent);
+
+  // To be called when the tool, or what it shows, has changed.
+  void follow();
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  const DrillingTool* tool() const;
+  void makeDock();
+  void show(const DrillingTool& tool, const DrillState& hole);
+  void plot(const DrillSetup& setup, const DrillState& hole);
+  void warn(const DrillingTool& tool, const DrillState& hole);
+  void sound();
+
+  // What was said of the present hole.
+  struct Said {
+    std::size_t moments = 0;
+    bool besidePath = false, breakthrough = false, forbidden = false;
+  };
+
+  WindowContext m_parts;
+  QPointer<QDockWidget> m_dock;
+  QLabel* m_verdict = nullptr;
+  QLabel* m_figures = nullptr;
+  PlotWidget* m_thrust = nullptr;
+  PlotWidget* m_torque = nullptr;
+  QTimer m_sounding;
+  QElapsedTimer m_plotted;
+  std::shared_ptr<const DrillState> m_shown;  // plotted last
+  Said m_said;
+  bool m_isRunning = false;
+};
+
+// What the hole has come to, in a few words; empty: nothing to say. An exercise says it when the forbidden region was
+// entered, the drill is through, or it is beside the path.
+QString drillVerdict(const DrillState& hole);
+
+}  // namespace handwheel

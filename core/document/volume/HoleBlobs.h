@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Container.h"
+#include "document/volume/VolumeSnapshot.h"
+
+namespace handwheel {
+
+// Writes how the holes of a volume were drilled: a list in the object manifest["document"], and the poses of all in
+// arrays ("volume/holes/…").
+void writeHoles(const DrilledHoles& holes, Container& container);
+
+// Reads it from any input. Where one is lost or makes no sense there is none, and the damage has it: a hole alone would
+// not be drilled again as it was.
+DrilledHoles readHoles(const Container& container, std::vector<Error>& damage);
+
+}  // namespace handwheel

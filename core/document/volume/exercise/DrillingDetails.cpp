@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/volume/exercise/DrillingDetails.h"
+
+#include "base/NumberText.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+// Of more moments those with the largest of so many are shown: a curve has no more points than a page has dots.
+constexpr std::size_t kMostCurvePoints = 2'000;
+
+ReportCurve::Series seriesOf(const char* name, const std::vector<DrillMoment>& moments, const auto& value) {
+  ReportCurve::Series series{name, {}};
+  const std::size_t step = moments.size() / kMostCurvePoints + 1;
+  for (std::size_t first = 0; first < moments.size(); first += step) {
+    const std::size_t end = std::min(first + step, moments.size());
+    std::size_t largest = first;
+    for (std::size_t i = first; i < end; ++i)
+      if (value(moments[i]) > value(moments[largest])) largest = i;
+    series.points.emplace_back(moments[largest].time, value(moments[largest]));
+  }
+  return series;
+}
+
+ReportCurve timeCurve(const char* title, const char* unit) {
+  return {title, QT_TRANSLATE_NOOP("Figure", "Time"), "s", title, unit, {}};
+}
+
+// A line from the bottom of the plot to its top.
+void addBreakthrough(ReportCurve& curve, const std::vector<DrillMoment>& moments) {
+  const auto through = std::find_if(moments.begin(), moments.end(), [](const DrillMoment& m) { return m.isThrough; });
+  if (through == moments.end()) return;
+  double low = 0.0, high = 0.0;
+  for (const ReportCurve::Series& series : curve.series)
+    for (const auto& point : series.points) {
+      low = std::min(low, point.second);
+      high = std::max(high, point.second);
+    }
+  curve.series.push_back({QT_TRANSLATE_NOOP("Figure", "Breakthrough"), {{through->time, low}, {through->time, high}}});
+}
+
+// By (3-22) and (3-23), while the drill cuts.
+DrillLoad referenceAt(const DrillSetup& setup, const DrillMoment& moment) {
+  const double turns = std::abs(setup.spindle) / (2.0 * M_PI);
+  if (!moment.isCutting || !(turns > 0.0)) return {};
+  return referenceLoad(setup.tool, setup.material.energy / (2.0 * setup.material.tangential),
+                       setup.material.energy / 5.0, moment.feed / turns);
+}
+
+template <class IsNow>
+void addEvent(ReportDetails& details, const std::vector<DrillMoment>& moments, IsNow isNow, const char* text,
+              std::vector<std::string> arguments = {}) {
+  const auto found = std::find_if(moments.begin(), moments.end(), isNow);
+  if (found != moments.end()) details.events.push_back({found->time, {text, std::move(arguments)}});
+}
+
+}  // namespace
+
+ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments) {
+  ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Thrust"), "N");
+  curve.series = {
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust"), moments, [](const DrillMoment& m) { return m.thrust; }),
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Reference (3-22)"), moments,
+               [&](const DrillMoment& m) { return referenceAt(setup, m).thrust; })};
+  addBreakthrough(curve, moments);
+  return curve;
+}
+
+ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments) {
+  ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Torque"), "N·mm");
+  curve.series = {
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque"), moments, [](const DrillMoment& m) { return m.torque; }),
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Reference (3-23)"), moments,
+               [&](const DrillMoment& m) { return referenceAt(setup, m).torque; })};
+  addBreakthrough(curve, moments);
+  return curve;
+}
+
+ReportCurve depthCurve(const std::vector<DrillMoment>& moments) {
+  ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Depth of the tip"), "mm");
+  curve.series = {
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Depth of the tip"), moments, [](const DrillMoment& m) { return m.depth; }),
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Beside the path"), moments,
+               [](const DrillMoment& m) { return m.isCutting ? m.deviation : 0.0; })};
+  addBreakthrough(curve, moments);
+  return curve;
+}
+
+ReportCurve heatCurve(const std::vector<DrillMoment>& moments) {
+  ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Temperature rise (estimate)"), "K");
+  curve.series = {seriesOf(QT_TRANSLATE_NOOP("Figure", "Temperature rise (estimate)"), moments,
+                           [](const DrillMoment& m) { return m.temperature; })};
+  addBreakthrough(curve, moments);
+  return curve;
+}
+
+ReportDetails drillingDetails(const DrillingTask& task, const DrillReview& review) {
+  const std::vector<DrillMoment>& moments = review.moments;
+  ReportDetails details;
+  details.seconds = review.figures.end;
+  if (moments.empty()) return details;
+  const DrillSetup setup = task.setup();
+  details.curves = {thrustCurve(setup, moments), torqueCurve(setup, moments), depthCurve(moments), heatCurve(moments)};
+  addEvent(
+      details, moments, [](const DrillMoment& m) { return m.isCutting; }, QT_TRANSLATE_NOOP("Note", "Contact."));
+  addEvent(details, moments, [&](const DrillMoment& m) { return m.isCutting && m.deviation > task.plan.tolerance; },
+           QT_TRANSLATE_NOOP("Note", "The drill left the planned path by more than %1 mm."),
+           {roundedText(task.plan.tolerance, 3)});
+  addEvent(
+      details, moments, [](const DrillMoment& m) { return m.isThrough; },
+      QT_TRANSLATE_NOOP("Note", "Breakthrough: the drill is through the inner surface."));
+  addEvent(
+      details, moments, [](const DrillMoment& m) { return m.forbidden > 0.0; },
+      QT_TRANSLATE_NOOP("Note", "The drill entered the forbidden region."));
+  std::stable_sort(details.events.begin(), details.events.end(),
+                   [](const ReportEvent& one, const ReportEvent& other) { return one.seconds < other.seconds; });
+  return details;
+}
+
+}  // namespace handwheel

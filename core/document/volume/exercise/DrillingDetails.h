@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/volume/exercise/DrillingTask.h"
+#include "volume/drilling/DrillReview.h"
+
+namespace handwheel {
+
+// Thrust or torque over time with the reference of (3-22) or (3-23) at the same feed, and the breakthrough as a line.
+// The constants of the reference are those with which both agree on a ball that drills deep inside: Ks = kp / (2 ktc),
+// Ru = kp / 5; so it is their shapes that are compared.
+ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
+ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
+// Depth of the tip along the plan, and how far it is beside it.
+ReportCurve depthCurve(const std::vector<DrillMoment>& moments);
+ReportCurve heatCurve(const std::vector<DrillMoment>& moments);
+
+// What a report shows of drilling besides the marks: the curves, the breakthrough, and what went wrong.
+ReportDetails drillingDetails(const DrillingTask& task, const DrillReview& review);
+
+}  // namespace handwheel

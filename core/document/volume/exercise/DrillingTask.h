@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/AssignedExercise.h"
+#include "document/exercise/ExerciseSubject.h"
+#include "document/volume/VolumeSnapshot.h"
+#include "document/volume/exercise/StockText.h"
+#include "volume/drilling/DrillWatch.h"
+
+namespace handwheel {
+
+// What is prepared for an exercise of drilling: the stock, the drill, and the way it is to go.
+struct DrillingTask : ExerciseTask {
+  static constexpr std::size_t kMostForbidden = 100;
+
+  std::shared_ptr<const DrillingStock> stock;  // null: the skull that ships
+  DrillPlan plan;
+  DrillTool tool;
+  std::string material = "cortical-bone";  // id of a DrillMaterial
+  double spindle = 1000.0;                 // r/min
+  double feed = 1.0;                       // mm/s, with the mouse
+
+  // At the site of the skull, with its brain forbidden.
+  static DrillingTask ofSkull();
+
+  const SparseVolume& volume() const;
+  DrillSetup setup() const;
+};
+
+// As containers and descriptions have it; docs/format.md lists the keys.
+nlohmann::json toJson(const DrillingTask& task);
+DrillingTask drillingTaskFrom(const nlohmann::json& json, std::vector<Error>& damage);
+
+// The properties that teachers change.
+std::vector<Property> propertiesOf(const DrillingTask& task);
+// Errors: ReferenceMissing {property}, ElementMalformed, ValueOutOfRange.
+Result<DrillingTask> withTaskProperty(DrillingTask task, const std::string& id, const PropertyValue& value);
+
+// What is prepared for the exercise that a volume is work on, without the stock; null: it is none, or of other work.
+std::shared_ptr<const DrillingTask> assignedDrilling(const AssignedExercise& assigned);
+
+}  // namespace handwheel

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/volume/exercise/StockText.h"
+
+#include "base/JsonFields.h"
+#include "base/JsonText.h"
+#include "document/Container.h"
+#include "volume/VolumeRegions.h"
+
+#include <QByteArray>
+#include <QtEndian>
+
+namespace handwheel {
+
+DrillingStock stockOf(const SparseVolume& volume) {
+  std::vector<std::int16_t> numbers;
+  for (const VoxelIndex& region : regionsOf(volume)) appendRegion(volume, region, numbers);
+  const QByteArray data = qCompress(QByteArray::fromStdString(toBlob(numbers)), 6).toBase64();
+  nlohmann::json json = {{"voxel", volume.voxel()},
+                         {"origin", {volume.origin().x(), volume.origin().y(), volume.origin().z()}},
+                         {"data", data.toStdString()}};
+  return {volume, std::make_shared<const nlohmann::json>(std::move(json))};
+}
+
+Result<DrillingStock> stockFrom(const nlohmann::json& json) {
+  const Error malformed{ErrorCode::ElementMalformed, {"stock", "it is no volume"}, {}, {}};
+  double voxel = 0.0;
+  JsonFieldReader{json}("voxel", voxel);
+  const std::vector<double> origin = numbersAt(json, "origin", 3);
+  const QByteArray packed = QByteArray::fromBase64(QByteArray::fromStdString(stringAt(json, "data")));
+  constexpr qsizetype kHead = 4;  // the unpacked size, in front of what zlib made
+  constexpr std::uint32_t kMost = std::uint32_t{1} << 30;
+  if (!(voxel > 1e-9 && voxel < 1e9) || origin.size() != 3 || packed.size() < kHead) return malformed;
+  // Before it is trusted: no data of zlib unpack to more than 1032 times their size.
+  const auto size = qFromBigEndian<std::uint32_t>(packed.constData());
+  if (size > kMost || size / 1032 > static_cast<std::uint64_t>(packed.size())) return malformed;
+  SparseVolume volume({origin[0], origin[1], origin[2]}, voxel);
+  const std::vector<std::int16_t> numbers = fromBlob<std::int16_t>(qUncompress(packed).toStdString());
+  if (!volume.origin().allFinite() || volume.origin().norm() > 1e12 || numbers.empty() ||
+      !readRegions(numbers, volume) || !closeOff(volume, numbers.size()))
+    return malformed;
+  return DrillingStock{std::move(volume), std::make_shared<const nlohmann::json>(json)};
+}
+
+}  // namespace handwheel

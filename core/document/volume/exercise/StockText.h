@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "volume/SparseVolume.h"
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+
+namespace handwheel {
+
+// A volume that is drilled in an exercise, and the same within its description: {"voxel", "origin", "data"}, the data
+// as VolumeRegions.h has it, compressed by zlib, in Base64. To make one takes a second for a large volume.
+struct DrillingStock {
+  SparseVolume volume;
+  std::shared_ptr<const nlohmann::json> json;
+};
+
+DrillingStock stockOf(const SparseVolume& volume);
+// Any JSON. Error: ElementMalformed.
+Result<DrillingStock> stockFrom(const nlohmann::json& json);
+
+}  // namespace handwheel

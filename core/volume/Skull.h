@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+#include "volume/VolumeShapes.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// A skull for exercises of drilling, made of formulas and of no patient: a vault between two ellipsoids, the outer and
+// the inner table, with a face, orbits, a nasal opening and the great foramen. Without lower jaw and teeth; the bone
+// between the tables is massive. The origin is the middle of the vault, x to its side, y to the face, z up; mm.
+//
+// The vault is 180 long and 144 wide, and its tables are 6.5 apart on the axes, as those of adults are to a few
+// millimetres.
+struct Skull {
+  static inline const Vec3 kOuter{72.0, 90.0, 66.0};  // half axes of the outer table
+  static constexpr double kThickness = 6.5;           // of the vault, along its axes
+  static inline const Vec3 kInner = kOuter - Vec3::Constant(kThickness);
+
+  // Depth below the surface, below 0 outside; exact to first order beside the surface.
+  static double depthAt(const Vec3& p);
+};
+
+// On all threads of the arena; O(area / voxel²).
+SparseVolume skullOfVoxels(double voxel);
+// The skull that exercises are about, of kSkullVoxel. Made with the first call, which takes half a second.
+const SparseVolume& shippedSkull();
+inline constexpr double kSkullVoxel = 0.5;  // mm
+
+// The brain of that skull: balls that overlap, a few millimetres inside of the inner table.
+std::vector<SolidBall> skullBrain();
+
+// Where a burr hole is begun, and which way it goes: across the vault in front of the ear and beside the middle,
+// where surgeons drill for a drain.
+struct SkullSite {
+  Vec3 entry;      // on the outer table
+  Vec3 direction;  // inwards, of length 1
+};
+SkullSite skullSite();
+
+}  // namespace handwheel

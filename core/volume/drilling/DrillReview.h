@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "volume/drilling/DrillRecord.h"
+#include "volume/drilling/DrillWatch.h"
+
+#include <memory>
+#include <span>
+
+namespace handwheel {
+
+// What was drilled, gone through again.
+struct DrillReview {
+  static constexpr double kEndOfBone = 1.0;  // mm before the breakthrough
+
+  std::vector<DrillMoment> moments;
+  DrillFigures figures;
+  std::optional<double> lastThrust;  // N, mean over time of the last kEndOfBone before the breakthrough
+  SparseVolume left;                 // of the volume
+};
+
+// Drills a volume again as the records say, and judges it by the plan. The same each time. None: cancelled. O(poses).
+std::optional<DrillReview> reviewDrilling(SparseVolume stock, const DrillPlan& plan,
+                                          std::span<const std::shared_ptr<const DrillRecord>> holes,
+                                          Progress progress = {});
+
+}  // namespace handwheel

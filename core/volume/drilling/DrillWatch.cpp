@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/drilling/DrillWatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+double DrillHeat::volume(const DrillTool& tool) {
+  return 2.0 * M_PI / 3.0 * (std::pow(tool.radius() + kLayer, 3) - std::pow(tool.radius(), 3));
+}
+
+void DrillWatch::beginHole(const DrillSetup& setup) {
+  m_begin += m_time;
+  m_time = 0.0;
+  m_setup = setup;
+  m_place.reset();
+  m_temperature = 0.0;
+}
+
+double DrillWatch::deviation(const Vec3& p) const {
+  const Vec3 from = p - m_plan.entry;
+  return (from - from.dot(m_plan.direction) * m_plan.direction).norm();
+}
+
+double DrillWatch::forbiddenDepth(const Vec3& centre, const Vec3& axis) const {
+  const DrillTool& tool = m_setup.tool;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const SolidBall& ball : m_plan.forbidden) {
+    const auto depth = [&](const Vec3& p) { return ball.radius - (p - ball.centre).norm(); };
+    if (tool.shape != DrillShape::Twist) {
+      deepest = std::max(deepest, depth(centre) + tool.radius());
+      continue;
+    }
+    // Of the cone the point and the rim.
+    const Vec3 to = ball.centre - centre, across = to - to.dot(axis) * axis;
+    const Vec3 rim = across.norm() > 0.0 ? Vec3(tool.radius() * across.normalized()) : Vec3(Vec3::Zero());
+    deepest = std::max({deepest, depth(centre - tool.reach() * axis), depth(centre + rim)});
+  }
+  return deepest;
+}
+
+DrillMoment DrillWatch::add(const DrillTick& tick, const Vec3& axis, bool isThrough) {
+  const double dt = m_place ? tick.time - m_time : 0.0;
+  DrillMoment moment;
+  moment.time = m_begin + tick.time;
+  moment.thrust = tick.thrust;
+  moment.torque = tick.torque.norm();
+  if (dt > 0.0) {
+    moment.feed = (tick.place - *m_place).norm() / dt;
+    const double power = 1e-3 * moment.torque * std::abs(m_setup.spindle);  // W
+    const double warming = DrillHeat::kShare * power / (DrillHeat::kHeat * DrillHeat::volume(m_setup.tool));
+    m_temperature = m_temperature * std::exp(-dt / DrillHeat::kTime) + warming * dt;
+  }
+  const Vec3 tip = tick.place - m_setup.tool.reach() * axis;
+  moment.temperature = m_temperature;
+  moment.depth = (tip - m_plan.entry).dot(m_plan.direction);
+  moment.deviation = std::max(deviation(tick.place), deviation(tip));
+  moment.forbidden = forbiddenDepth(tick.place, axis);
+  moment.isCutting = tick.removed > 0.0;
+  moment.isThrough = isThrough;
+  m_place = tick.place;
+  m_time = tick.time;
+  count(moment);
+  return moment;
+}
+
+void DrillWatch::count(const DrillMoment& moment) {
+  DrillFigures& f = m_figures;
+  if (moment.isCutting && !f.contact) f.contact = moment.time;
+  if (moment.isThrough && !f.breakthrough) {
+    f.breakthrough = moment.time;
+    m_exit = moment.depth;
+  }
+  if (moment.isCutting) f.deviation = std::max(f.deviation, moment.deviation);
+  if (f.breakthrough) f.plunge = std::max(f.plunge, moment.depth - m_exit);
+  f.forbidden = std::max(f.forbidden, moment.forbidden);
+  f.thrust = std::max(f.thrust, moment.thrust);
+  f.torque = std::max(f.torque, moment.torque);
+  f.temperature = std::max(f.temperature, moment.temperature);
+  f.end = moment.time;
+}
+
+}  // namespace handwheel
