@@ -6,6 +6,7 @@
 #include "mesh/structure/TriangleSoup.h"
 #include "volume/SparseVolume.h"
 
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,9 @@ class SurfaceRows {
   bool isSimple() const { return m_isSimple; }
   // Per triangle: whether somewhere a row goes into the inside or out of it there.
   const std::vector<bool>& bounding() const { return m_bounding; }
+  // The same by another winding number: turns(place, whole) is it, given the whole one there. O(crossings).
+  using Turns = std::function<double(const Vec3&, int)>;
+  std::vector<bool> boundingBy(const Turns& turns) const;
   // Per triangle: whether any row crosses it.
   const std::vector<bool>& crossed() const { return m_crossed; }
 

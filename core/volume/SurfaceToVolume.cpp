@@ -8,6 +8,7 @@
 #include "process/SystemMemory.h"
 #include "proximity/ClosestPoint.h"
 #include "volume/BoundaryCaps.h"
+#include "volume/Membranes.h"
 #include "volume/SurfaceRows.h"
 #include "volume/VolumeErrors.h"
 
@@ -24,6 +25,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kBand = 3.0;  // voxels from the surface in which distances are exact
+constexpr double kWide = 4.0;  // voxels, of a hole that a membrane closes, and no cone
 constexpr int kTile = 32;      // voxels along an edge of what is sampled at once; four blocks
 // What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
 // measured.
@@ -50,8 +52,9 @@ int floorOf(double v) {
   return static_cast<int>(std::floor(v));
 }
 
-// The triangles that come within the band of each tile; all in voxels.
-Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const Progress& progress) {
+// The triangles that come within the band of each tile, and the tiles of membranes; all in voxels.
+Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const Membranes& membranes,
+                const Progress& progress) {
   std::map<Tile, std::vector<std::uint32_t>> near;
   const double halfDiagonal = 0.5 * kTile * std::sqrt(3.0);
   for (std::size_t i = 0; i < soup.triangles.size() && !progress.cancelled(); ++i) {
@@ -65,6 +68,11 @@ Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const
           if (std::abs(t.normal.dot(middle - t.a)) <= halfDiagonal + kBand)
             near[{z, y, x}].push_back(static_cast<std::uint32_t>(i));
         }
+  }
+  constexpr int kBlocks = kTile / VolumeBlock::kSize;
+  for (const VoxelIndex& block : membranes.blocks()) {
+    const auto tileOf = [](int i) { return floorOf(static_cast<double>(i) / kBlocks); };
+    near.try_emplace({tileOf(block.z()), tileOf(block.y()), tileOf(block.x())});
   }
   return {std::make_move_iterator(near.begin()), std::make_move_iterator(near.end())};
 }
@@ -111,7 +119,30 @@ class TileDistances {
   std::vector<float> m_squared;
 };
 
-using NumberedBlock = std::pair<VoxelIndex, SparseVolume::Block>;
+using NumberedBlock = std::pair<VoxelIndex, SparseVolume::Content>;
+
+// A sample so far from a surface, its square in voxels.
+std::int16_t sampleAt(float squared, bool isInside) {
+  if (squared >= TileDistances::kFar) return isInside ? VolumeBlock::kFull : VolumeBlock::kEmpty;
+  const std::int16_t depth = depthSample(std::sqrt(static_cast<double>(squared)));
+  return isInside ? depth : static_cast<std::int16_t>(-depth);
+}
+
+// The content of a block where membranes can be.
+SparseVolume::Content membraneBlock(const TileDistances& distances, const VoxelIndex& inTile,
+                                    const Membranes::Samples& membranes) {
+  auto block = std::make_shared<VolumeBlock>();
+  bool isNear = false;
+  for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
+    const auto at = static_cast<int>(i);
+    const float fromSurface = distances.squared(inTile + VoxelIndex(at & 7, at >> 3 & 7, at >> 6));
+    const float squared = std::min(fromSurface, membranes.distance[i] * membranes.distance[i]);
+    isNear = isNear || squared < TileDistances::kFar;
+    block->depths[i] = sampleAt(squared, membranes.isInside[i]);
+  }
+  if (!isNear) return {nullptr, membranes.isInside.front()};
+  return {std::move(block), false};
+}
 
 // The block of a tile, signed; null where nothing of the band is in it.
 SparseVolume::Block signedBlock(const TileDistances& distances, const VoxelIndex& inTile, const VoxelIndex& firstVoxel,
@@ -126,47 +157,53 @@ SparseVolume::Block signedBlock(const TileDistances& distances, const VoxelIndex
     for (int y = 0; y < n; ++y)
       for (int x = 0; x < n; ++x) {
         const VoxelIndex at(x, y, z);
-        const float squared = distances.squared(inTile + at);
-        const bool isInside = rows.isInside(firstVoxel + at);
-        std::int16_t& depth = block->depths[VolumeBlock::at(x, y, z)];
-        if (squared >= TileDistances::kFar) {
-          depth = isInside ? VolumeBlock::kFull : VolumeBlock::kEmpty;
-        } else {
-          depth = depthSample(std::sqrt(static_cast<double>(squared)));
-          if (!isInside) depth = static_cast<std::int16_t>(-depth);
-        }
+        block->depths[VolumeBlock::at(x, y, z)] =
+            sampleAt(distances.squared(inTile + at), rows.isInside(firstVoxel + at));
       }
   return block;
 }
 
-// The triangles of a surface that bound its inside, or that no row along any axis crosses.
-std::vector<bool> boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX, const Progress& progress) {
-  std::vector<bool> bounding(closed.triangles.size(), true);
-  if (alongX.isSimple()) return bounding;
-  std::vector<bool> crossed = alongX.crossed();
-  bounding = alongX.bounding();
+// Per triangle of a surface, whether it bounds its inside: certainly, as rows show that cross it, and perhaps, as none
+// along any axis does.
+struct Bounding {
+  std::vector<bool> certain, perhaps;
+};
+
+Bounding boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX, const Membranes& membranes,
+                           const Progress& progress) {
+  const std::size_t count = closed.triangles.size();
+  if (alongX.isSimple()) return {std::vector<bool>(count, true), std::vector<bool>(count, false)};
+  Bounding bounding{std::vector<bool>(count, false), std::vector<bool>(count, true)};
+  const auto add = [&](const SurfaceRows& rows, int turn) {
+    // Back from the axes that were turned round so often.
+    const auto winding = [&](const Vec3& p, int whole) {
+      return membranes.winding(Vec3(p[(3 - turn) % 3], p[(4 - turn) % 3], p[(5 - turn) % 3]), whole);
+    };
+    const std::vector<bool> found = membranes.isEmpty() ? rows.bounding() : rows.boundingBy(winding);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (found[i]) bounding.certain[i] = true;
+      if (rows.crossed()[i]) bounding.perhaps[i] = false;
+    }
+  };
+  add(alongX, 0);
   TriangleSoup turned = closed;
   for (int axis = 1; axis < 3 && !progress.cancelled(); ++axis) {
     for (Vec3& p : turned.points) p = Vec3(p.y(), p.z(), p.x());
-    const SurfaceRows rows(turned, progress);
-    for (std::size_t i = 0; i < bounding.size(); ++i) {
-      bounding[i] = bounding[i] || rows.bounding()[i];
-      crossed[i] = crossed[i] || rows.crossed()[i];
-    }
+    add(SurfaceRows(turned, progress), axis);
   }
-  for (std::size_t i = 0; i < bounding.size(); ++i) bounding[i] = bounding[i] || !crossed[i];
   return bounding;
 }
 
 // Marks the blocks without samples that are inside. What bounds the inside is in blocks with samples, so one voxel
 // speaks for its block.
-void fillInside(SparseVolume& volume, const SurfaceRows& rows, const VoxelIndex& blocks, const Progress& progress) {
+void fillInside(SparseVolume& volume, const SurfaceRows& rows, const Membranes& membranes, const VoxelIndex& blocks,
+                const Progress& progress) {
   for (int z = 0; z < blocks.z() && !progress.cancelled(); ++z)
     for (int y = 0; y < blocks.y(); ++y) {
       if (rows.row(8 * y, 8 * z).empty()) continue;
       for (int x = 0; x < blocks.x(); ++x) {
         const VoxelIndex at(x, y, z);
-        if (!rows.isInside(8 * at) || volume.content(at).block) continue;
+        if (!rows.isInside(8 * at) || volume.content(at).block || membranes.contains(at)) continue;
         volume.setContent(at, {nullptr, true});
       }
     }
@@ -219,7 +256,8 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   SurfaceVolume made;
   made.volume = SparseVolume(bounds.min().array() - 3.5 * voxel, voxel);
   for (Vec3& p : closed.points) p = (p - made.volume.origin()) / voxel;
-  made.closedBoundaries = closeBoundaries(closed, progress);
+  const BoundaryCaps caps = closeBoundaries(closed, kWide, progress);
+  made.closedBoundaries = caps.boundaries;
   const Vec3 across = bounds.sizes() / voxel;
   const double bytes = predictedVolumeBytes(closed, 1.0) * (1.0 + kWhileMaking + kTriangles) +
                        across.y() * across.z() * sizeof(std::size_t);  // the index of the rows
@@ -227,8 +265,12 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
     return Error{
         VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
   const SurfaceRows rows(closed, progress.part(0.05, 0.3));
-  const std::vector<bool> bounding = boundingTriangles(closed, rows, progress.part(0.3, 0.4));
-  const Tiles tiles = tilesNear(closed, bounding, progress);
+  const Membranes membranes(closed, caps.wide, progress);
+  Bounding found = boundingTriangles(closed, rows, membranes, progress.part(0.3, 0.4));
+  std::vector<bool> bounding = found.certain;
+  for (std::size_t i = 0; i < bounding.size(); ++i) bounding[i] = bounding[i] || found.perhaps[i];
+  for (const std::uint32_t cone : caps.wide) bounding[cone] = false;
+  const Tiles tiles = tilesNear(closed, bounding, membranes, progress);
 
   std::vector<std::vector<NumberedBlock>> blocks(tiles.size());
   std::atomic<std::size_t> done{0};
@@ -242,16 +284,19 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
     constexpr int n = kTile / VolumeBlock::kSize;
     for (int b = 0; b < n * n * n; ++b) {
       const VoxelIndex inTile = VolumeBlock::kSize * VoxelIndex(b % n, b / n % n, b / n / n);
-      SparseVolume::Block block = signedBlock(distances, inTile, first + inTile, rows);
-      if (!block) continue;
-      blocks[i].emplace_back(SparseVolume::blockOf(first + inTile), std::move(block));
+      const VoxelIndex block = SparseVolume::blockOf(first + inTile);
+      SparseVolume::Content content =
+          membranes.contains(block)
+              ? membraneBlock(distances, inTile, membranes.samples(block, rows))
+              : SparseVolume::Content{signedBlock(distances, inTile, first + inTile, rows), false};
+      if (content.block || content.isFull) blocks[i].emplace_back(block, std::move(content));
     }
     sampling.set(static_cast<double>(++done) / static_cast<double>(tiles.size()));
   });
   for (std::vector<NumberedBlock>& some : blocks)
-    for (NumberedBlock& block : some) made.volume.setContent(block.first, {std::move(block.second), false});
+    for (NumberedBlock& block : some) made.volume.setContent(block.first, std::move(block.second));
   const VoxelIndex extentInBlocks = ((bounds.sizes() / voxel).array() / 8.0 + 2.0).ceil().cast<int>();
-  fillInside(made.volume, rows, extentInBlocks, progress);
+  fillInside(made.volume, rows, membranes, extentInBlocks, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   made.expected = voxel * voxel * voxel * volumeInside(closed);
   if (!(made.volume.material() > 0.0)) {
@@ -261,6 +306,8 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
                   : Error{VolumeErrors::NothingInside, {}, {}, {}};
   }
   made.nearShare = nearShareOf(made.volume, closed, bounding);
+  found.certain.resize(soup.triangles.size());
+  made.isKept = std::move(found.certain);
   progress.set(1.0);
   return made;
 }

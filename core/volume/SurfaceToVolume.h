@@ -8,20 +8,24 @@
 #include "volume/SparseVolume.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace handwheel {
 
 // A volume that was made of a surface, and what shows whether it is what the surface encloses.
 struct SurfaceVolume {
   SparseVolume volume;
-  std::size_t closedBoundaries = 0;  // holes, gaps and turned faces that cones were put into
-  double expected = 0.0;             // mm³ inside the closed surface, by its triangles; of overlaps each counts
-  double nearShare = 0.0;            // of the area that bounds material: what is within a voxel of the volume's surface
+  std::size_t closedBoundaries = 0;  // holes, gaps and turned faces
+  double expected = 0.0;     // mm³ inside the surface closed by cones, by its triangles; of overlaps each counts
+  double nearShare = 0.0;    // of the area that bounds material: what is within a voxel of the volume's surface
+  std::vector<bool> isKept;  // of each triangle: it certainly bounds material
 };
 
 // Samples the distance from a surface at the centres of voxels, exactly up to three voxels from it, and signs it by
-// winding numbers of the surface closed (closeBoundaries()): inside is what it goes round at least once. Overlapping
-// bodies become one, and walls within them vanish; a surface that is inside out encloses nothing.
+// winding numbers: inside is what it goes round at least once. Flat and small holes are closed by lids
+// (closeBoundaries()), wide bent ones where the generalised winding number passes a half (Membranes.h), to which
+// distances are of first order. Overlapping bodies become one, and walls within them vanish; a surface that is inside
+// out encloses nothing.
 //
 // voxel: edge of a voxel, mm. On all threads of the arena; O(area / voxel² + n log n).
 // Errors: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine (more voxels

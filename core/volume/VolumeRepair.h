@@ -14,7 +14,7 @@ namespace handwheel {
 // How a surface is repaired by a volume.
 struct VolumeRepairOptions {
   double voxel = 0.0;     // mm
-  bool isReduced = true;  // to about as many triangles as the surface had, or as stay within a voxel
+  bool isReduced = true;  // to about as many triangles as the surface had, or as keep the distances below
 };
 
 // A surface that was repaired by a volume.
@@ -23,12 +23,14 @@ struct VolumeRepair {
   std::size_t closedBoundaries = 0;  // as in SurfaceVolume
   std::size_t sampledTriangles = 0;  // of the volume's surface, before any were taken away
   double nearShare = 0.0;            // as in SurfaceVolume
+  double keptDistance = 0.0;         // mm, the largest found from what of the surface bounds material to the mesh
 };
 
 // Replaces a surface by that of the volume that it encloses (He 2008, 4.1: the volume workflow). All defects go: holes,
 // gaps, self-intersections, walls inside, whatever is not manifold. Details below the size of a voxel go too, and sharp
-// edges are cut off by up to half a voxel. Triangles are taken away by quadrics, as far as no vertex or sample moves by
-// more than a voxel and none meet. Errors: those of volumeOfSurface().
+// edges are cut off by up to half a voxel. Triangles are taken away by quadrics, as far as nothing of the sampled
+// surface, nor of the original where that bounds material, gets farther than a voxel from the mesh, and none meet. So
+// only walls that are thinner than a voxel are farther. Errors: those of volumeOfSurface().
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress = {});
 

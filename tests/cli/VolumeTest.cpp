@@ -163,6 +163,24 @@ class VolumeTest : public QObject {
     const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
     QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
+    QVERIFY(figures["kept_distance_mm"].get<double>() <= 0.5);
+  }
+
+  // A volume, too: the block comes back of its distances.
+  void repairOfVolumes() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    for (const char* const file : {"a.nrrd", "a.vdb"}) {
+      QCOMPARE(bench.run({"voxelize", "a.off", "-o", file, "--voxel", "0.5"}).code, 0);
+      const Ran ran = bench.run({"repair", file, "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
+      QCOMPARE(ran.err, QByteArray());
+      QCOMPARE(ran.code, 0);
+      QVERIFY(volumeJson(ran.out)["sound"].get<bool>());
+      const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+      QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.02);
+    }
+    const Ran document = bench.run({"repair", "a.vdb", "-o", "b.handwheel", "--by", "volume"});
+    QCOMPARE(document.code, 1);
   }
 
   void refusals_data() {

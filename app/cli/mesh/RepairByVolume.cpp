@@ -41,16 +41,27 @@ struct RepairedByVolume {
   double scanTo99 = 0.0, scanToMost = 0.0;  // mm from the scan to the repaired surface: of 99 % of its area, and most
 };
 
+// The triangles of a mesh, or of the surface of a volume.
+Result<TriangleSoup> surfaceIn(const Input& input, const VolumeRepairRequest& request) {
+  if (const MeshSnapshot* document = input.meshDocument()) return document->mesh.mesh.compact().soup;
+  if (input.mesh) return input.mesh->soup;
+  if (isContainerName(request.output))
+    return Error{
+        ErrorCode::Unsupported, {"a document as the output for one that is no mesh"}, {}, request.output.string()};
+  return placedSoup(input.opened.kind->display(*input.opened.content));
+}
+
 Result<RepairedByVolume> repairFileByVolume(const VolumeRepairRequest& request, const DocumentKinds& kinds,
                                             Progress progress) {
-  const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
+  const Result<Input> input = readInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
   if (!input) return input.error();
   RepairedByVolume done;
   done.file = input->opened.file;
   done.refusal = refusalToReplace(request.output, input->opened.file);
   if (!done.refusal.empty()) return done;
-  const MeshSnapshot* document = input->meshDocument();
-  const TriangleSoup soup = document ? document->mesh.mesh.compact().soup : input->mesh->soup;
+  const Result<TriangleSoup> read = surfaceIn(*input, request);
+  if (!read) return read.error();
+  const TriangleSoup& soup = *read;
   done.voxel = request.voxel.value_or(usualVoxel(soup));
   Result<VolumeRepair> repair = repairByVolume(soup, {.voxel = done.voxel}, progress.part(0.1, 0.7));
   if (!repair) {
@@ -63,8 +74,14 @@ Result<RepairedByVolume> repairFileByVolume(const VolumeRepairRequest& request, 
   if (!measured) return measured.error();
   done.scanTo99 = measured->ofScan.percentiles.back();
   done.scanToMost = std::abs(measured->ofScan.farthest().distance);
-  const Status written = writeMesh(*input, done.repair.mesh, request.output, progress.part(0.8, 0.9));
-  if (!written) return written.error();
+  const Progress writing = progress.part(0.8, 0.9);
+  if (input->mesh) {
+    const Status written = writeMesh(*input, done.repair.mesh, request.output, writing);
+    if (!written) return written.error();
+  } else {
+    const Result<ExportReport> written = exportMesh(done.repair.mesh, NumberType::Float64, request.output, writing);
+    if (!written) return written.error();
+  }
   done.after = reportOn(done.repair.mesh.compact().soup, SelfIntersections::Count, progress.part(0.9, 1.0));
   return done;
 }
@@ -73,7 +90,10 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
   return request.output.string() + ": " + stateText(done.after).toStdString() + ". Voxels of " +
          roundedText(done.voxel) + " mm; " + std::to_string(done.after.triangles) +
          " triangles; 99 % of the scan's area is within " + roundedText(done.scanTo99, 3) +
-         " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) + " mm.\n";
+         " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) + " mm, of what bounds material at " +
+         roundedText(done.repair.keptDistance, 3) + " mm." +
+         (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel are gone: choose smaller voxels.\n"
+                                                : "\n");
 }
 
 nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
@@ -85,6 +105,7 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
           {"triangles", done.after.triangles},
           {"scan_distance_99_mm", done.scanTo99},
           {"scan_distance_mm", done.scanToMost},
+          {"kept_distance_mm", done.repair.keptDistance},
           {"sound", done.after.isSound()}};
 }
 

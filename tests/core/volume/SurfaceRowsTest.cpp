@@ -57,7 +57,7 @@ class SurfaceRowsTest : public QObject {
     QVERIFY(rc::check([] {
       TriangleSoup soup = anySoup();
       const std::size_t triangles = soup.triangles.size();
-      closeBoundaries(soup);
+      closeBoundaries(soup, 1e9);
       std::map<std::pair<std::uint32_t, std::uint32_t>, int> passed;
       for (const Triangle& t : soup.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -69,17 +69,17 @@ class SurfaceRowsTest : public QObject {
     }));
     TriangleSoup whole = icosphere(2);
     const std::size_t triangles = whole.triangles.size();
-    QCOMPARE(closeBoundaries(whole), std::size_t{0});
+    QCOMPARE(closeBoundaries(whole, 1e9).boundaries, std::size_t{0});
     QCOMPARE(whole.triangles.size(), triangles);
     whole.triangles.pop_back();
-    QCOMPARE(closeBoundaries(whole), std::size_t{1});
+    QCOMPARE(closeBoundaries(whole, 1e9).boundaries, std::size_t{1});
   }
 
   // The number of turns is that of the solid angles, and 0 outside.
   void turnsAreSolidAngles() {
     QVERIFY(rc::check([] {
       TriangleSoup soup = anySoup();
-      closeBoundaries(soup);
+      closeBoundaries(soup, 1e9);
       const SurfaceRows rows(soup);
       for (int i = 0; i < 9 * 9 * 9; ++i) {
         const VoxelIndex at(i % 9, i / 9 % 9, i / 81);

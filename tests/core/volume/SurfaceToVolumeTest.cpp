@@ -79,6 +79,47 @@ class SurfaceToVolumeTest : public QObject {
     compare(made->volume, box, 2);
   }
 
+  // Holes that are no plane: inside is where the solid angles of what is left are more than a half turn, so nothing
+  // sticks out in the middle. The edge of the hole goes up and down; or the gap between two halves does.
+  void bentHoles_data() {
+    QTest::addColumn<double>("below");
+    QTest::addColumn<double>("above");
+    QTest::newRow("hole") << -100.0 << 4.0;
+    QTest::newRow("most of it") << -100.0 << -5.0;
+    QTest::newRow("a band") << -5.0 << 5.0;
+    QTest::newRow("gap") << 1.0 << -1.0;
+  }
+  void bentHoles() {
+    QFETCH(double, below);
+    QFETCH(double, above);
+    TriangleSoup open = moved(icosphere(4), Vec3(0.1, 0.2, 0.3), 10.0);
+    const auto height = [&](const Triangle& t) {
+      const Vec3 p = (open.points[t[0]] + open.points[t[1]] + open.points[t[2]]) / 3.0;
+      return p.z() + 3.0 * std::cos(2.0 * std::atan2(p.y(), p.x()));
+    };
+    std::erase_if(open.triangles, [&](const Triangle& t) {
+      return below > above ? height(t) > above && height(t) < below : height(t) < below || height(t) > above;
+    });
+    const double voxel = 0.23;
+    const Result<SurfaceVolume> made = volumeOfSurface(open, voxel);
+    QVERIFY(made.hasValue());
+    QVERIFY(made->nearShare > 0.99);
+    const TriangleHierarchy hierarchy(open.points, open.triangles);
+    int inside = 0;
+    for (int i = 0; i < 17 * 17 * 17; ++i) {
+      const VoxelIndex at = 6 * VoxelIndex(i % 17, i / 17 % 17, i / 289);
+      const Vec3 p = made->volume.centre(at);
+      const double turns = windingNumber(open, p);
+      const double depth = made->volume.sample(at) / VolumeBlock::kUnit;
+      if (std::abs(turns - 0.5) > 2e-3) QCOMPARE(depth > 0.0, turns > 0.5);
+      // What closes the hole is no farther than the surface.
+      const double distance = std::sqrt(hierarchy.nearest(p)->squaredDistance) / voxel;
+      if (distance < 2.99) QVERIFY(std::abs(depth) < distance + 2e-4);
+      inside += depth > 0.0;
+    }
+    QVERIFY(inside > 50);
+  }
+
   // A triangle that is turned round counts as one that is missing, and one that is there twice is there once.
   void faultyTriangles() {
     const TriangleSoup ball = moved(icosphere(2), Vec3::Zero(), 10.0);

@@ -57,6 +57,8 @@ class VolumeRepairTest : public QObject {
       const TriangleSoup after = repair->mesh.compact().soup;
       RC_ASSERT(isClosedManifold(after));
       RC_ASSERT(selfIntersections(after.points, after.triangles)->empty());
+      // The distance from the ball itself, which is there whatever else is: a voxel at most.
+      RC_ASSERT(repair->keptDistance <= 1.6);
       reduced += after.triangles.size() < repair->sampledTriangles;
       // A surface that is outside of the ball by more than what was taken away allows would be geometry nobody has.
       const TriangleHierarchy hierarchy(scan.points, scan.triangles);
@@ -88,6 +90,17 @@ class VolumeRepairTest : public QObject {
     // Corners of the bars are kept as well.
     const TriangleHierarchy found(after.points, after.triangles);
     for (const Vec3& p : bars.points) QVERIFY(std::sqrt(found.nearest(p)->squaredDistance) < 2.5 * voxel);
+  }
+
+  // A wall of a third of a voxel between the centres of voxels is gone, and that is said.
+  void thinWalls() {
+    TriangleSoup scan = cube(10.0);
+    TriangleSoup wall = cube(1.0);
+    for (Vec3& p : wall.points) p = Vec3(20.0 + 0.3 * p.x(), 10.0 * p.y(), 10.0 * p.z());
+    append(scan, wall);
+    const Result<VolumeRepair> repair = repairByVolume(scan, {.voxel = 1.0});
+    QVERIFY(repair.hasValue());
+    QVERIFY(repair->keptDistance > 5.0);
   }
 
   void withoutReduction() {
