@@ -69,6 +69,10 @@ void VolumeUi::refreshVisibility() {
   followTool();
 }
 
+void VolumeUi::forget(DocumentTab* tab) {
+  m_segmentation->forget(tab);
+}
+
 void VolumeUi::showVolume() {
   if (!document()) return;
   std::shared_ptr<const void> drawn = m_live;

@@ -24,6 +24,7 @@ class VolumeUi : public RigidPartsUi {
 
   void setDocument(DocumentTab* document) override;
   void refreshVisibility() override;
+  void forget(DocumentTab* document) override;
   void showPreview(const ToolPreview& preview) override;
   QString panelTitle() const override { return tr("Volume"); }
   QString panelIcon() const override { return QStringLiteral("kind-volume"); }

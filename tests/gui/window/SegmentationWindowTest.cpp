@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../controls/Accessibility.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "document/volume/VolumeDocument.h"
@@ -98,6 +99,26 @@ class SegmentationWindowTest : public QObject {
     QTRY_VERIFY(driver.find<QDockWidget>("slicesDock")->isHidden());
   }
 
+  // All controls of both docks are reached by Tab, and they fit into 1024 by 700 pixels.
+  void keyboardAndRoom() {
+    WindowDriver driver;
+    QVERIFY(driver.open(scan()));
+    QTRY_VERIFY(driver.find<QDockWidget>("slicesDock")->isVisible());
+    const QStringList missed = notReachedByTab(driver.window(), [&](const QWidget* widget) {
+      return !driver.find<QWidget>("segmentationPanel")->isAncestorOf(widget) &&
+             !driver.find<QWidget>("slicesPanel")->isAncestorOf(widget);
+    });
+    QCOMPARE(missed.join('\n'), QString());
+    for (const char* panel : {"segmentationPanel", "slicesPanel"}) {
+      QCOMPARE(withoutAccessibleName(*driver.find<QWidget>(panel)).join('\n'), QString());
+      QCOMPARE(cutTexts(*driver.find<QWidget>(panel)).join('\n'), QString());
+    }
+    driver.window().resize(1024, 700);
+    QTRY_VERIFY(driver.window().width() <= 1024 && driver.window().height() <= 700);
+    const QSize least = driver.window().minimumSizeHint();
+    QVERIFY(least.width() <= 1024 && least.height() <= 700);
+  }
+
   // From the range over the parts to the surface; undone step by step.
   void rangeToSurface() {
     WindowDriver driver;
@@ -126,6 +147,23 @@ class SegmentationWindowTest : public QObject {
     history.undo();
     QVERIFY(document(driver).segment() == Segment(document(driver).scan()->usual));
     QVERIFY(driver.settle());
+  }
+
+  // What is under way ends with the document that it is for.
+  void closedMeanwhile() {
+    WindowDriver driver;
+    QVERIFY(driver.open(scan()));
+    for (const char* button : {"segmentMakeSurface", "segmentSmooth"}) {
+      driver.hold();
+      driver.click(button);
+      driver.choose("closeDocument");
+      QTRY_COMPARE(driver.tabs(), 0);
+      driver.release();
+      QVERIFY(driver.settle());
+      QVERIFY(driver.open(scan()));
+    }
+    QCOMPARE(driver.tabs(), 1);
+    QCOMPARE(document(driver).history()->index(), 0);
   }
 
   // A handle of the histogram: the segment is seen while it is dragged, and chosen once it is released. And by keys.

@@ -143,6 +143,10 @@ void Segmentation::setDocument(DocumentTab* document) {
   show();
 }
 
+void Segmentation::forget(DocumentTab* document) {
+  m_parts.jobs.cancelOf(&document->document);
+}
+
 void Segmentation::show() {
   if (!m_panelDock) return;
   const bool isShown = isOpen();
@@ -287,7 +291,7 @@ void Segmentation::makeSurface() {
   VolumeDocument* const document = &volume();
   Job job;
   job.name = tr("Making the surface");
-  job.owner = document;
+  job.owner = &m_document->document;
   const SegmentationPanel::Surface how = m_panel->surface();
   const auto failed = [this](const Error& error) {
     if (error.code != ErrorCode::Cancelled) fail(tr("The surface was not made"), errorSentence(error));

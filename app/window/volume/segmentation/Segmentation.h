@@ -28,6 +28,8 @@ class Segmentation : public QObject {
 
   QAction* action() { return &m_toggle; }
   void setDocument(DocumentTab* document);
+  // To be called before a document is destroyed.
+  void forget(DocumentTab* document);
   bool isSettled() const { return m_counting.isIdle() && !m_pause.isActive(); }
 
  signals:
