@@ -3,6 +3,7 @@
 #include "cli/ReportJson.h"
 
 #include "mesh/boundary/LoopNumbers.h"
+#include "text/RepairText.h"
 
 namespace handwheel {
 
@@ -39,6 +40,7 @@ Json toJson(const MeshReport& report) {
   return {
       {"triangles", report.triangles},
       {"vertices", report.vertices},
+      {"state", stateText(report).toStdString()},
       {"components", report.components},
       {"closed", report.closed},
       {"manifold", report.manifold},

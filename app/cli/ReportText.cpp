@@ -15,10 +15,6 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + std::string(kColumn - name.size(), ' ') + value + "\n";
 }
 
-std::string yesNo(bool value) {
-  return value ? "yes" : "no";
-}
-
 std::string point(const Vec3& p) {
   return roundedText(p.x()) + ", " + roundedText(p.y()) + ", " + roundedText(p.z());
 }
@@ -27,20 +23,13 @@ std::string rightAligned(const std::string& text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-// What "oriented" says of a file: its triangles as they are in it, before any are reversed on opening.
-std::string orientedText(const MeshReport& report) {
-  if (report.oriented) return "yes";
-  std::string why = "no";
-  if (report.inconsistentEdges > 0) {
-    why += ", in the file the triangles disagree at " + std::to_string(report.inconsistentEdges) +
-           (report.inconsistentEdges == 1 ? " edge" : " edges");
-    if (report.reversedFaces > 0)
-      why += "; opening it reverses " + std::to_string(report.reversedFaces) +
-             (report.reversedFaces == 1 ? " triangle" : " triangles");
-  } else if (report.insideOutBodies > 0) {
-    why += ", inside out";
-  }
-  return why;
+// Where the triangles of the file, as they are in it before any are reversed on opening, are not oriented.
+std::string disagreementText(const MeshReport& report) {
+  std::string text = std::to_string(report.inconsistentEdges) + (report.inconsistentEdges == 1 ? " edge" : " edges");
+  if (report.reversedFaces > 0)
+    text += "; opening reverses " + std::to_string(report.reversedFaces) +
+            (report.reversedFaces == 1 ? " triangle" : " triangles");
+  return text;
 }
 
 // Of the holes, or of the outer edges of open sheets; nothing where there is none. name: as the window has it; id: as
@@ -68,10 +57,8 @@ std::string readableText(const MeshReport& report) {
   std::string text;
   text += line("Triangles", std::to_string(report.triangles));
   text += line("Vertices", std::to_string(report.vertices));
-  text += line("Pieces", std::to_string(report.components));
-  text += line("Closed", yesNo(report.closed));
-  text += line("Manifold", yesNo(report.manifold));
-  text += line("Oriented", orientedText(report));
+  text += line("State", stateText(report).toStdString());
+  if (report.inconsistentEdges > 0) text += line("Orientation disagrees at", disagreementText(report));
   if (report.insideOutBodies > 0)
     text += line("Inside out",
                  std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));
@@ -82,8 +69,6 @@ std::string readableText(const MeshReport& report) {
   text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
   if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
   if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
-  const auto& pairs = report.selfIntersectingPairs;
-  text += line("Self-intersecting pairs", pairs ? std::to_string(*pairs) : "not counted");
   text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "undefined, the surface is open");
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
   text += loopTable(report.loops, false, "Holes");

@@ -109,6 +109,20 @@ class DecimateTest : public QObject {
     QCOMPARE(decimateInspected(bench, "b.off")["triangles"].get<int>(), 12);
   }
 
+  // What OpenMesh does not support is told with what to do, and that helps.
+  void quadricsOfADefectiveScan() {
+    const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
+    if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
+    const QString scan = data + "/scans/pymeshfix/StanfordBunny.ply";
+    const Bench bench;
+    const Ran refused = bench.run({"decimate", scan, "-o", "b.ply", "--method", "quadric", "--faces", "5000"});
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains("repair the mesh first. --method bounded has no such limit."), refused.err);
+    QCOMPARE(bench.run({"repair", scan, "-o", "a.ply"}).code, 2);
+    QCOMPARE(bench.run({"decimate", "a.ply", "-o", "b.ply", "--method", "quadric", "--faces", "5000"}).code, 0);
+    QCOMPARE(decimateInspected(bench, "b.ply")["triangles"].get<int>(), 5000);
+  }
+
   void mistakes() {
     const Bench bench;
     bench.put("a.off", cube().off());

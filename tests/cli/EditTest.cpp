@@ -26,7 +26,8 @@ class EditTest : public QObject {
     bench.put("a.off", openCube(2.0).off());
     const Ran ran = bench.run(
         {"edit", "a.off", "place --move 1,0,0.5 --turn 0,0,90", "fill 0 --fill minimal", "-o", "b.off"}, "de_DE.UTF-8");
-    QCOMPARE(ran.err, QByteArray("handwheel: The file: closed, manifold, oriented, one piece.\n"));
+    QCOMPARE(ran.err,
+             QByteArray("handwheel: The file: closed, manifold, oriented, free of self-intersections, one piece.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 10 before, 12 now.\n"));
     QCOMPARE(ran.code, 0);
     QVERIFY(std::abs(editInspected(bench, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
@@ -67,6 +68,23 @@ class EditTest : public QObject {
     QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.5", "-o", "b.stl"}).err.contains(warning));
   }
 
+  // The state of a file in the same words, whichever command tells it; the self-intersections are part of it.
+  void oneStateInTheSameWords() {
+    const Bench bench;
+    bench.put("a.off", cube(2.0).add(cube(2.0), {1.1, 1.2, 0.9}).off());
+    const nlohmann::json inspected = editInspected(bench, "a.off");
+    const int pairs = inspected["self_intersecting_pairs"];
+    QVERIFY(pairs > 0);
+    const QByteArray state =
+        "closed, manifold, oriented, " + QByteArray::number(pairs) + " self-intersections, 2 pieces";
+    QCOMPARE(QByteArray::fromStdString(inspected["state"].get<std::string>()), state);
+    QVERIFY(bench.run({"inspect", "a.off"}).out.contains("\nState                     " + state + "\n"));
+    QVERIFY(bench.run({"edit", "a.off", "corner", "-o", "b.off"}).err.contains("The file: " + state + "."));
+    const Ran repaired = bench.run({"repair", "a.off", "-o", "c.off"});
+    QVERIFY2(repaired.out.contains("c.off: " + state + ".\n"), repaired.out.constData());
+    QCOMPARE(repaired.code, 2);
+  }
+
   void anotherMesh() {
     const Bench bench;
     bench.put("a.off", cube(2.0).off());
@@ -84,7 +102,7 @@ class EditTest : public QObject {
     const Ran ran = bench.run({"edit", "a.off", "debris", "corner", "-o", "b.off"});
     QCOMPARE(ran.code, 2);
     QCOMPARE(ran.err,
-             QByteArray("handwheel: The file: closed, manifold, oriented, one piece.\n"
+             QByteArray("handwheel: The file: closed, manifold, oriented, free of self-intersections, one piece.\n"
                         "handwheel: Step 1, 'debris' changed nothing: no piece is far smaller than the largest.\n"
                         "handwheel: Step 2, 'corner' changed nothing: it is already in place.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));

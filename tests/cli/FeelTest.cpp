@@ -79,6 +79,44 @@ class FeelTest : public QObject {
     }
   }
 
+  // A body of a cell is felt where it stands: pressed 1 mm deep into the top of a box of 20 mm, 100 mm beside the
+  // robot.
+  void aBodyOfACell() {
+    const Bench bench;
+    bench.put("r.urdf", "<robot name='r'><link name='base'/></robot>");
+    const Ran added =
+        bench.run({"body", "r.urdf", "--add", "box:20,20,20", "--at", "100,0,10", "-o", "cell.handwheel"});
+    QVERIFY2(added.code == 0, added.err);
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,101,3,22\n0.3,101,3,19\n");
+    const Ran ran = bench.run({"feel", "cell.handwheel", "--path", "p.csv", "--out", "-", "--stiffness", "0.7"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const Row last = rowsOf(ran.out).back();
+    QVERIFY(std::abs(last.at("force_z") - 0.7) < 1e-6);
+    QVERIFY(std::abs(last.at("proxy_z") - 20.0) < 1e-6);
+    QVERIFY(std::abs(last.at("force_x")) + std::abs(last.at("force_y")) < 1e-6);
+    const Ran snap = bench.run({"feel", "cell.handwheel", "--path", "p.csv", "--snap", "spring"});
+    QCOMPARE(snap.err, QByteArray("handwheel: Only meshes have open edges to snap to.\n"));
+    QCOMPARE(snap.code, 0);
+  }
+
+  // The end of a bar of 50 mm is flat: the force is the spring's, along the axis.
+  void theEndOfAWorkpiece() {
+    const Bench bench;
+    QCOMPARE(bench.run({"new", "workpiece", "diameter=50", "length=100", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"convert", "bar.handwheel", "bar.stl"}).code, 0);
+    const auto box =
+        nlohmann::json::parse(bench.run({"inspect", "bar.stl", "--json"}).out.toStdString()).at("bounding_box_mm");
+    const double end = box[1][2];  // the axis is z
+    QCOMPARE(end - box[0][2].get<double>(), 100.0);
+    const QByteArray outside = QByteArray::number(end + 2.0), inside = QByteArray::number(end - 1.0);
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,7,3," + outside + "\n0.3,7,3," + inside + "\n");
+    const Ran ran = bench.run({"feel", "bar.handwheel", "--path", "p.csv", "--out", "-", "--stiffness", "0.4"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const Row last = rowsOf(ran.out).back();
+    QVERIFY(std::abs(last.at("force_z") - 0.4) < 1e-6);
+    QVERIFY(std::abs(last.at("proxy_z") - end) < 1e-6);
+  }
+
   void isTheSameAgain() {
     const Bench bench;
     bench.put("cube.off", cube(2).off());

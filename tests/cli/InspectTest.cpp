@@ -16,6 +16,7 @@ namespace {
 const char* const kCubeJson = R"({
   "triangles": 12,
   "vertices": 8,
+  "state": "closed, manifold, oriented, free of self-intersections, one piece",
   "components": 1,
   "closed": true,
   "manifold": true,
@@ -51,6 +52,7 @@ const char* const kCubeJson = R"({
 const char* const kOpenCubeJson = R"({
   "triangles": 10,
   "vertices": 8,
+  "state": "not closed, manifold, oriented, free of self-intersections, one piece",
   "components": 1,
   "closed": false,
   "manifold": true,
@@ -97,16 +99,12 @@ const char* const kOpenCubeJson = R"({
 const char* const kOpenCubeText =
     "Triangles                 10\n"
     "Vertices                  8\n"
-    "Pieces                    1\n"
-    "Closed                    no\n"
-    "Manifold                  yes\n"
-    "Oriented                  yes\n"
+    "State                     not closed, manifold, oriented, free of self-intersections, one piece\n"
     "Boundary loops            1\n"
     "Non-manifold edges        0\n"
     "Non-manifold vertices     0\n"
     "Degenerate triangles      0\n"
     "Duplicate triangles       0\n"
-    "Self-intersecting pairs   0\n"
     "Volume (mm3)              undefined, the surface is open\n"
     "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
     "\n"

@@ -123,7 +123,7 @@ class RepairOptionsTest : public QObject {
     QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
     const Ran backed = bench.run({"repair", "a.off", "-o", "b.stl", "--rims", "back", "--report", "r.json"});
     QCOMPARE(backed.code, 0);
-    QVERIFY2(backed.out.startsWith("No holes, 1 of 1 sheet edge closed. "), backed.out.constData());
+    QVERIFY2(backed.out.startsWith("No holes, 1 of 1 outer boundary closed. "), backed.out.constData());
     QCOMPARE(bench.json("r.json").at("loops").at(0).at("method").get<std::string>(), std::string("backed"));
     QCOMPARE(
         bench.run({"repair", "a.off", "-o", "b.stl", "--rims", "fill", "--fill", "minimal", "--report", "r.json"}).code,

@@ -163,8 +163,9 @@ QStringList outcomeTexts(const LoopCounts& loops) {
   add(holes.failed, [](int n) { return RepairWords::tr("%n could not be filled", nullptr, n); });
   if (loops.pieces) parts << RepairWords::tr("split or joined, %n hole(s) are left", nullptr, asInt(*loops.pieces));
   if (edges.closed > 0)
-    parts << RepairWords::tr("%1 of %n sheet edge(s) closed", nullptr, asInt(edges.all)).arg(edges.closed);
-  add(edges.removed, [](int n) { return RepairWords::tr("%n sheet edge(s) gone with removed triangles", nullptr, n); });
+    parts << RepairWords::tr("%1 of %n outer boundary(ies) closed", nullptr, asInt(edges.all)).arg(edges.closed);
+  add(edges.removed,
+      [](int n) { return RepairWords::tr("%n outer boundary(ies) gone with removed triangles", nullptr, n); });
   add(loops.newOpenings, [](int n) { return RepairWords::tr("%n new opening(s)", nullptr, n); });
   return parts;
 }

@@ -23,7 +23,7 @@ QString boundaryLoopName(bool isRim, int number);
 // Why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
 QString fillFailureReason(FillFailure failure);
 
-// What became of the holes and sheet edges, a phrase each: "26 of 28 holes filled", "2 could not be filled". Empty
+// What became of the holes and outer boundaries, a phrase each: "26 of 28 holes filled", "2 could not be filled". Empty
 // where nothing did.
 QStringList outcomeTexts(const LoopCounts& loops);
 // The changes of a repair besides filling, one phrase for each kind. Empty when there were none.

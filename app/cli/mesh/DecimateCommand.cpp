@@ -92,7 +92,7 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
   if (done.report.largestDistance) *done.report.largestDistance += rounding;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (const char* reason = reasonOf(done.report.refusal)) {
-    done.refusal = request.input.string() + ": " + reason + ".";
+    done.refusal = request.input.string() + ": " + reason + ". --method bounded has no such limit.";
     return done;
   }
   const Status written = writeMesh(*input, mesh, request.output, progress.part(0.9, 1.0));

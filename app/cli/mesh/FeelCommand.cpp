@@ -22,10 +22,14 @@
 #include "haptics/snap/SnapFidelity.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/Weld.h"
 
 #include <cmath>
+#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 
 namespace handwheel {
 
@@ -70,7 +74,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   request.read.partial = arguments.has("partial");
   if (!arguments.has("path")) return "--path P.csv is missing: the path of the tip.";
   if (arguments.has("out") && (isSameFile(request.out, request.mesh) || isSameFile(request.out, request.path))) {
-    return "MESH and the path cannot be the output too: " + request.out.string() + ".";
+    return "IN and the path cannot be the output too: " + request.out.string() + ".";
   }
   const std::string device = arguments.valueOf("device");
   request.hasDevice = arguments.has("device");
@@ -121,17 +125,41 @@ std::optional<SnapAttraction> rimsOf(const FeelRequest& request, const Input& in
   return feel;
 }
 
-// The surface as it is read, equal corners made one; and what draws the tip.
+// The displayed parts of what is no mesh, in their poses, as the window lets them be felt.
+ContactSurface surfaceOf(const DisplayModel& model, Progress progress) {
+  std::map<std::shared_ptr<const TriangleSoup>, ContactSurface> shapes;
+  std::vector<ContactSurface::Placed> bodies;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const DisplayPart& part = model.parts[i];
+    const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(model.parts.size()); };
+    const auto [shape, isNew] = shapes.try_emplace(part.soup);
+    if (isNew)
+      shape->second =
+          touchableSurface(part.soup->points, part.soup->triangles, {}, progress.part(share(i), share(i + 1)));
+    bodies.push_back({shape->second, part.pose});
+  }
+  return ContactSurface(std::span<const ContactSurface::Placed>(bodies), nullptr);
+}
+
+// The surface as it is read, equal corners of a mesh made one; and what draws the tip.
 Result<MeshHaptics> sceneOf(const FeelRequest& request, const DocumentKinds& kinds, std::vector<DocumentFile>& read,
                             Progress progress) {
-  const Result<Input> input = readMeshInput(request.mesh, request.read, kinds, progress.part(0.0, 0.3));
+  const Result<Input> input = readInput(request.mesh, request.read, kinds, progress.part(0.0, 0.3));
   if (!input) return input.error();
   read.push_back(input->opened.file);
-  const MeshSnapshot* document = input->meshDocument();
   MeshHaptics scene;
+  scene.surface = request.surface;
+  if (!input->mesh) {
+    const DisplayModel model = input->opened.kind->display(*input->opened.content);
+    if (model.parts.empty()) return Error{MeshError::NoTriangles, {}, {}, request.mesh.string()};
+    if (request.snap.isOn) complain("Only meshes have open edges to snap to.");
+    scene.surface->surface = surfaceOf(model, progress.part(0.3, 1.0));
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    return scene;
+  }
+  const MeshSnapshot* document = input->meshDocument();
   scene.snap = rimsOf(request, *input, progress.part(0.3, 0.5));
   TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.5, 0.6));
-  scene.surface = request.surface;
   scene.surface->surface =
       touchableSurface(std::move(soup.points), std::move(soup.triangles), {}, progress.part(0.6, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
@@ -150,14 +178,15 @@ std::string summary(const HapticPathResult& felt) {
 CommandSpec feelSpec() {
   return {
       "feel",
-      "MESH",
-      "Moves a tip along a path over a mesh and writes the contact forces.\n"
+      "IN",
+      "Moves a tip along a path over a mesh, or over the bodies of a workpiece, robot cell or volume, and writes the\n"
+      "contact forces.\n"
       "A proxy follows the tip and never goes through the surface; the force is F = k (proxy - tip), minus the\n"
       "damping of the speed along the normal. The path is assumed to begin in free space.\n"
       "P.csv has the columns t_s,x_mm,y_mm,z_mm; the tip moves straight between its lines. The output has the columns\n"
       "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us, in mm and N.\n"
       "P.csv can also be a recording that the window exported: it is replayed with the settings of the recording, and\n"
-      "the mesh is edited at the same ticks. MESH is then the file as it was opened. Exit code 0: done; 2: not all of\n"
+      "the mesh is edited at the same ticks. IN is then the mesh as it was opened. Exit code 0: done; 2: not all of\n"
       "the recording could be replayed; 1: error.",
       {
           {"path", 0, "P.csv", "The path of the tip"},

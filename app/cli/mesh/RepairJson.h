@@ -18,7 +18,7 @@ nlohmann::ordered_json toJson(const RepairRun& run, const RepairRequest& request
 // "left-open"; "left" counts the defects that keep the file from being closed, and "reason" describes the first.
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request);
 
-// The counts of holes, sheet edges and new openings as members of a JSON object, and back. What is missing or of
+// The counts of holes, outer boundaries and new openings as members of a JSON object, and back. What is missing or of
 // another type counts 0.
 nlohmann::ordered_json toJson(const LoopCounts& loops);
 LoopCounts loopCountsFrom(const nlohmann::json& object);

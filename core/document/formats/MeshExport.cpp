@@ -36,7 +36,8 @@ bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSo
 // What another program will find in the file.
 std::vector<Note> stateOf(const MeshReport& report) {
   std::vector<Note> notes{{QT_TRANSLATE_NOOP("Note", "The file: %1."), {}, false, report}};
-  if (report.isSound()) return notes;
+  if (report.boundaryEdges + report.nonManifoldEdges + report.inconsistentEdges + report.nonManifoldVertices == 0)
+    return notes;
   notes.push_back({QT_TRANSLATE_NOOP("Note",
                                      "It has %1 open edges, %2 edges with more than two triangles, %3 edges with "
                                      "inconsistent orientation and %4 non-manifold vertices."),
@@ -116,10 +117,9 @@ Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumb
     error.subject = path.string();
     return error;
   }
-  // Thin places may lose their thickness.
-  const auto choice = encoded.report.roundingMove > 0.0 ? SelfIntersections::Count : SelfIntersections::Skip;
-  encoded.report.inFile = reportOn(forFile, choice, progress.part(0.8, 0.95));
-  if (const std::size_t pairs = encoded.report.inFile.selfIntersectingPairs.value_or(0); pairs > 0) {
+  encoded.report.inFile = reportOn(forFile, SelfIntersections::Count, progress.part(0.8, 0.95));
+  const std::size_t pairs = encoded.report.inFile.selfIntersectingPairs.value_or(0);
+  if (pairs > 0 && encoded.report.roundingMove > 0.0) {  // thin places may lose their thickness
     const auto before = selfIntersections(compact.soup.points, compact.soup.triangles, progress.part(0.95, 1.0));
     if (before && before->size() < pairs) encoded.report.roundingPairs = pairs - before->size();
   }

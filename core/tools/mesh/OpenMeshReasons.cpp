@@ -11,11 +11,12 @@ const char* reasonOf(OpenMeshRefusal refusal) {
     case OpenMeshRefusal::Degenerate:
       return QT_TRANSLATE_NOOP("Tool", "a triangle has a repeated vertex: remove degenerate triangles first");
     case OpenMeshRefusal::DoubleEdge:
-      return QT_TRANSLATE_NOOP(
-          "Tool", "OpenMesh does not support two edges between the same vertices, as on one-sided surfaces");
+      return QT_TRANSLATE_NOOP("Tool",
+                               "OpenMesh does not support two edges between the same vertices, as on one-sided "
+                               "surfaces: repair the mesh first");
     case OpenMeshRefusal::BackToBack:
       return QT_TRANSLATE_NOOP(
-          "Tool", "OpenMesh does not support two triangles back to back: remove duplicate triangles first");
+          "Tool", "OpenMesh does not support two triangles back to back, a plate of zero thickness: delete them first");
     case OpenMeshRefusal::Seam:
       return QT_TRANSLATE_NOOP("Tool", "more than two triangles share an edge: the surface would tear there");
     case OpenMeshRefusal::Hub:

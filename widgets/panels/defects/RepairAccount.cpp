@@ -24,7 +24,7 @@ QString defectPhrase(DefectKind kind, std::size_t count) {
     case DefectKind::Hole:
       return RepairAccountWords::tr("%Ln hole(s)", nullptr, n);
     case DefectKind::KeptOpen:
-      return RepairAccountWords::tr("%Ln sheet edge(s) and kept hole(s)", nullptr, n);
+      return RepairAccountWords::tr("%Ln outer boundary(ies) and kept hole(s)", nullptr, n);
     case DefectKind::NonManifoldEdge:
       return RepairAccountWords::tr("%Ln non-manifold edge(s)", nullptr, n);
     case DefectKind::NonManifoldVertex:
