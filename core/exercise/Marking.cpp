@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace handwheel {
 
@@ -28,9 +30,21 @@ double hundredths(double points) {
 }
 
 // Long times as clocks show them.
+bool isClockTime(double value, const std::string& unit) {
+  return unit == "s" && std::abs(value) >= 60.0;
+}
+
+std::string unitAfter(const std::string& unit) {
+  return unit.empty() ? unit : " " + unit;
+}
+
+// Of a limit, as the teacher has written it.
 std::string withUnit(double value, const std::string& unit) {
-  if (unit == "s" && std::abs(value) >= 60.0) return minutesText(value);
-  return roundedText(value) + (unit.empty() ? "" : " " + unit);
+  return isClockTime(value, unit) ? minutesText(value) : roundedText(value) + unitAfter(unit);
+}
+
+std::string measuredWithUnit(double value, const std::string& unit) {
+  return isClockTime(value, unit) ? minutesText(value) : measuredText(value, unit) + unitAfter(unit);
 }
 
 ExerciseText limitsText(const MarkingCriterion& c, const std::string& value, const std::string& unit) {
@@ -50,11 +64,11 @@ bool lacksLimit(const MarkingCriterion& c) {
 ExerciseText reasonFor(const MarkingCriterion& c, const Mark& mark, const std::string& unit) {
   if (lacksLimit(c)) return {translatable("Note", "the scheme has no limit for it")};
   if (mark.verdict == Verdict::NotMeasured) return {translatable("Note", "it could not be measured")};
-  const std::string value = withUnit(*mark.value, unit);
+  const std::string value = measuredWithUnit(*mark.value, unit);
   if (mark.verdict == Verdict::Met) return limitsText(c, value, unit);
   const bool isSmall = mark.verdict == Verdict::TooSmall;
   const double limit = isSmall ? *c.lower : *c.upper;
-  const std::string beyond = withUnit(std::abs(*mark.value - limit), unit);
+  const std::string beyond = measuredWithUnit(std::abs(*mark.value - limit), unit);
   return {isSmall ? translatable("Note", "%1 is %2 below the lower limit, %3")
                   : translatable("Note", "%1 is %2 above the upper limit, %3"),
           {value, beyond, withUnit(limit, unit)}};
@@ -86,6 +100,21 @@ const MarkingCriterion* failedBy(const Exercise& exercise, const Marking& markin
 }
 
 }  // namespace
+
+std::string measuredText(double value, const std::string& unit) {
+  // A micrometre of a length, a hundredth of a roughness, an angle or a power, whole newtons.
+  constexpr std::pair<std::string_view, double> kSteps[] = {{"mm", 1e-3}, {"µm", 1e-2}, {"°", 1e-2},
+                                                            {"kW", 1e-2}, {"N", 1.0},   {"s", 0.1}};
+  constexpr int kDigits = 12;  // significant ones
+  for (const auto& [name, step] : kSteps) {
+    if (unit != name) continue;
+    const double rounded = std::round(value / step) * step;
+    if (rounded != 0.0 || value == 0.0) return roundedText(rounded, kDigits);
+    const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))));
+    return shownText(std::round(value / digit) * digit);
+  }
+  return roundedText(value);
+}
 
 std::string minutesText(double seconds) {
   const auto whole = static_cast<long>(seconds + 0.5);

@@ -47,6 +47,9 @@ struct Marking {
 Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures,
                     const std::vector<std::string>& units = {});
 
+// A measured figure to as many digits as mean something in its unit: mm to a micrometre, µm to a hundredth.
+std::string measuredText(double value, const std::string& unit);
+
 // "4:05 min"
 std::string minutesText(double seconds);
 

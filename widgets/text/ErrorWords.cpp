@@ -333,6 +333,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "it is of another kind"),
     QT_TRANSLATE_NOOP("ErrorWord", "it gives points without a limit"),
     QT_TRANSLATE_NOOP("ErrorWord", "its tolerance needs the nominal size"),
+    QT_TRANSLATE_NOOP("ErrorWord",
+                      "the size in front of its tolerance is not the nominal size; leave it out or change one"),
     QT_TRANSLATE_NOOP("ErrorWord", "its tolerance is not a roughness grade, N1 to N12"),
     QT_TRANSLATE_NOOP("ErrorWord", "its figure takes limits, not a tolerance class"),
     QT_TRANSLATE_NOOP("ErrorWord", "its tolerance class is not known for this size; give limits instead"),

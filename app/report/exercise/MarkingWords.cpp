@@ -52,7 +52,7 @@ std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const 
     const std::string symbol = unitOf(report, *c), unit = symbol.empty() ? symbol : " " + symbol;
     const std::string remark = mark.remark.text.empty() ? std::string() : translatedText(mark.remark);
     rows.push_back({c->name, c->hasLimit() ? limitsOf(*c) + unit : std::string(),
-                    mark.value ? roundedText(*mark.value) + unit : "–",
+                    mark.value ? measuredText(*mark.value, symbol) + unit : "–",
                     roundedText(mark.points) + " / " + roundedText(mark.of),
                     translatedText(mark.reason) + (remark.empty() ? "" : " (" + remark + ")")});
   }

@@ -10,6 +10,8 @@
 #include "window/documents/FileFilters.h"
 #include "window/documents/RecentFiles.h"
 #include "window/documents/Samples.h"
+#include "window/kinds/BesideFiles.h"
+#include "window/kinds/KindUi.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -39,6 +41,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
     : QObject(window),
       m_window(window),
       m_kinds(kinds),
+      m_uis(uis),
       m_tabs(tabs),
       m_recent(recent),
       m_loader(kinds, uis, tabs, jobs, recent, log),
@@ -147,8 +150,36 @@ void FileActions::openPaths(const QStringList& paths) {
   for (const QString& path : paths) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const DocumentTab* const current = m_tabs.current();
-    if (!current || !current->ui.take(absolute)) m_loader.load(absolute);
+    if (current && current->ui.take(absolute)) continue;
+    if (!offerBeside(absolute)) m_loader.load(absolute);
   }
+}
+
+// A file that is no document, but is opened beside one: says so, and offers a new document or one that is open.
+bool FileActions::offerBeside(const QString& path) {
+  for (const auto& [kind, ui] : m_uis) {
+    const auto* const files = dynamic_cast<const BesideFiles*>(ui.get());
+    const auto offer = files ? files->besideOffer(path) : std::nullopt;
+    if (!offer) continue;
+    Message message{Message::Weight::Warning, offer->title, offer->detail, offer->advice};
+    message.actionText = offer->action;
+    message.action = [this, path, id = kind] {
+      m_loader.create(id);
+      m_tabs.current()->ui.take(path);
+    };
+    for (const auto& tab : m_tabs.all()) {
+      if (tab->document.kind().id() != kind) continue;
+      message.otherText = tr("Open beside %1").arg(tab->document.name());
+      message.other = [this, path, open = tab.get()] {
+        if (!m_tabs.contains(open)) return;
+        m_tabs.setCurrent(open);
+        open->ui.take(path);
+      };
+    }
+    emit this->message(message);
+    return true;
+  }
+  return false;
 }
 
 QString FileActions::iconNameFor(const QString& path) const {
@@ -156,8 +187,11 @@ QString FileActions::iconNameFor(const QString& path) const {
 }
 
 void FileActions::askForFiles() {
-  auto* dialog =
-      new QFileDialog(m_window, tr("Open files"), lastFolder(), openFilters(m_kinds).join(QStringLiteral(";;")));
+  QStringList beside;
+  for (const auto& [kind, ui] : m_uis)
+    if (const auto* const files = dynamic_cast<const BesideFiles*>(ui.get())) beside << files->besideFilter();
+  auto* dialog = new QFileDialog(m_window, tr("Open files"), lastFolder(),
+                                 openFilters(m_kinds, beside).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("openDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);

@@ -57,6 +57,7 @@ class FileActions : public QObject {
 
  private:
   void askForFiles();
+  bool offerBeside(const QString& path);
   void saveCurrent();
   // ended: as for FileSaver::save(); also called when no name was chosen.
   void saveOrAsk(DocumentTab* document, std::function<void(bool)> ended);
@@ -75,6 +76,7 @@ class FileActions : public QObject {
 
   QWidget* m_window;
   const DocumentKinds& m_kinds;
+  const KindUis& m_uis;
   DocumentTabs& m_tabs;
   RecentFiles& m_recent;
   FileLoader m_loader;

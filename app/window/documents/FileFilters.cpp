@@ -73,7 +73,7 @@ QString iconNameFor(const DocumentKinds& kinds, const QString& path) {
   return QStringLiteral("file");
 }
 
-QStringList openFilters(const DocumentKinds& kinds) {
+QStringList openFilters(const DocumentKinds& kinds, const QStringList& beside) {
   QStringList all{containerPattern()}, lines;
   for (const auto& kind : kinds.all()) {
     QStringList own;
@@ -82,6 +82,10 @@ QStringList openFilters(const DocumentKinds& kinds) {
     }
     all << own;
     if (!own.isEmpty()) lines << titled(QCoreApplication::translate("DocumentKind", kind->title().c_str()), own);
+  }
+  for (const QString& filter : beside) {
+    all << filter.section(QLatin1Char('('), 1).chopped(1);
+    lines << filter;
   }
   lines.prepend(titled(FileFiltersWords::tr("All supported files"), all));
   return lines << titled(FileFiltersWords::tr("All files"), {QStringLiteral("*")});

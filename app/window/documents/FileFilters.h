@@ -23,7 +23,7 @@ bool canWrite(const DocumentKind& kind, const QString& path);
 QString iconNameFor(const DocumentKinds& kinds, const QString& path);
 
 // The name filters of the open dialog: all readable files, then one per kind.
-QStringList openFilters(const DocumentKinds& kinds);
+QStringList openFilters(const DocumentKinds& kinds, const QStringList& beside = {});
 // The name filters of the save dialog: all formats of the kind, then each.
 QStringList saveFilters(const DocumentKind& kind);
 

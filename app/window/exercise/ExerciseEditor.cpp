@@ -9,6 +9,7 @@
 #include "panels/ActionButton.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/exercise/ClassView.h"
+#include "window/exercise/StepEditor.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -38,6 +39,14 @@ std::vector<Property> ofTask(const std::vector<Property>& all) {
     if (!property.id.starts_with("criterion.") && !property.id.starts_with("step.")) some.push_back(property);
   }
   return some;
+}
+
+// Without what the step editor shows as lists: hints and marks of steps.
+std::vector<Property> withoutLists(std::vector<Property> all) {
+  std::erase_if(all, [](const Property& each) {
+    return each.id.starts_with("step.") && (each.id.ends_with(".hints") || each.id.ends_with(".criteria"));
+  });
+  return all;
 }
 
 }  // namespace
@@ -83,7 +92,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
     if (m_document && row >= 0)
       change(tr("Remove a step"), withoutStep(m_document->exercise(), static_cast<std::size_t>(row)));
   });
-  makeMarksOfStep();
+  makeStepEditor();
   connectMoves(m_criteria, tr("Move a criterion"), withMovedCriterion);
   connectMoves(m_steps, tr("Move a step"), withMovedStep);
   m_class = new ClassView(this);
@@ -137,35 +146,40 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   return rows;
 }
 
-// The marks that a step waits for, to be checked, so that nobody has to type their names.
-void ExerciseEditor::makeMarksOfStep() {
-  auto* button = new QToolButton(m_steps.page);
-  button->setObjectName(QStringLiteral("steps/marks"));
-  button->setText(tr("Done when met"));
-  button->setToolTip(tr("Choose the marks that tick this step once Measure finds them right"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(button);
-  button->setMenu(menu);
-  m_steps.page->layout()->addWidget(button);
-  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
-    menu->clear();
-    const int row = m_steps.list->currentRow();
-    if (!m_document || row < 0) return;
-    const Exercise shown = inLanguage(m_document->exercise());
-    const std::vector<std::string>& met = shown.steps[static_cast<std::size_t>(row)].criteria;
-    for (const MarkingCriterion& c : shown.criteria) {
-      QAction* action = menu->addAction(QString::fromStdString(c.name.empty() ? c.id : c.name));
-      action->setCheckable(true);
-      action->setChecked(std::find(met.begin(), met.end(), c.id) != met.end());
-      connect(action, &QAction::toggled, this,
-              [this, row, id = c.id] { toggleMark(static_cast<std::size_t>(row), id); });
-    }
+// What a step has several of, in lists of their own.
+void ExerciseEditor::makeStepEditor() {
+  m_step = new StepEditor(m_steps.page);
+  m_steps.page->layout()->addWidget(m_step);
+  connect(m_step, &StepEditor::markToggled, this, &ExerciseEditor::toggleMark);
+  connect(m_step, &StepEditor::hintAdded, this, [this] {
+    changeHints([](std::vector<std::string>& hints) { hints.push_back(tr("New hint").toStdString()); });
+  });
+  connect(m_step, &StepEditor::hintChanged, this, [this](std::size_t hint, const std::string& text) {
+    changeHints([&](std::vector<std::string>& hints) {
+      if (hint < hints.size()) hints[hint] = text;
+      std::erase(hints, std::string());
+    });
+  });
+  connect(m_step, &StepEditor::hintRemoved, this, [this](std::size_t hint) {
+    changeHints([&](std::vector<std::string>& hints) {
+      if (hint < hints.size()) hints.erase(hints.begin() + static_cast<std::ptrdiff_t>(hint));
+    });
   });
 }
 
-void ExerciseEditor::toggleMark(std::size_t step, const std::string& id) {
+void ExerciseEditor::changeHints(const std::function<void(std::vector<std::string>&)>& changing) {
+  const int row = m_steps.list->currentRow();
+  if (!m_document || row < 0) return;
   ExerciseSnapshot exercise = m_document->exercise();
-  std::vector<std::string>& met = exercise.exercise.steps[step].criteria;
+  changing(exercise.exercise.steps[static_cast<std::size_t>(row)].hints);
+  change(tr("Change the hints of a step"), std::move(exercise));
+}
+
+void ExerciseEditor::toggleMark(const std::string& id) {
+  const int row = m_steps.list->currentRow();
+  if (!m_document || row < 0) return;
+  ExerciseSnapshot exercise = m_document->exercise();
+  std::vector<std::string>& met = exercise.exercise.steps[static_cast<std::size_t>(row)].criteria;
   if (std::erase(met, id) == 0) met.push_back(id);
   change(tr("Choose the marks of a step"), std::move(exercise));
 }
@@ -201,7 +215,8 @@ void ExerciseEditor::refresh() {
     steps += tr("%1. %2").arg(i + 1).arg(QString::fromStdString(exercise.steps[i].title));
   fillRows(m_criteria, criteria, properties,
            [&](int row) { return criterionPrefix(exercise.criteria[static_cast<std::size_t>(row)]); });
-  fillRows(m_steps, steps, properties, [](int row) { return stepPrefix(static_cast<std::size_t>(row)); });
+  fillRows(m_steps, steps, withoutLists(properties), [](int row) { return stepPrefix(static_cast<std::size_t>(row)); });
+  m_step->show(exercise, m_steps.list->currentRow());
 }
 
 void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,

@@ -14,6 +14,7 @@ namespace handwheel {
 
 class ClassView;
 class PropertyList;
+class StepEditor;
 
 // The panel in which a teacher prepares an exercise: task, marking scheme, steps, and the class.
 class ExerciseEditor : public QTabWidget {
@@ -44,14 +45,16 @@ class ExerciseEditor : public QTabWidget {
   using Move = ExerciseSnapshot (*)(ExerciseSnapshot, std::size_t row, bool isUp);
   void connectMoves(Rows& rows, const QString& text, Move moved);
   void addCriterion(std::size_t figure);
-  void makeMarksOfStep();
-  void toggleMark(std::size_t step, const std::string& id);
+  void makeStepEditor();
+  void toggleMark(const std::string& id);
+  void changeHints(const std::function<void(std::vector<std::string>&)>& changing);
   void change(const QString& text, ExerciseSnapshot exercise);
 
   QPointer<ExerciseDocument> m_document;
   PropertyList* m_task;
   QWidget* m_taskPage;
   Rows m_criteria, m_steps;
+  StepEditor* m_step;
   ClassView* m_class;
 };
 

@@ -159,6 +159,11 @@ void ExerciseLesson::setSeconds(double seconds, double allowed) {
 void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking& marking) {
   const Exercise exercise = inLanguage(measured);
   m_sizes->setText(measuredText(exercise, marking));
+  setMet(measured, marking);
+}
+
+void ExerciseLesson::setMet(const ExerciseSnapshot& measured, const Marking& marking) {
+  const Exercise& exercise = measured.exercise;
   for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
     if (exercise.steps[i].criteria.empty()) continue;
     m_steps->setStepState(i, isMet(exercise.steps[i], marking) ? LessonStep::State::Done : LessonStep::State::Open);

@@ -25,7 +25,9 @@ class ExerciseLesson : public QWidget {
   // isRunning: the work has begun.
   void setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning);
   void setSeconds(double seconds, double allowed);
-  // Shows each size of the drawing, and which steps that makes done or not.
+  // Ticks the steps whose marks are met, and no others of those that have any.
+  void setMet(const ExerciseSnapshot& measured, const Marking& marking);
+  // Shows each size of the drawing, too.
   void setMeasured(const ExerciseSnapshot& exercise, const Marking& marking);
 
  signals:

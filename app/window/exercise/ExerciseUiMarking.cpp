@@ -11,6 +11,7 @@
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseUi.h"
@@ -36,6 +37,7 @@ void ExerciseUi::chooseSubmissions() {
   dialog->setObjectName(QStringLiteral("markDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
+  beginInFolderOf(*dialog, QStringLiteral("handedIn"));
   connect(dialog, &QFileDialog::filesSelected, this, &ExerciseUi::mark);
   dialog->open();
 }
@@ -70,6 +72,7 @@ void ExerciseUi::chooseFile(const QString& title, const QString& filter, const Q
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
+  beginInFolderOf(*dialog, QStringLiteral("classReports"));
   dialog->selectFile(fileNameOf({name}, suffix));
   connect(dialog, &QFileDialog::fileSelected, this, chosen);
   dialog->open();

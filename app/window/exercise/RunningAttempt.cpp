@@ -12,6 +12,7 @@
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/SuggestedName.h"
 
@@ -36,7 +37,10 @@ const ExerciseKind& exerciseKind(const DocumentKinds& kinds) {
 }  // namespace
 
 RunningAttempt::RunningAttempt(const WindowContext& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_lesson(new ExerciseLesson(parts.window)) {
+    : QObject(parent),
+      m_parts(parts),
+      m_lesson(new ExerciseLesson(parts.window)),
+      m_checks(JobRunner::Policy::Latest, parts.pool) {
   m_lesson->setObjectName(QStringLiteral("exerciseLesson"));
   if (auto* window = qobject_cast<QMainWindow*>(parts.window)) {
     m_dock = new QDockWidget(tr("Lesson"), window);
@@ -142,6 +146,8 @@ void RunningAttempt::start(const std::shared_ptr<const ExerciseSnapshot>& exerci
   follow(tab);
   if (Work* const begun = find(tab)) begun->origin = exercise;
   emit changed();
+  // The window has raised the panel of the new document by then, and the lesson says what to do with it.
+  QTimer::singleShot(0, this, [this] { showDock(m_isCurrent && m_isDockWanted); });
 }
 
 // Reads the exercise that a document is work on. False: it is none, or one that cannot be read.
@@ -166,7 +172,9 @@ void RunningAttempt::follow(DocumentTab* tab) {
   m_clock.stop();
   if (m_isCurrent && m_dock) m_isDockWanted = !m_dock->isHidden();
   m_isCurrent = tab && (find(tab) || take(tab));
+  disconnect(m_changes);
   if (m_isCurrent) {
+    m_changes = connect(&tab->document, &Document::changed, this, &RunningAttempt::check);
     const auto place = m_works.begin() + (find(tab) - m_works.data());
     std::rotate(place, place + 1, m_works.end());
     m_lesson->setExercise(*m_works.back().exercise, m_works.back().attempt, true);
@@ -180,6 +188,7 @@ void RunningAttempt::forget(DocumentTab* tab) {
   Work* const work = find(tab);
   if (!work) return;
   m_parts.jobs.cancelOf(tab);
+  m_checks.cancelOf(tab);
   if (work == current()) {
     m_clock.stop();
     m_isCurrent = false;
@@ -215,28 +224,51 @@ void RunningAttempt::tick() {
   m_lesson->setSeconds(work->attempt.seconds, work->exercise->exercise.allowedSeconds);
 }
 
+// With the sizes of the drawing, as the student asks for them.
 void RunningAttempt::measure() {
   Work* const measured = current();
   if (!measured) return;
   measured->tab->document.settle();
+  start(m_parts.jobs, tr("Measuring"), *measured, true);
+}
+
+// A step is ticked as soon as the part is so; the sizes stay for those who ask.
+void RunningAttempt::check() {
+  const Work* const work = current();
+  if (!work) return;
+  const std::vector<ExerciseStep>& steps = work->exercise->exercise.steps;
+  const auto waits = [](const ExerciseStep& step) { return !step.criteria.empty(); };
+  if (std::any_of(steps.begin(), steps.end(), waits)) start(m_checks, tr("Checking the steps"), *work, false);
+}
+
+void RunningAttempt::start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes) {
   Job job;
-  job.name = tr("Measuring");
-  job.owner = measured->tab;
-  job.work = [this, tab = measured->tab, exercise = measured->exercise, work = measured->tab->document.snapshot(),
-              attempt = measured->attempt](Progress progress) {
+  job.name = name;
+  job.owner = measured.tab;
+  job.work = [this, showsSizes, tab = measured.tab, exercise = measured.exercise,
+              work = measured.tab->document.snapshot(), attempt = measured.attempt](Progress progress) -> Job::Finish {
     auto marking = std::make_shared<Marking>(markWork(*exercise, *work, attempt, progress));
-    return Job::Finish([this, tab, exercise, marking] {
-      Work* const now = find(tab);
-      if (!now) return;
-      for (std::size_t i = 0; i < exercise->exercise.steps.size(); ++i) {
-        const ExerciseStep& step = exercise->exercise.steps[i];
-        if (!step.criteria.empty()) setDone(*now, i, isMet(step, *marking));
-      }
-      store(*now, true);
-      if (now == current()) m_lesson->setMeasured(*exercise, *marking);
-    });
+    if (progress.cancelled()) return {};
+    return [this, showsSizes, tab, exercise, marking] { take(tab, *exercise, *marking, showsSizes); };
   };
-  m_parts.jobs.start(std::move(job));
+  jobs.start(std::move(job));
+}
+
+void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const Marking& marking,
+                          bool showsSizes) {
+  Work* const work = find(tab);
+  if (!work) return;
+  const std::vector<bool> before = work->attempt.done;
+  for (std::size_t i = 0; i < exercise.exercise.steps.size(); ++i) {
+    const ExerciseStep& step = exercise.exercise.steps[i];
+    if (!step.criteria.empty()) setDone(*work, i, isMet(step, marking));
+  }
+  if (showsSizes || work->attempt.done != before) store(*work, true);
+  if (work != current()) return;
+  if (showsSizes)
+    m_lesson->setMeasured(exercise, marking);
+  else
+    m_lesson->setMet(exercise, marking);
 }
 
 void RunningAttempt::handIn() {
@@ -246,6 +278,7 @@ void RunningAttempt::handIn() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("handwheel"));
+  beginInFolderOf(*dialog, QStringLiteral("handIn"));
   const Work* const work = current();
   if (work)
     dialog->selectFile(fileNameOf(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/exercise/ExerciseSnapshot.h"
+#include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
 
 #include <QElapsedTimer>
@@ -56,6 +57,9 @@ class RunningAttempt : public QObject {
   void setDone(Work& work, std::size_t step, bool isDone);
   void tick();
   void measure();
+  void check();
+  void start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes);
+  void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const Marking& marking, bool showsSizes);
   void handIn();
   void writeSubmission(const QString& path);
   void fail(const QString& title, const Error& error);
@@ -68,6 +72,8 @@ class RunningAttempt : public QObject {
   bool m_isDockWanted = true;
   QElapsedTimer m_since;
   QTimer m_clock;
+  JobRunner m_checks;                 // of the steps, after each change of the work
+  QMetaObject::Connection m_changes;  // of the current document
 };
 
 }  // namespace handwheel

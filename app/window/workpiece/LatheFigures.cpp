@@ -44,7 +44,8 @@ LatheFigures::LatheFigures(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(12);
-  m_force = cell(*line, tr("Force"), "latheForce", tr("%1 N").arg(88888), tr("Of the cut, of all three components"));
+  m_force = cell(*line, tr("Force"), "latheForce", tr("%1 of %2 %3").arg(8888).arg(8888).arg(tr("N")),
+                 tr("Of the cut, of all three components, and what the exercise allows"));
   m_power = cell(*line, tr("Power"), "lathePower", tr("%1 of %2 %3").arg(8.88).arg(88).arg(tr("kW")),
                  tr("Of the motor, and what it has"));
   m_torque = cell(*line, tr("Torque"), "latheTorque", tr("%1 of %2 %3").arg(88.8).arg(888).arg(tr("N·m")),
@@ -86,11 +87,11 @@ void LatheFigures::showLimited(QLabel& label, double value, double limit, int di
   setWarning(label, limit > 0.0 && value > limit);
 }
 
-void LatheFigures::show(const ManualLatheTool& tool) {
+void LatheFigures::show(const ManualLatheTool& tool, double forceLimit) {
   const auto now = tool.moment();
   const LatheLoad& load = now->load;
   const LatheSpindle spindle = tool.setup().spindle;
-  m_force->setText(tr("%1 N").arg(figure(load.forces.norm(), 0)));
+  showLimited(*m_force, load.forces.norm(), forceLimit, 0, tr("N"));
   showLimited(*m_power, load.power, spindle.power, 2, tr("kW"));
   showLimited(*m_torque, load.torque, spindle.torque, 1, tr("N·m"));
   const QString none = QStringLiteral("–");

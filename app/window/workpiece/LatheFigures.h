@@ -19,7 +19,8 @@ class LatheFigures : public QWidget {
  public:
   explicit LatheFigures(QWidget* parent = nullptr);
 
-  void show(const ManualLatheTool& tool);
+  // forceLimit: N, of the exercise; 0: none.
+  void show(const ManualLatheTool& tool, double forceLimit);
 
  private:
   QLabel* cell(QHBoxLayout& line, const QString& name, const char* id, const QString& widest, const QString& tip);

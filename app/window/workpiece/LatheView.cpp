@@ -25,6 +25,7 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMainWindow>
 #include <algorithm>
 #include <cmath>
@@ -55,12 +56,12 @@ LatheView::~LatheView() {
   m_window.viewport.removeLayer(*m_zeroLayer);
 }
 
-std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document) {
+std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double forceLimit) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
   const FidelityValues& values = m_window.fidelity.values();
   const ManualLatheTool::Start start{values.of(turnSpacingSetting()),
                                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))),
-                                     values.of(turnStepSetting())};
+                                     values.of(turnStepSetting()), forceLimit};
   return std::make_unique<ManualLatheTool>(document, services, shippedLatheTools(), start);
 }
 
@@ -101,9 +102,8 @@ void LatheView::makeDock() {
   connect(m_panel, &LathePanel::commanded, this, [this](const LatheCommand& command) {
     if (ManualLatheTool* const lathe = tool()) m_window.tools.runner().deliver([&] { lathe->command(command); });
   });
-  connect(m_panel, &LathePanel::touchOffRequested, this, [this](bool isX, double value) {
-    if (ManualLatheTool* const lathe = tool()) m_window.tools.runner().deliver([&] { lathe->touchOff(isX, value); });
-  });
+  connect(m_panel, &LathePanel::touchOffRequested, this,
+          [this](bool isX, double value) { touchOff(isX, value, false); });
   connect(m_panel, &LathePanel::mountRequested, this, &LatheView::mount);
   for (QWidget* each : m_panel->findChildren<QWidget*>()) {
     if (qobject_cast<HandwheelDial*>(each) || qobject_cast<QComboBox*>(each)) each->installEventFilter(this);
@@ -126,6 +126,30 @@ bool LatheView::eventFilter(QObject* watched, QEvent* event) {
     m_window.viewport.setFocus(Qt::OtherFocusReason);
   }
   return QObject::eventFilter(watched, event);
+}
+
+// In the air it would set a zero that is none: that is asked first.
+void LatheView::touchOff(bool isX, double value, bool isConfirmed) {
+  ManualLatheTool* const lathe = tool();
+  if (!lathe) return;
+  const double gap = lathe->touchGap(isX);
+  if (isConfirmed || gap <= ManualLatheTool::kTouching)
+    return m_window.tools.runner().deliver([&] { lathe->touchOff(isX, value); });
+  const QString away = QLocale().toString(gap, 'f', 2);
+  Message question{
+      Message::Weight::Warning, tr("The tool does not touch the work"),
+      isX ? tr("Its tip is %1 mm from the nearest surface, measured on the radius. X was not touched off.").arg(away)
+          : tr("Its tip is %1 mm from the nearest face, measured along Z. Z was not touched off.").arg(away),
+      isX ? tr("Turn a little of the bar, and touch off before the cross slide moves.")
+          : tr("Touch or turn a face, and touch off before the carriage moves.")};
+  question.actionText = tr("Touch off anyway");
+  question.action = [view = QPointer(this), isX, value] {
+    if (view) view->touchOff(isX, value, true);
+  };
+  question.otherText = tr("Cancel");
+  question.other = [] {};
+  question.isOver = [view = QPointer(this)] { return !view || !view->isOn(); };
+  emit message(question);
 }
 
 void LatheView::mount(const QString& id) {
@@ -223,7 +247,7 @@ void LatheView::showZero() {
 void LatheView::sayUndone(const ManualLatheTool& lathe) {
   if (std::exchange(m_returns, lathe.returnCount()) >= lathe.returnCount()) return;
   emit message({Message::Weight::Info, tr("The tool was moved"),
-                tr("The material that came back is where it was, so it stands where it was before that pass."),
+                tr("The material that came back is where it was, so the tool was taken out of it."),
                 tr("The spindle turns as before.")});
 }
 

@@ -28,8 +28,8 @@ class LatheView : public QObject {
   LatheView(const WindowContext& window, QObject* parent);
   ~LatheView() override;
 
-  // The tool for a document; called when the user chooses it.
-  std::unique_ptr<Tool> make(WorkpieceDocument& document);
+  // The tool for a document; called when the user chooses it. forceLimit: N, of its exercise; 0: none.
+  std::unique_ptr<Tool> make(WorkpieceDocument& document, double forceLimit);
   // Whether the tool of the lathe runs.
   bool isOn() const { return tool() != nullptr; }
 
@@ -50,6 +50,7 @@ class LatheView : public QObject {
   void sound();
   void push(const Vec3& way);
   void mount(const QString& tool);
+  void touchOff(bool isX, double value, bool isConfirmed);
   void showZero();
   void sayUndone(const ManualLatheTool& lathe);
 

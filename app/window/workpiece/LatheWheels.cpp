@@ -28,7 +28,10 @@ LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
   };
   const std::array<Wheel, kLatheAxes> wheels{
       {{"latheCarriage", tr("Carriage"), tr("Clockwise: away from the chuck. In the view: ← and →")},
-       {"latheCross", tr("Cross slide"), tr("Clockwise: in, to the axis; counts on the radius. In the view: ↑ and ↓")},
+       {"latheCross", tr("Cross slide"),
+        tr("Clockwise: in, to the axis; counts as the read-out does, on the diameter (⌀) or the radius (R). In the "
+           "view: ↑ "
+           "and ↓")},
        {"latheCompound", tr("Compound slide"), tr("Clockwise: forward. In the view: Page Up and Page Down")},
        {"latheQuill", tr("Tailstock quill"), tr("Clockwise: out, to the work")}}};
   for (std::size_t i = 0; i < kLatheAxes; ++i) {
@@ -41,22 +44,32 @@ LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
     caption->setAlignment(Qt::AlignHCenter);
     grid->addWidget(dial, 0, static_cast<int>(i));
     grid->addWidget(caption, 1, static_cast<int>(i));
-    connect(dial, &HandwheelDial::moved, this, [this, i](double mm) {
+    connect(dial, &HandwheelDial::moved, this, [this, i](double shown) {
+      const double mm = shown / m_scales[i];
       const double by = mm - std::exchange(m_turned[i], mm);
       emit turned(static_cast<LatheAxis>(i), kClockwise[i] * by);
     });
   }
-  m_dials[static_cast<std::size_t>(LatheAxis::Cross)]->setPrefix(QStringLiteral("R"));
+}
+
+// On the diameter a dial counts twice the way of its slide; its ring stays where it was set.
+void LatheWheels::countOnDiameter(bool isDiameter) {
+  constexpr auto kCross = static_cast<std::size_t>(LatheAxis::Cross);
+  const double before = std::exchange(m_scales[kCross], isDiameter ? 2.0 : 1.0);
+  HandwheelDial& dial = *m_dials[kCross];
+  dial.setPrefix(isDiameter ? QStringLiteral("⌀") : QStringLiteral("R"));
+  if (before != m_scales[kCross]) dial.setZero(dial.zero() * m_scales[kCross] / before);
 }
 
 // What was turned and not followed yet counts, too.
 void LatheWheels::show(const ManualLatheTool& tool) {
   const LatheSetup setup = tool.setup();
   const auto now = tool.moment();
+  countOnDiameter(setup.showsDiameter);
   for (std::size_t i = 0; i < kLatheAxes; ++i) {
     m_turned[i] = kClockwise[i] * (now->machine.wheels[i] + now->machine.demands[i]);
-    m_dials[i]->setDivisions(setup.dials[i].divisions, setup.dials[i].perDivision);
-    m_dials[i]->setValue(m_turned[i]);
+    m_dials[i]->setDivisions(setup.dials[i].divisions, m_scales[i] * setup.dials[i].perDivision);
+    m_dials[i]->setValue(m_scales[i] * m_turned[i]);
   }
   constexpr auto kQuill = static_cast<std::size_t>(LatheAxis::Quill);
   m_dials[kQuill]->setVisible(setup.tailstock.isUsed());
@@ -65,7 +78,7 @@ void LatheWheels::show(const ManualLatheTool& tool) {
 
 void LatheWheels::setZero(const ManualLatheTool& tool) {
   show(tool);
-  for (std::size_t i = 0; i < kLatheAxes; ++i) m_dials[i]->setZero(m_turned[i]);
+  for (std::size_t i = 0; i < kLatheAxes; ++i) m_dials[i]->setZero(m_scales[i] * m_turned[i]);
 }
 
 }  // namespace handwheel

@@ -29,9 +29,12 @@ class LatheWheels : public QWidget {
   void turned(handwheel::LatheAxis axis, double mm);  // on by this way of its slide
 
  private:
+  void countOnDiameter(bool isDiameter);
+
   std::array<HandwheelDial*, kLatheAxes> m_dials{};
   std::array<QLabel*, kLatheAxes> m_captions{};
-  std::array<double, kLatheAxes> m_turned{};  // mm, what the dials show
+  std::array<double, kLatheAxes> m_turned{};                    // mm of the slides
+  std::array<double, kLatheAxes> m_scales{1.0, 1.0, 1.0, 1.0};  // of the dials, to that
 };
 
 }  // namespace handwheel

@@ -14,6 +14,7 @@
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 #include "window/tools/ToolHost.h"
 
 #include <QCoreApplication>
@@ -235,7 +236,7 @@ void ReplayDock::begin(const Played& played) {
 }
 
 void ReplayDock::askForOther() {
-  auto* dialog = new QFileDialog(m_parts.window, tr("Compare with"), QFileInfo(m_document->document.path()).path(),
+  auto* dialog = new QFileDialog(m_parts.window, tr("Compare with"), folderFor(m_document->document),
                                  tr("Workpieces (%1)").arg(QStringLiteral("*.handwheel")));
   dialog->setObjectName(QStringLiteral("replayCompareDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -7,6 +7,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/exercise/AssignedTask.h"
+#include "document/workpiece/exercise/TurningFigures.h"
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
 #include "panels/MessageBar.h"
@@ -21,7 +22,9 @@
 #include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
+#include "window/workpiece/program/ProgramFile.h"
 
+#include <QFileInfo>
 #include <QLocale>
 #include <QSplitter>
 #include <cmath>
@@ -64,7 +67,8 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_thread(window, this),
       m_program(window, this),
       m_replay(window, this),
-      m_panel(makePanel()) {
+      m_panel(makePanel()),
+      m_loads(JobRunner::Policy::Latest, window.pool) {
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
     if (this->document()) show();
@@ -78,6 +82,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
   // When the tool shows the change, too, and it is in the history.
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::explainLocks, Qt::QueuedConnection);
+  connect(this, &KindUi::stateChanged, this, &WorkpieceUi::watchLoads, Qt::QueuedConnection);
 }
 
 // The properties of the stock, and below them the target and the measured dimensions.
@@ -159,7 +164,8 @@ std::unique_ptr<Tool> WorkpieceUi::turnTool() {
 
 std::unique_ptr<Tool> WorkpieceUi::latheTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  return m_lathe.make(workpiece);
+  const auto task = assignedTask(workpiece.file().assigned);
+  return m_lathe.make(workpiece, task ? task->forceLimit : 0.0);
 }
 
 // The part is felt through the simulation of the tool, as long as there is one.
@@ -196,6 +202,45 @@ void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
                 tr("Undo it, and drag more slowly: f at the pointer is the feed.")});
 }
 
+// What the passes ask of the lathe of the exercise, by the law that marks them; on a worker after each pass.
+void WorkpieceUi::watchLoads() {
+  if (!document()) return;
+  const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(document()->document).workpiece();
+  const bool isOther = std::exchange(m_loaded, document()) != document();
+  const bool isSame = std::exchange(m_loadedPart, workpiece.part) == workpiece.part && !isOther;
+  const auto task = isSame || !workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
+  if (!task) return;
+  Job job;
+  job.name = tr("Checking force and power");
+  job.owner = document();
+  job.work = [this, task, workpiece, isOther, document = document()](Progress progress) -> Job::Finish {
+    const auto peaks = peakLoads(*task, workpiece, progress);
+    if (!peaks) return {};
+    return [this, task, document, isOther, found = *peaks] {
+      if (isOther) m_peaks = found;  // what was there is not of this pass
+      warnOfLoads(document, *task, found.first, found.second);
+    };
+  };
+  m_loads.start(std::move(job));
+}
+
+// Once for each pass that asks for more than any before: it counts when the work is marked.
+void WorkpieceUi::warnOfLoads(const DocumentTab* loaded, const TurningTask& task, double force, double power) {
+  if (loaded != document()) return;
+  const auto before = std::exchange(m_peaks, std::pair(force, power));
+  const QLocale locale;
+  QStringList lines;
+  if (force > std::max(task.forceLimit, before.first))
+    lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.")
+                 .arg(locale.toString(force, 'f', 0), locale.toString(task.forceLimit, 'f', 0));
+  if (power > std::max(task.powerLimit, before.second))
+    lines << tr("The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
+                 .arg(locale.toString(power, 'f', 2), locale.toString(task.powerLimit, 'f', 2));
+  if (lines.isEmpty()) return;
+  emit message({Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
+                tr("It is marked. Undo it, and take less depth or feed.")});
+}
+
 // What was seen whole stays so in another size. Else the camera is the user's.
 void WorkpieceUi::followSize() {
   if (!document()) return;
@@ -230,6 +275,18 @@ NextStep WorkpieceUi::nextStep() {
           : isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
                   : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
           panelActions()};
+}
+
+std::optional<BesideFiles::Offer> WorkpieceUi::besideOffer(const QString& path) const {
+  if (!isProgramName(path)) return {};
+  return Offer{tr("%1 is a program for a lathe").arg(QFileInfo(path).fileName()),
+               tr("A program is opened in the program editor of the workpiece that it turns."),
+               tr("Open that workpiece first, then the program, or open the program on a new bar."),
+               tr("Open on a new bar")};
+}
+
+QString WorkpieceUi::besideFilter() const {
+  return tr("Programs (%1)").arg(programNameFilter());
 }
 
 QString WorkpieceUi::statistics() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/turning/TurningForce.h"
+#include "window/kinds/BesideFiles.h"
 #include "window/kinds/RigidPartsUi.h"
 #include "window/workpiece/DimensionsView.h"
 #include "window/workpiece/LatheView.h"
@@ -14,9 +15,10 @@
 namespace handwheel {
 
 class TurnTool;
+struct TurningTask;
 
 // The user interface of workpieces: the stock and its dimensions.
-class WorkpieceUi : public RigidPartsUi {
+class WorkpieceUi : public RigidPartsUi, public BesideFiles {
   Q_OBJECT
 
  public:
@@ -32,10 +34,13 @@ class WorkpieceUi : public RigidPartsUi {
            QList<QAction*>{m_dimensions.action(), m_program.action(), m_replay.action()};
   }
   bool isSettled() const override {
-    return RigidPartsUi::isSettled() && m_target.isSettled() && m_dimensions.isSettled() && m_program.isSettled();
+    return RigidPartsUi::isSettled() && m_target.isSettled() && m_dimensions.isSettled() && m_program.isSettled() &&
+           m_loads.isIdle();
   }
   void refreshVisibility() override;
   bool take(const QString& path) override { return m_program.take(path); }
+  std::optional<Offer> besideOffer(const QString& path) const override;
+  QString besideFilter() const override;
   QString unsavedBeside(const DocumentTab& document) const override { return m_program.unsavedOf(document); }
   void saveBeside(DocumentTab& document, std::function<void(bool)> ended) override {
     m_program.saveOf(document, std::move(ended));
@@ -59,6 +64,8 @@ class WorkpieceUi : public RigidPartsUi {
   std::unique_ptr<Tool> latheTool();
   void followTool();
   void warnOfFeed(const TurnTool& tool);
+  void watchLoads();
+  void warnOfLoads(const DocumentTab* document, const TurningTask& task, double force, double power);
   void followSize();
   void explainLocks();
 
@@ -69,6 +76,10 @@ class WorkpieceUi : public RigidPartsUi {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
+  JobRunner m_loads;                  // what the passes of an exercise ask of its lathe
+  std::pair<double, double> m_peaks;  // N, kW, of m_loaded, as they were told last
+  const DocumentTab* m_loaded = nullptr;
+  std::shared_ptr<const TurnedPart> m_loadedPart;
   std::size_t m_passes = 0;                // of the current document, as the tool was followed last
   bool m_isLathe = false;                  // its tool runs
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none

@@ -348,8 +348,8 @@ std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise) {
     for (auto&& [id, label, value] :
          {std::tuple{"title", QT_TRANSLATE_NOOP("Property", "Title"), step.title},
           std::tuple{"text", QT_TRANSLATE_NOOP("Property", "Text"), step.text},
-          std::tuple{"hints", QT_TRANSLATE_NOOP("Property", "Hints, with | between"), joined(step.hints, kHintSign)},
-          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met, with ; between"),
+          std::tuple{"hints", QT_TRANSLATE_NOOP("Property", "Hints"), joined(step.hints, kHintSign)},
+          std::tuple{"criteria", QT_TRANSLATE_NOOP("Property", "Done when met"),
                      joined(shownNames(e, step.criteria), kListSign)}}) {
       all.push_back(property(prefix + id, heading, label, value));
       all.back().groupTranslated = false;

@@ -107,8 +107,25 @@ void ManualLatheTool::recordCrashes(const LatheMoment& moment) {
   m_document.addCrashes(std::span(all).subspan(std::exchange(m_recorded, all.size())));
 }
 
+// The tool with its cross slide drawn back beside the work: a millimetre clear of its thickest place, at the same Z.
+// None: that is not clear either, as of a boring bar.
+std::optional<LatheState> ManualLatheTool::drawnBack(const LatheSetup& lathe, LatheState state) const {
+  constexpr double kClear = 1.0;  // mm
+  constexpr auto kCross = static_cast<std::size_t>(LatheAxis::Cross);
+  const TurnedProfile profile = m_present.of(m_document.workpiece()).profile;
+  double thickest = 0.0;
+  for (std::size_t i = 0; i < profile.size(); ++i) thickest = std::max(thickest, profile.radius(i));
+  const LatheSlot& slot = lathe.stations[std::min<std::size_t>(state.tool, lathe.stations.size() - 1)];
+  const double by = thickest + kClear - tipAt(lathe, slot, state.slides).x();
+  if (!(by > 0.0)) return std::nullopt;
+  for (auto* travel : {&state.wheels, &state.slides}) (*travel)[kCross] += by;
+  if (state.slides[kCross] > lathe.dials[kCross].largest) return std::nullopt;
+  if (!LatheRun(lathe, m_tools, profile, state).isClear()) return std::nullopt;
+  return state;
+}
+
 // With another part, as by undo, the slides come to rest where they are; the spindle goes on. A tool that is in
-// material that came back is put where the lathe had made that part.
+// material that came back is drawn back or, where that does not help, put where the lathe had made that part.
 void ManualLatheTool::follow(const LatheSetup& lathe) {
   LatheState now = *m_machine;
   now.demands = {};
@@ -117,7 +134,8 @@ void ManualLatheTool::follow(const LatheSetup& lathe) {
   now.isNutClosed = false;
   if (!LatheRun(lathe, m_tools, m_present.of(m_document.workpiece()).profile, now).isClear()) {
     const LatheState place =
-        m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock));
+        drawnBack(lathe, now)
+            .value_or(m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock)));
     now.wheels = place.wheels;
     now.slides = place.slides;
     now.tool = place.tool;

@@ -7,7 +7,9 @@
 #include "tools/workpiece/LatheChips.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -36,6 +38,7 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_present(start.spacing),
       m_tools(std::move(tools)),
       m_law(start.law),
+      m_forceLimit(start.forceLimit),
       m_materialName(document.workpiece().material),
       m_material(materialCalled(m_materialName, m_law, m_tools)),
       m_part(document.workpiece().part),
@@ -106,6 +109,32 @@ std::optional<double> ManualLatheTool::roughnessHere() const {
 void ManualLatheTool::command(const LatheCommand& command) {
   m_channel->commands.push(command);
   reportUpdated();
+}
+
+double ManualLatheTool::touchGap(bool isX) const {
+  constexpr double kStep = 0.05;              // mm, in r between two samples: more is a face
+  constexpr double kLean = 0.1, kNear = 1.0;  // of a surface that is nearly a cylinder; mm along the work
+  const auto now = moment();
+  const TurnedProfile& work = now->profile;
+  const bool isBore = now->tool && now->tool->side == TurningSide::Bore;
+  const auto radius = [&](std::size_t i) {
+    return isBore ? work.inner(i) : work.hasMaterial(i) ? work.radius(i) : 0.0;
+  };
+  double gap = std::numeric_limits<double>::infinity();
+  const auto meet = [&](double from, double to, double at) {
+    gap = std::min(gap, std::max({0.0, from - at, at - to}));
+  };
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    // Fillets and faces have every radius: they count only where the tip is.
+    const double rise = i + 1 < work.size() ? std::abs(radius(i + 1) - radius(i)) : 0.0;
+    const bool isSurface = rise <= kLean * work.spacing() || std::abs(work.z(i) - now->tip.y()) <= kNear;
+    if (isX && work.hasMaterial(i) && isSurface) meet(radius(i), radius(i), now->tip.x());
+    const bool isFace = i + 1 < work.size() && std::abs(radius(i + 1) - radius(i)) > kStep;
+    if (!isX && isFace) meet(work.z(i), work.z(i + 1), now->tip.y());
+  }
+  for (const std::size_t end : {std::size_t{0}, work.size() - 1})
+    if (!isX && work.hasMaterial(end)) meet(work.z(end), work.z(end), now->tip.y());
+  return gap;
 }
 
 void ManualLatheTool::touchOff(bool isX, double value) {

@@ -30,6 +30,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
     double spacing = 0.0;  // mm between the samples of a part that was not cut yet
     ForceLaw law = ForceLaw::Kienzle;
     double step = turnStepSetting().standard;  // ms, of the simulation
+    double forceLimit = 0.0;                   // N, that the work may take; 0: any
   };
 
   ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, LatheTools tools,
@@ -38,6 +39,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
   const LatheTools& tools() const { return m_tools; }
+  double forceLimit() const { return m_forceLimit; }  // N, of the exercise that it is worked on for; 0: none
   // What the part is made of; never null, and another one when the document says another material.
   const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }
   LatheSetup setup() const { return latheOf(m_document.workpiece()); }
@@ -64,6 +66,10 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   void command(const LatheCommand& command);
   // Ends the power traverse that an action began, as when its key is released.
   void stopRapids();
+  // mm from the tip to what one touches off at: of X to the nearest radius of the work, of Z to the nearest face,
+  // wherever along the work these are, since a turner draws the tool away along the other axis before measuring.
+  double touchGap(bool isX) const;
+  static constexpr double kTouching = 0.05;  // mm, of that: a sheet of paper is between them
   // Touches off: the read-out shows this value for the tool in use, X as diameter or radius; one undo step.
   void touchOff(bool isX, double value);
   // Mounts a tool on a side of the post, or a drill in the tailstock; an empty id takes the tool off. One undo step.
@@ -109,11 +115,13 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   void recordCrashes(const LatheMoment& moment);
   void showLathe(const LatheSetup& setup);
   void follow(const LatheSetup& setup);
+  std::optional<LatheState> drawnBack(const LatheSetup& setup, LatheState state) const;
 
   WorkpieceDocument& m_document;
   PresentPart m_present;
   LatheTools m_tools;
   ForceLaw m_law;
+  double m_forceLimit;
   std::string m_materialName;  // as the document says it, of m_material
   std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();

@@ -213,17 +213,18 @@ ToolPreview TurnTool::preview() const {
 }
 
 std::vector<Property> TurnTool::settings() const {
-  return {
-      numberSetting("nose_radius", QT_TRANSLATE_NOOP("Property", "Nose radius"), m_tool.noseRadius, Quantity::Length,
-                    kNoseRadii),
-      numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Resistance (N·s/mm)"), m_tool.resistance,
-                    Quantity::Number, kResistances),
-      choiceSetting("side", QT_TRANSLATE_NOOP("Property", "Side"), static_cast<int>(m_tool.side),
-                    {QT_TRANSLATE_NOOP("Property", "Outside"), QT_TRANSLATE_NOOP("Property", "Bore")}),
-      choiceSetting("method", QT_TRANSLATE_NOOP("Property", "Method"), static_cast<int>(m_start.method),
-                    {QT_TRANSLATE_NOOP("Property", "Exact trimming"), QT_TRANSLATE_NOOP("Property", "Control points")}),
-      numberSetting("resolution", QT_TRANSLATE_NOOP("Property", "Control point distance"), m_start.resolution,
-                    Quantity::Length, kResolutions)};
+  return {numberSetting("nose_radius", QT_TRANSLATE_NOOP("Property", "Nose radius of the tool"), m_tool.noseRadius,
+                        Quantity::Length, kNoseRadii),
+          numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Drag felt by the hand (N·s/mm)"),
+                        m_tool.resistance, Quantity::Number, kResistances),
+          choiceSetting("side", QT_TRANSLATE_NOOP("Property", "Turn"), static_cast<int>(m_tool.side),
+                        {QT_TRANSLATE_NOOP("Property", "The outside"), QT_TRANSLATE_NOOP("Property", "A bore")}),
+          choiceSetting("method", QT_TRANSLATE_NOOP("Property", "The part takes the shape of"),
+                        static_cast<int>(m_start.method),
+                        {QT_TRANSLATE_NOOP("Property", "The nose, exactly"),
+                         QT_TRANSLATE_NOOP("Property", "A smooth curve near it")}),
+          numberSetting("resolution", QT_TRANSLATE_NOOP("Property", "Distance of the points of the curve"),
+                        m_start.resolution, Quantity::Length, kResolutions)};
 }
 
 void TurnTool::setSetting(std::string_view id, const PropertyValue& value) {

@@ -9,6 +9,8 @@
 #include <QtTest>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <vector>
 
 using namespace handwheel;
 
@@ -87,6 +89,25 @@ class MarkingTest : public QObject {
     none1.points = 0.0;  // as students have it
     QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm, without a limit"));
     QCOMPARE((ExerciseText{"100%, %2 of %1 %3", {"a", "b"}}).inEnglish(), std::string("100%, b of a "));
+  }
+
+  // As many digits as mean something in the unit; what is less than one step of it is not nothing.
+  void figuresAreRounded() {
+    for (const auto& [value, unit, text] :
+         std::vector<std::tuple<double, const char*, const char*>>{{8.55162, "µm", "8.55"},
+                                                                   {29.9490123, "mm", "29.949"},
+                                                                   {99.99996, "mm", "100"},
+                                                                   {-0.000042, "mm", "-0.00004"},
+                                                                   {0.0, "mm", "0"},
+                                                                   {1234.567, "N", "1235"},
+                                                                   {1.23456, "kW", "1.23"},
+                                                                   {44.98765, "°", "44.99"},
+                                                                   {12.345, "s", "12.3"},
+                                                                   {3.0, "", "3"}})
+      QCOMPARE(measuredText(value, unit), std::string(text));
+    MarkingCriterion c = within(0.0, 6.3, 1.0, 0.0);
+    QCOMPARE(markFigures(only(c), {{"d1", 8.55162, {}}}, {"µm"}).marks[0].reason.inEnglish(),
+             std::string("8.55 µm is 2.25 µm above the upper limit, 6.3 µm"));
   }
 
   // At the limit itself all points, without slack none beyond it.

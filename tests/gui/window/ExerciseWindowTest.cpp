@@ -233,11 +233,27 @@ class ExerciseWindowTest : public QObject {
     const double beyond = std::max({0.0, 29.5 - worst, worst - 30.5});
     const double expected = 10.0 * std::max(0.0, 1.0 - beyond / 0.2);  // "No points this far beyond"
 
+    // The step of that diameter is ticked at once where the part is so, and no size is told.
+    const auto isTicked = [&driver] {
+      Document& work = driver.window().findChild<DocumentTabs*>()->current()->document;
+      const nlohmann::json done = work.file().assigned.attempt->value("done", nlohmann::json::array());
+      return std::any_of(done.begin(), done.end(), [](const auto& each) { return each == true; });
+    };
+    if (beyond == 0.0) QTRY_VERIFY(isTicked());
+    QVERIFY(!labelsOf(driver.find<QWidget>("exerciseLesson")).contains(QStringLiteral("✓")));
+
     QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "Ada");
     partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->click();
+    // Neither among the samples nor in the folder of the program; the next time where it was handed in.
+    auto* handIn = driver.find<QFileDialog>("handInDialog");
+    QVERIFY(!handIn->directory().absolutePath().contains("samples"));
     const QString path = folder.filePath("ada.handwheel");
     QVERIFY(driver.enterFileName("handInDialog", path));
     QVERIFY(driver.settle());
+    partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->click();
+    QCOMPARE(QFileInfo(driver.find<QFileDialog>("handInDialog")->directory().absolutePath()).canonicalFilePath(),
+             QFileInfo(folder.path()).canonicalFilePath());
+    driver.find<QFileDialog>("handInDialog")->reject();
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
     QVERIFY(driver.settle());
     driver.choose("markExercise");
@@ -273,30 +289,44 @@ class ExerciseWindowTest : public QObject {
     QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
   }
 
-  // The marks of a step are checked in a menu, each in one undo step.
+  // The marks of a step are checked in a list, and its hints are rows of another; each change is one undo step.
   void theMarksOfAStep() {
     WindowDriver driver;
     driver.choose("exercise/shaft");
     QVERIFY(driver.settle());
     driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(2);
     driver.find<QListWidget>("steps")->setCurrentRow(0);
-    const auto met = [&driver] {
+    const auto step = [&driver] {
       Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
-      return static_cast<ExerciseDocument&>(shown).exercise().exercise.steps[0].criteria;
+      return static_cast<ExerciseDocument&>(shown).exercise().exercise.steps[0];
     };
-    const auto before = met();
-    QMenu* menu = driver.find<QToolButton>("steps/marks")->menu();
-    emit menu->aboutToShow();
-    QVERIFY(menu->actions().size() > 2);
-    QVERIFY(!menu->actions()[1]->isChecked());
-    menu->actions()[1]->trigger();
-    QCOMPARE(met().size(), before.size() + 1);
-    emit menu->aboutToShow();
-    QVERIFY(menu->actions()[1]->isChecked());
-    menu->actions()[1]->trigger();
-    QVERIFY(met() == before);
+    const auto before = step();
+    auto* marks = driver.find<QListWidget>("steps/marks");
+    QVERIFY(marks->count() > 2);
+    const auto isMet = [](const ExerciseStep& of, const QListWidgetItem* item) {
+      const std::string id = item->data(Qt::UserRole).toString().toStdString();
+      return std::find(of.criteria.begin(), of.criteria.end(), id) != of.criteria.end();
+    };
+    for (int i = 0; i < marks->count(); ++i)
+      QCOMPARE(marks->item(i)->checkState() == Qt::Checked, isMet(before, marks->item(i)));
+    QCOMPARE(marks->item(1)->checkState(), Qt::Unchecked);
+    marks->item(1)->setCheckState(Qt::Checked);
+    QVERIFY(isMet(step(), marks->item(1)) && step().criteria.size() == before.criteria.size() + 1);
+    marks->item(1)->setCheckState(Qt::Unchecked);
+    QVERIFY(step().criteria == before.criteria);
     driver.click("quickActions/undo");
-    QTRY_COMPARE(met().size(), before.size() + 1);
+    QTRY_COMPARE(step().criteria.size(), before.criteria.size() + 1);
+    QCOMPARE(marks->item(1)->checkState(), Qt::Checked);
+
+    auto* hints = driver.find<QListWidget>("steps/hints");
+    QCOMPARE(hints->count(), static_cast<int>(before.hints.size()));
+    driver.click("steps/addHint");
+    QCOMPARE(step().hints.size(), before.hints.size() + 1);
+    hints->item(hints->count() - 1)->setText("Oil | or air; not both");
+    QCOMPARE(step().hints.back(), std::string("Oil | or air; not both"));
+    hints->setCurrentRow(hints->count() - 1);
+    driver.click("steps/removeHint");
+    QVERIFY(step().hints == before.hints);
   }
 
   // The dialog says how much that changes; one undo step.
@@ -340,7 +370,8 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(exercise.exercise().task == before);
   }
 
-  // A drawing becomes the target at the end of the bar, in one undo step; what is no drawing says so by its name.
+  // A drawing becomes the target where the dialog says it lies in the bar, in one undo step; what is no drawing says so
+  // by its name.
   void theTargetFromADrawing() {
     const QTemporaryDir folder;
     const auto put = [&folder](const char* name, const QByteArray& bytes) {
@@ -366,11 +397,31 @@ class ExerciseWindowTest : public QObject {
     driver.choose("importExerciseTarget");
     QVERIFY(driver.enterFileName("exerciseTargetDialog", shaft));
     QVERIFY(driver.settle());
+    // The bar is 100 mm long, the part 60 mm: 1 mm is offered for facing, and taken back once.
+    QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
+    auto* dialog = driver.find<QDialog>("targetPlaceDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    QVERIFY(labelsOf(dialog).contains("at Z 99 mm"));
+    dialog->reject();
+    QTRY_VERIFY(!driver.window().findChild<QDialog*>("targetPlaceDialog"));
+    QVERIFY(exercise.exercise().task == before);
+    driver.choose("importExerciseTarget");
+    QVERIFY(driver.enterFileName("exerciseTargetDialog", shaft));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
+    dialog = driver.find<QDialog>("targetPlaceDialog");
+    auto* facing = dialog->findChild<QWidget*>("property/facing_allowance")->findChild<QLineEdit*>();
+    QVERIFY(facing->text().startsWith(QLatin1Char('1')));
+    facing->selectAll();
+    QTest::keyClicks(facing, "2.5");
+    QTest::keyClick(facing, Qt::Key_Tab);
+    dialog->findChild<QPushButton*>("propertiesAccept")->click();
+    QVERIFY(driver.settle());
     const auto& task = static_cast<const TurningTask&>(*exercise.exercise().task);
     QVERIFY(task.target);
     QVERIFY(std::abs(task.target->largestRadius() - 18.0) < 1e-3);
     QVERIFY(std::abs(task.target->length() - 60.0) < 1e-3);
-    QVERIFY(std::abs(task.target->upperEnd() - task.stock.length) < 1e-3);
+    QVERIFY(std::abs(task.target->upperEnd() - (task.stock.length - 2.5)) < 1e-3);
     driver.click("quickActions/undo");
     QTRY_VERIFY(exercise.exercise().task == before);
   }

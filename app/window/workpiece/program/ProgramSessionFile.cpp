@@ -6,6 +6,7 @@
 #include "machining/program/ProgramCheck.h"
 #include "panels/LogModel.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 #include "window/workpiece/program/ProgramSession.h"
 
 #include <QFileDialog>
@@ -23,10 +24,9 @@ const auto kProgramFolderKey = QStringLiteral("program/folder");
 }  // namespace
 
 void ProgramSession::askForFile() {
-  auto* dialog =
-      new QFileDialog(m_parts.window, tr("Open a program"),
-                      QSettings().value(kProgramFolderKey, QFileInfo(m_document.document.path()).path()).toString(),
-                      tr("Programs (%1);;All files (*)").arg(programNameFilter()));
+  auto* dialog = new QFileDialog(m_parts.window, tr("Open a program"),
+                                 QSettings().value(kProgramFolderKey, folderFor(m_document.document)).toString(),
+                                 tr("Programs (%1);;All files (*)").arg(programNameFilter()));
   dialog->setObjectName(QStringLiteral("programDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -82,10 +82,9 @@ void ProgramSession::save(std::function<void(bool)> ended) {
 }
 
 void ProgramSession::askForName(std::function<void(bool)> ended) {
-  auto* dialog =
-      new QFileDialog(m_parts.window, tr("Save the program"),
-                      QSettings().value(kProgramFolderKey, QFileInfo(m_document.document.path()).path()).toString(),
-                      tr("Programs (%1);;All files (*)").arg(programNameFilter()));
+  auto* dialog = new QFileDialog(m_parts.window, tr("Save the program"),
+                                 QSettings().value(kProgramFolderKey, folderFor(m_document.document)).toString(),
+                                 tr("Programs (%1);;All files (*)").arg(programNameFilter()));
   dialog->setObjectName(QStringLiteral("saveProgramDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);

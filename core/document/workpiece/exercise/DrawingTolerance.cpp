@@ -41,9 +41,30 @@ bool isGradeAlone(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
 }
 
+// "⌀28 h9", as it stands on a drawing: the size in front, which is taken off the text. None: there is none.
+std::optional<double> sizeInFront(std::string& text) {
+  std::string_view rest = text;
+  for (const std::string_view sign : {"⌀", "Ø", "ø", " "})
+    while (rest.starts_with(sign)) rest.remove_prefix(sign.size());
+  const std::size_t digits = std::min(rest.find_first_not_of("0123456789."), rest.size());
+  double size = 0.0;
+  ErrorCode why;
+  if (digits == 0 || digits == rest.size() || !parseDecimal(rest.substr(0, digits), size, why)) return std::nullopt;
+  rest.remove_prefix(digits);
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  text = std::string(rest);
+  return size;
+}
+
 }  // namespace
 
 Status applyDrawingTolerance(MarkingCriterion& c) {
+  if (const auto size = sizeInFront(c.tolerance)) {
+    if (c.nominal && *c.nominal != *size)
+      return malformedTolerance(
+          c, "the size in front of its tolerance is not the nominal size; leave it out or change one");
+    c.nominal = *size;
+  }
   if (const auto half = symmetricTolerance(c.tolerance)) {
     if (!c.nominal) return malformedTolerance(c, "its tolerance needs the nominal size");
     c.lower = *c.nominal - *half;

@@ -46,7 +46,7 @@ Figure diameter(const MarkingCriterion& c, const TurnedProfile& profile, Turning
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface along all of the range"));
   const double value = worse(c, reading->least, reading->largest);
   const double at = value == reading->least ? reading->leastAt : reading->largestAt;
-  return {c.id, value, {QT_TRANSLATE_NOOP("Note", "at Z %1 mm"), {roundedText(at)}}};
+  return {c.id, value, {QT_TRANSLATE_NOOP("Note", "at Z %1 mm"), {measuredText(at, "mm")}}};
 }
 
 Figure distance(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide first) {
@@ -56,7 +56,7 @@ Figure distance(const MarkingCriterion& c, const TurnedProfile& profile, Turning
   if (!to) return none(c, QT_TRANSLATE_NOOP("Note", "the second face is missing"));
   return {c.id,
           std::abs(*to - *from),
-          {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"), {roundedText(*from), roundedText(*to)}}};
+          {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"), {measuredText(*from, "mm"), measuredText(*to, "mm")}}};
 }
 
 // Whether the surface of a target bulges away from its axis along a range; none where it does not tell.

@@ -144,6 +144,13 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(sets("criterion.d.tolerance", "±0.2") && isNear(limits("d"), 39.8, 40.2));
     QVERIFY(!sets("criterion.d.tolerance", "K7") && !sets("criterion.d.tolerance", "N7") &&
             !sets("criterion.d.tolerance", "h13") && isNear(limits("d"), 39.8, 40.2));
+    // With the size in front, as on the drawing, where that is the nominal size: h7 of 40 mm is 25 µm.
+    for (const char* const written : {"40 h7", "⌀40 h7", "Ø 40h7"}) {
+      QVERIFY(sets("criterion.d.tolerance", written) && isNear(limits("d"), 39.975, 40.0));
+      QCOMPARE(document->exercise().exercise.find("d")->tolerance, std::string("h7"));
+      QVERIFY(sets("criterion.d.tolerance", "±0.2"));
+    }
+    QVERIFY(!sets("criterion.d.tolerance", "28 h7") && isNear(limits("d"), 39.8, 40.2));
     QVERIFY(!sets("criterion.d.nominal", ""));  // which the tolerance needs
     QVERIFY(sets("criterion.d.lower", "39.9") && isNear(limits("d"), 39.9, 40.2));
     QVERIFY(document->exercise().exercise.find("d")->tolerance.empty());  // it is another one now

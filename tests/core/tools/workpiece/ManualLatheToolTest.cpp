@@ -139,16 +139,19 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(triangles() == bar);
   }
 
-  // The spindle goes on and the slides rest; a tool that is in the material that is back is put where it was before.
+  // The spindle goes on and the slides rest; a tool that is in the material that is back is drawn back beside the bar,
+  // 1 mm clear of its 25 mm, where it is along the bed.
   void undoTakesBackThePassAndTheTool() {
     HandLathe lathe;
     QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
-    const std::array<double, kLatheAxes> first = lathe.machine().slides;
     QVERIFY(lathe.cutTo(21.0));  // not in the document yet
+    const double along = lathe.slide(kCarriageAxis);
     lathe.undo();
+    const std::array<double, kLatheAxes> first = lathe.machine().slides;
+    QVERIFY(std::abs(lathe.tool->moment()->tip.x() - 26.0) < 1e-9);
+    QVERIFY(std::abs(lathe.slide(kCarriageAxis) - along) < 0.1);
     QCOMPARE(lathe.document.history()->count(), 2);
     QCOMPARE(lathe.document.history()->index(), 1);
-    QVERIFY(lathe.machine().slides == first);
     QVERIFY(lathe.machine().direction == 1 && lathe.machine().speed != 0.0 && lathe.machine().feed == 0.0);
     QCOMPARE(lathe.tool->returnCount(), 1);
     QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);
@@ -164,6 +167,21 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.tool->returnCount(), 1);
     QVERIFY(lathe.wind(LatheAxis::Carriage, 115.0));  // it can be moved
     QVERIFY(lathe.tool->collisions().empty());
+  }
+
+  // Where the tool is told from what one touches off at: a radius of the work for X, a face of it for Z.
+  void howFarTheToolIsFromTouching() {
+    HandLathe lathe;
+    const auto tip = [&lathe] { return lathe.tool->moment()->tip; };
+    QVERIFY(std::abs(lathe.tool->touchGap(true) - (tip().x() - 25.0)) < 1e-9);    // 20 mm beside the bar
+    QVERIFY(std::abs(lathe.tool->touchGap(false) - (tip().y() - 100.0)) < 1e-6);  // and before it
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
+    QVERIFY(lathe.tool->touchGap(true) < ManualLatheTool::kTouching);
+    QVERIFY(lathe.wind(LatheAxis::Carriage, 110.0));  // away along the bed, to measure
+    QVERIFY(lathe.tool->touchGap(true) < ManualLatheTool::kTouching);
+    QVERIFY(lathe.tool->touchGap(false) > 5.0);
+    QVERIFY(lathe.wind(LatheAxis::Cross, 24.0));  // between the two diameters
+    QVERIFY(std::abs(lathe.tool->touchGap(true) - 1.0) < 0.03);
   }
 
   void undoWithoutAStepStopsTheLathe() {

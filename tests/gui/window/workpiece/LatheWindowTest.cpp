@@ -102,7 +102,17 @@ class LatheWindowTest : public QObject {
     QTRY_COMPARE(window.dial("latheCross").readingText(), QStringLiteral("0.0 div"));
     window.crank(window.dial("latheCross"), 2.0);
     QVERIFY(window.comesTo(LatheAxis::Cross, r - 4.0, 0.05));  // a turn is 2 mm; to the precision of pixels
-    QTRY_VERIFY(std::abs(window.dial("latheCross").value() - window.dial("latheCross").zero() - 4.0) < 0.05);
+    // The read-out is in diameters, and so is the dial.
+    const auto counted = [&] { return window.dial("latheCross").value() - window.dial("latheCross").zero(); };
+    QTRY_VERIFY(std::abs(counted() - 8.0) < 0.1);
+    QVERIFY(window.dial("latheCross").numberText().startsWith(QStringLiteral("⌀")));
+    auto setup = std::make_shared<LatheSetup>(latheOf(window.workpiece()));
+    setup->showsDiameter = false;
+    window.document().commit(QStringLiteral("Set up"), std::make_unique<LatheSetupEdit>(setup));
+    QTRY_VERIFY(window.dial("latheCross").numberText().startsWith(QStringLiteral("R")));
+    QVERIFY(std::abs(counted() - 4.0) < 0.05);
+    window.document().history()->undo();
+    QTRY_VERIFY(std::abs(counted() - 8.0) < 0.1);
     window.crank(window.dial("latheCross"), -2.0);
     QVERIFY(window.comesTo(LatheAxis::Cross, r, 0.05));
     window.crank(window.dial("latheCarriage"), 0.5);
@@ -145,6 +155,11 @@ class LatheWindowTest : public QObject {
     QVERIFY(!window.lathe()->preview().label);
     window.driver.find<NumberField>("latheTouchValue")->setValue(46.5);
     window.driver.click("latheTouchX");
+    // In the air it is refused with the reason, unless the turner insists.
+    QTRY_VERIFY(window.driver.text("messageText").contains("does not touch"));
+    QVERIFY2(window.driver.text("messageText").contains("20.00 mm"), qPrintable(window.driver.text("messageText")));
+    QCOMPARE(x->text(), QStringLiteral("X not touched off"));
+    window.driver.click("messageAction");
     QTRY_COMPARE(x->text(), QStringLiteral("X ⌀ 46.500 mm"));
     QVERIFY(x->isEnabled() && x->toolTip().contains("Diameter") && x->toolTip().contains("outward is positive"));
     QCOMPARE(z->text(), QStringLiteral("Z not touched off"));

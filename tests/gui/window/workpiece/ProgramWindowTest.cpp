@@ -377,6 +377,34 @@ class ProgramWindowTest : public QObject {
     QCOMPARE(file.readAll(), QByteArray("G0 X60 Z2\nM2\n"));
   }
 
+  // Where there is no workpiece to run it on, opening a program says so, and offers a new bar or one that is open.
+  void aProgramWithoutAWorkpiece() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("part.ngc");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("G0 X60 Z2\nM2\n") > 0);
+    file.close();
+    ProgramWindow window;
+    QVERIFY(window.driver.open(path));
+    QCOMPARE(window.driver.tabs(), 0);
+    QTRY_VERIFY(window.driver.text("messageText").contains("part.ngc is a program"));
+    QVERIFY(!window.driver.find<QWidget>("messageOther")->isVisible());
+    window.driver.click("messageAction");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.driver.tabs(), 1);
+    QTRY_VERIFY(window.editor().isVisible());
+    QTRY_VERIFY(window.editor().toPlainText().startsWith("G0 X60"));
+    // A part of another kind is in front: the bar is offered, too.
+    window.write("M2\n");
+    window.driver.choose("newExercise");
+    QVERIFY(window.driver.settle() && window.driver.open(path));
+    QTRY_VERIFY(window.driver.find<QWidget>("messageOther")->isVisible());
+    window.driver.click("messageOther");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.driver.tabs(), 2);
+    QTRY_VERIFY(window.editor().isVisible() && window.editor().toPlainText().startsWith("G0 X60"));
+  }
+
   // A program that is opened as any file comes to the workpiece on which one works.
   void anOpenedProgramComesToItsDock() {
     const QTemporaryDir folder;
