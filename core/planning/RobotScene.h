@@ -7,6 +7,8 @@
 #include "robot/SrdfReader.h"
 #include "robot/arm/SerialArm.h"
 
+#include <functional>
+
 namespace handwheel {
 
 // A robot among obstacles, prepared for planning: the joints that are planned, and what they move. The other joints
@@ -62,6 +64,11 @@ class RobotScene {
   bool isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
   // All that is: each link with each owner of obstacles, and each pair of links.
   std::vector<Nearest> allTooNear(const ArmValues& values, double clearance, double ownClearance) const;
+  // What meets obstacles with the robot moved as a whole, its base, too, while these stand. Parts that stand and meet
+  // an obstacle where they are, as a foot its floor, may go on meeting it. isOver: asked before each part, ends the
+  // search; what was found by then is returned.
+  std::vector<Nearest> metWhenMoved(const ArmValues& values, const Pose& way,
+                                    const std::function<bool()>& isOver = {}) const;
   // A query of how near what the joints move is to the obstacles. joints: which joint moves each of its first bodies;
   // the others stand.
   ProximityQuery approachQuery(std::vector<std::uint32_t>& joints) const;
@@ -124,6 +131,9 @@ class RobotScene {
   std::span<const std::uint32_t> near(const Group& group, const Places& places, double enough,
                                       QueryCounts* counts) const;
   static constexpr double kRounding = 1e-9;  // of lengths: sums of poses and distances are off by far less
+  // The obstacles nearer to a part than this, but for owners that are left out.
+  void listNear(const Part& part, const Pose& pose, double clearance, std::vector<std::uint32_t> leftOut,
+                std::vector<Nearest>& all) const;
   // How fast points in a sphere (in the frame of a joint) move at most, relative to the frame of the joint `below`,
   // while the joints move at most at these rates, for `half` of the time before and after they are at these places.
   double speedOf(const ArmValues& rates, std::uint32_t joint, const Vec3& centre, double radius, std::uint32_t below,

@@ -197,6 +197,32 @@ bool RobotScene::isFree(const ArmValues& values, double clearance, double ownCle
          std::ranges::none_of(m_groupPairs, [&](const GroupPair& pair) { return isBlocked(pair, ownClearance); });
 }
 
+void RobotScene::listNear(const Part& part, const Pose& pose, double clearance, std::vector<std::uint32_t> leftOut,
+                          std::vector<Nearest>& all) const {
+  for (;;) {
+    const auto found = m_obstacles.distance(part.body, pose, clearance, leftOut);
+    if (found.owner == kNone) return;
+    all.push_back({found.distance, part.link, kNone, found.owner});
+    leftOut.push_back(found.owner);
+  }
+}
+
+std::vector<RobotScene::Nearest> RobotScene::metWhenMoved(const ArmValues& values, const Pose& way,
+                                                          const std::function<bool()>& isOver) const {
+  Places places;
+  placesAt(values, places);
+  std::vector<Nearest> all;
+  for (const Part& part : m_parts) {
+    if (isOver && isOver()) break;
+    std::vector<std::uint32_t> leftOut = part.leftOut;
+    std::vector<Nearest> here;
+    if (part.joint == kNone) listNear(part, places.world, kTouching, leftOut, here);
+    for (const Nearest& each : here) leftOut.push_back(each.owner);
+    listNear(part, way * places.of(part.joint), kTouching, std::move(leftOut), all);
+  }
+  return all;
+}
+
 std::vector<RobotScene::Nearest> RobotScene::allTooNear(const ArmValues& values, double clearance,
                                                         double ownClearance) const {
   clearance = std::max(clearance, kTouching);
@@ -205,14 +231,7 @@ std::vector<RobotScene::Nearest> RobotScene::allTooNear(const ArmValues& values,
   placesAt(values, places);
   std::vector<Nearest> all;
   for (const Part& part : m_parts) {
-    if (part.joint == kNone) continue;
-    std::vector<std::uint32_t> leftOut = part.leftOut;  // and those that are listed
-    for (;;) {
-      const auto found = m_obstacles.distance(part.body, places.of(part.joint), clearance, leftOut);
-      if (found.owner == kNone) break;
-      all.push_back({found.distance, part.link, kNone, found.owner});
-      leftOut.push_back(found.owner);
-    }
+    if (part.joint != kNone) listNear(part, places.of(part.joint), clearance, part.leftOut, all);
   }
   for (const Pair& pair : m_pairs) {
     const double distance = pairDistance(pair, places, ownClearance, nullptr);

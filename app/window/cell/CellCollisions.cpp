@@ -8,6 +8,7 @@
 #include "window/cell/CollisionColour.h"
 #include "window/documents/DocumentTab.h"
 
+#include <QElapsedTimer>
 #include <algorithm>
 #include <limits>
 
@@ -136,6 +137,17 @@ void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const 
   for (const auto& other : m_others) {
     if (other && other->standsAs(joints)) markOf(*other);
   }
+}
+
+void CellCollisions::markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const {
+  constexpr qint64 kMostMs = 8;  // half of a frame
+  const auto scene = sceneFor(robot);
+  if (!scene) return;
+  QElapsedTimer since;
+  since.start();
+  const auto met =
+      scene->scene.metWhenMoved(scene->planned(cell().joints()), way, [&] { return since.elapsed() >= kMostMs; });
+  markColliding(shown, *scene, met);
 }
 
 }  // namespace handwheel

@@ -33,6 +33,9 @@ class CellCollisions : public QObject {
   // Colours what collides in a cell that is shown: the robot at these joint values, where a body is being moved (null:
   // none is) with that alone. Nothing, while the cell is not prepared.
   void mark(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr) const;
+  // The same where a robot is moved as a whole, so far, with all that it carries. Where that takes longer than a frame
+  // may, the rest stays as it is.
+  void markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const;
 
  signals:
   void prepared();

@@ -120,6 +120,9 @@ PlaceServices RobotCellUi::placeServices() {
   services.mark = [this](DisplayModel& shown, const Body& moved) {
     m_collisions.mark(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
   };
+  services.markRobot = [this](DisplayModel& shown, std::size_t robot, const Pose& way) {
+    m_collisions.markMoved(shown, robot, way);
+  };
   services.robot = [this] {
     const std::string name = selectedRobot();
     const CellRobot& robots = static_cast<const RobotCellDocument&>(document()->document).robot();

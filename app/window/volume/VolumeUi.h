@@ -49,7 +49,7 @@ class VolumeUi : public RigidPartsUi {
 
   std::shared_ptr<VolumeLayer> m_volumeLayer;
   Segmentation* m_segmentation;
-  std::shared_ptr<const void> m_drawn;      // the volume in the layer, of the document or of a tool
+  std::shared_ptr<const void> m_drawn;  // the volume in the layer, of the document or of a tool
   DrillView* m_drillView;
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is

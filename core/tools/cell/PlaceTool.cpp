@@ -318,6 +318,7 @@ std::shared_ptr<DisplayModel> PlaceTool::shownAt(const Subject& placed, const Po
       const std::uint32_t link = carried ? carrierOf(*carried, robots.model) : linkOfPart(robots, part.name);
       if (link != kNone && owners[link] == *placed.robot) part.pose = way * part.pose;
     }
+    if (m_services.markRobot) m_services.markRobot(*shown, *placed.robot, way);
     return shown;
   }
   Body moved = *placed.body;

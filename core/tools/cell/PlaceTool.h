@@ -17,6 +17,8 @@ struct PlaceServices {
   // The number of the selected robot; none: no robot is. Null, both: robots are not placed.
   std::function<std::optional<std::size_t>()> robot = {};
   std::function<void(std::size_t robot)> selectRobot = {};
+  // Marks what collides with a robot that is moved so far as a whole.
+  std::function<void(DisplayModel& shown, std::size_t robot, const Pose& way)> markRobot = {};
 };
 
 // Tool that places the selected body, or else the selected robot by its base, by handles: arrows along three axes move

@@ -11,6 +11,7 @@
 
 #include <QtGlobal>
 #include <algorithm>
+#include <limits>
 
 namespace handwheel {
 
@@ -22,6 +23,7 @@ constexpr ToolKey kProcessKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose another curve")},
 };
 
+constexpr double kEdgePixels = 6.0;  // how far the pointer may be beside an edge
 constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is drawn in one go
 
 }  // namespace
@@ -42,6 +44,47 @@ std::optional<ProcessTool::Place> ProcessTool::placeAt(const PointerEvent& event
   const BodyPointer body = id ? m_document.bodies().withId(*id) : nullptr;
   if (!body || carrierOf(*body, m_document.robot().model) != kNone) return std::nullopt;
   return Place{*id, event.held.value_or(hit->point)};
+}
+
+// Of an outline every second place under the pointer is beside the part, or on what is behind it.
+std::optional<ProcessTool::Place> ProcessTool::placeNear(const PointerEvent& event) const {
+  const auto at = placeAt(event);
+  if (m_values.whole("along") != kAlongEdge || event.device || !event.ray.isUsable()) return at;
+  const Ray& ray = event.ray;
+  const Vec3 aim = at ? at->point : Vec3(ray.origin + std::max(event.focus, 1.0) * ray.direction.normalized());
+  const PickRay seen = event.pickRay();
+  const auto pixelsTo = [&](const Place& place) {
+    double least = std::numeric_limits<double>::max();
+    const SurfaceTrack track = trackAt(place);
+    for (std::size_t i = 1; i < track.points.size(); ++i) {
+      const Vec3 &a = track.points[i - 1].place, way = track.points[i].place - a;
+      const double share = std::clamp(way.dot(place.point - a) / std::max(way.squaredNorm(), 1e-30), 0.0, 1.0);
+      const double pixel = seen.pixelAt(place.point);
+      if (pixel > 0.0) least = std::min(least, (a + share * way - place.point).norm() / pixel);
+    }
+    return least;
+  };
+  Place nearest = at.value_or(Place());
+  bool isFound = at.has_value();
+  double least = at ? std::max(pixelsTo(*at), kEdgePixels) : std::numeric_limits<double>::max();
+  const Vec3 right = ray.direction.unitOrthogonal(), up = ray.direction.normalized().cross(right);
+  for (const auto& [x, y] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+    PointerEvent beside = event;
+    const Vec3 off = kEdgePixels * seen.pixelAt(aim) * (x * right + y * up);
+    if (event.eye)
+      beside.ray.direction = (aim + off - ray.origin).normalized();
+    else
+      beside.ray.origin += off;
+    const auto place = placeAt(beside);
+    if (!place || (at && place->body == at->body)) continue;  // of the same part the nearest edge is known
+    const double pixels = pixelsTo(*place);
+    if (pixels < least && pixels <= 2.0 * kEdgePixels) {
+      least = pixels;
+      nearest = *place;
+      isFound = true;
+    }
+  }
+  return isFound ? std::optional(nearest) : std::nullopt;
 }
 
 SurfaceTrack ProcessTool::trackAt(const Place& place) const {
@@ -88,12 +131,18 @@ void ProcessTool::look() {
     m_track = place ? trackAt(*place) : SurfaceTrack{};
 }
 
+// A part whose surface was not prepared yet when it was pointed to may be by now.
+SurfaceTrack ProcessTool::shown() const {
+  const bool isLate = m_track.points.empty() && m_hovered && !m_chosen && !isDrawing();
+  return isLate ? trackAt(*m_hovered) : m_track;
+}
+
 ToolReply ProcessTool::pointer(const PointerEvent& event) {
   switch (event.kind) {
     case PointerEvent::Kind::Hover:
     case PointerEvent::Kind::Leave:
       if (m_chosen && !isDrawing()) return ToolReply::Ignored;
-      m_hovered = event.kind == PointerEvent::Kind::Hover ? placeAt(event) : std::nullopt;
+      m_hovered = event.kind == PointerEvent::Kind::Hover ? placeNear(event) : std::nullopt;
       look();
       return ToolReply::Used;
     case PointerEvent::Kind::Press:
@@ -109,7 +158,7 @@ ToolReply ProcessTool::pointer(const PointerEvent& event) {
 }
 
 ToolReply ProcessTool::press(const PointerEvent& event) {
-  const auto place = event.button == PointerButton::First ? placeAt(event) : std::nullopt;
+  const auto place = event.button == PointerButton::First ? placeNear(event) : std::nullopt;
   if (!place) return ToolReply::Ignored;  // the camera's
   if (isDrawing() && m_chosen) {
     m_hovered.reset();
@@ -188,14 +237,15 @@ ToolPreview ProcessTool::preview() const {
   constexpr double kShownTool = 30.0;     // mm of its axis
   constexpr std::size_t kMostShown = 60;  // tools
   ToolPreview preview;
-  if (m_track.points.size() < 2) return preview;
+  const SurfaceTrack track = shown();
+  if (track.points.size() < 2) return preview;
   std::vector<Vec3> curve;
-  for (const TrackPoint& point : m_track.points) curve.push_back(point.place);
+  for (const TrackPoint& point : track.points) curve.push_back(point.place);
   preview.lines.push_back(std::move(curve));
-  const std::vector<Pose> poses = toolPoses(m_track, {.lead = m_values.number("lead"),
-                                                      .tilt = m_values.number("tilt"),
-                                                      .spin = m_values.number("spin"),
-                                                      .standoff = m_values.number("standoff")});
+  const std::vector<Pose> poses = toolPoses(track, {.lead = m_values.number("lead"),
+                                                    .tilt = m_values.number("tilt"),
+                                                    .spin = m_values.number("spin"),
+                                                    .standoff = m_values.number("standoff")});
   for (std::size_t i = 0; i < poses.size(); i += poses.size() / kMostShown + 1)
     preview.lines.push_back({poses[i].translation(), poses[i] * Vec3(0.0, 0.0, -kShownTool)});
   return preview;

@@ -41,11 +41,14 @@ class ProcessTool : public Tool {
  private:
   // Where a curve was pointed to.
   struct Place {
-    BodyId body;
-    Vec3 point;  // in the frame of the robot's base
+    BodyId body = 0;
+    Vec3 point = Vec3::Zero();  // in the frame of the robot's base
   };
   std::optional<Place> placeAt(const PointerEvent& event) const;
+  // The same, or the place beside it on a part that the pointer just misses an edge of.
+  std::optional<Place> placeNear(const PointerEvent& event) const;
   SurfaceTrack trackAt(const Place& place) const;
+  SurfaceTrack shown() const;
   bool isDrawing() const { return m_values.whole("along") == kAlongDrawn; }
   // Begins the curve at the chosen place, without any other.
   void beginDrawing();

@@ -23,19 +23,22 @@ class ProcessBench {
     document().commit("Add", std::move(addBodyEdit(document().bodies(), cube)).value());
   }
   RobotCellDocument& document() { return m_bench.document(); }
-  ProcessTool tool() {
+  // half: mm that the part reaches to either side; else whatever is pointed to is the part.
+  ProcessTool tool(double half = 1e9) {
     ProcessServices services;
-    services.pick = [](const Ray& ray) -> std::optional<RobotCellPick> {
+    services.pick = [half](const Ray& ray) -> std::optional<RobotCellPick> {
+      if (std::abs(ray.origin.x()) > half) return std::nullopt;
       return RobotCellPick{"body.1", Vec3(ray.origin.x(), ray.origin.y(), 10.0)};
     };
-    services.surface = [](const BodyPointer& body) {
-      return std::make_shared<const PartSurface>(*body->geometry->surface());
+    services.surface = [this](const BodyPointer& body) {
+      return isPrepared ? std::make_shared<const PartSurface>(*body->geometry->surface()) : nullptr;
     };
     services.plan = [this](const OperationValues& values) { planned.push_back(values); };
     return {document(), std::move(services)};
   }
 
   std::vector<OperationValues> planned;
+  bool isPrepared = true;
 
  private:
   Bench m_bench;
@@ -74,6 +77,35 @@ class ProcessToolTest : public QObject {
     tool.perform("commit");
     QCOMPARE(bench.planned.size(), std::size_t{1});
     QCOMPARE(bench.planned[0].numbers("near"), (std::vector<double>{9.5, 500.0, 10.0}));
+  }
+
+  // An outline is hit by pointing beside it: 4 pixels beside the cube its edge is shown and taken, 40 beside nothing.
+  void anEdgeFromOutside() {
+    ProcessBench bench;
+    ProcessTool tool = bench.tool(10.0);
+    const auto beside = [](Kind kind, double x) {
+      PointerEvent event = above(kind, x, 500);
+      event.pixel = 1.0;
+      return event;
+    };
+    tool.pointer(beside(Kind::Hover, 50));
+    QCOMPARE(shownLength(tool), 0.0);
+    tool.pointer(beside(Kind::Hover, 14));
+    QCOMPARE(shownLength(tool), 20.0);
+    tool.pointer(beside(Kind::Press, 14));
+    tool.pointer(beside(Kind::Release, 14));
+    QVERIFY(isEnabled(tool, "commit"));
+  }
+
+  // The pointer rests on a part whose edges are still being looked for: they are shown once they are found.
+  void anEdgeThatIsFoundLater() {
+    ProcessBench bench;
+    bench.isPrepared = false;
+    ProcessTool tool = bench.tool();
+    tool.pointer(above(Kind::Hover, 9.5, 500));
+    QCOMPARE(shownLength(tool), 0.0);
+    bench.isPrepared = true;
+    QCOMPARE(shownLength(tool), 20.0);
   }
 
   // By clicks, with the way to the pointer shown; the last is removed again.
