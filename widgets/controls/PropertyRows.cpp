@@ -5,6 +5,8 @@
 #include "controls/NumberField.h"
 #include "controls/QuantityText.h"
 
+#include <QAbstractItemView>
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
@@ -32,7 +34,9 @@ constexpr int kMostListed = 8;       // rows of two lines, before a list scrolls
 // A box is as wide as its longest choice, in wide letters, of which three are as wide as four others; within these.
 constexpr int kFewestLetters = 6;
 constexpr int kMostLetters = 15;
-constexpr double kMostCount = 1e15;  // whole numbers beyond have digits that a double does not
+constexpr qsizetype kMostBeside = 20;  // letters of a choice beside its label
+constexpr int kListMargin = 24;        // pixels, for frame and scroll bar
+constexpr double kMostCount = 1e15;    // whole numbers beyond have digits that a double does not
 
 // With the wheel over them, these would change instead of letting the form scroll.
 template <class Widget>
@@ -271,6 +275,10 @@ void ChoiceRow::showValue(const Property& property, LengthUnit) {
         static_cast<int>(std::clamp(longest * 3 / 4, qsizetype{kFewestLetters}, qsizetype{kMostLetters})));
     m_box->clear();
     m_box->addItems(choices);
+    // Long names, as those of materials, have all of the width, below the label; the list is as wide as they are.
+    auto* const line = static_cast<QBoxLayout*>(layout()->itemAt(0)->layout());
+    line->setDirection(longest > kMostBeside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_box->view()->setMinimumWidth(m_box->view()->sizeHintForColumn(0) + kListMargin);
   }
   m_box->setCurrentIndex(choiceOf(property));
   m_box->setToolTip(m_box->currentText());

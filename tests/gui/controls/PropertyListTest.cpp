@@ -7,6 +7,7 @@
 #include "ControlsTestMain.h"
 #include "controls/PropertyRow.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QLabel>
@@ -113,6 +114,23 @@ class PropertyListTest : public QObject {
   void aRefusedTextStaysWithTheReason();
   void coloursHaveAButton();
   void choicesInAList();
+
+  // A long choice has the width of its label, too, and its list is as wide as its names.
+  void longChoicesHaveRoom() {
+    PropertyListBench bench;
+    const std::string steel = "Unalloyed steel from 0.25 % C, annealed";
+    Property material{.id = "m", .group = "Stock", .label = "Material", .value = 0.0, .choices = {"Brass", "Wood"}};
+    bench.list.setProperties({material});
+    auto* box = bench.find<QComboBox>("m", "propertyChoice");
+    QTRY_VERIFY(box->isVisible() && box->width() < box->parentWidget()->width());
+    material.choices = {steel, "Brass"};
+    bench.list.setProperties({material});
+    QTRY_COMPARE(box->width(), box->parentWidget()->width());
+    QVERIFY(box->view()->minimumWidth() >= box->fontMetrics().horizontalAdvance(QString::fromStdString(steel)));
+    material.choices = {"Brass", "Wood"};
+    bench.list.setProperties({material});
+    QTRY_VERIFY(box->width() < box->parentWidget()->width());
+  }
   void aLimitThatIsNear();
   void strangeValues();
 };

@@ -61,8 +61,7 @@ std::optional<double> sizeInFront(std::string& text) {
 Status applyDrawingTolerance(MarkingCriterion& c) {
   if (const auto size = sizeInFront(c.tolerance)) {
     if (c.nominal && *c.nominal != *size)
-      return malformedTolerance(
-          c, "the size in front of its tolerance is not the nominal size; leave it out or change one");
+      return malformedTolerance(c, "the size in front of its tolerance is not the nominal size");
     c.nominal = *size;
   }
   if (const auto half = symmetricTolerance(c.tolerance)) {
