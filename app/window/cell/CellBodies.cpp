@@ -4,6 +4,7 @@
 
 #include "document/cell/RobotCellDocument.h"
 #include "panels/bodies/BodyList.h"
+#include "scene/MeshGeometry.h"
 #include "scene/PrimitiveGeometry.h"
 #include "window/ActionToolTip.h"
 #include "window/cell/OfferedAction.h"
@@ -22,6 +23,7 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
       m_add(tr("&Add a body from a file…"), this),
       m_link(tr("Add a body &linked to a file…"), this),
       m_rename(tr("Re&name the body"), this),
+      m_unit(tr("Choose the &unit of its numbers…"), this),
       m_mount(tr("&Mount the body on the tool flange"), this),
       m_release(tr("Take the body off the &robot"), this),
       m_remove(tr("&Remove the body"), this),
@@ -35,6 +37,8 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
   prepare(m_link, "linkBody", nullptr,
           tr("Add the shape of another file and link to the file, to read it again when it has changed"));
   prepare(m_rename, "renameBody", nullptr, tr("Give the selected body another name, in the list"));
+  prepare(m_unit, "bodyUnit", nullptr,
+          tr("Say in which unit the numbers of its file are: STL, OBJ, PLY and OFF have none, and count as mm"));
   prepare(m_mount, "mountBody", nullptr,
           tr("Let the robot carry the selected body as a tool: its origin comes to the flange"));
   prepare(m_release, "releaseBody", nullptr, tr("Leave the selected body where the robot holds it"));
@@ -73,6 +77,7 @@ void CellBodies::connectActions() {
     m_list->setFocus();
     m_list->edit(m_list->currentIndex().siblingAtColumn(BodyModel::Name));
   });
+  connect(&m_unit, &QAction::triggered, this, &CellBodies::askForUnit);
   connect(&m_mount, &QAction::triggered, this, &CellBodies::mountSelected);
   connect(&m_release, &QAction::triggered, this, &CellBodies::releaseSelected);
   connect(&m_remove, &QAction::triggered, this, &CellBodies::removeSelected);
@@ -118,8 +123,8 @@ QList<QAction*> CellBodies::adding() {
 }
 
 QList<QAction*> CellBodies::all() {
-  return adding() + QList<QAction*>{&m_rename,  &m_mount,  &m_release, &m_remove, &m_hide,
-                                    &m_showAll, &m_update, &m_relink,  &m_unlink};
+  return adding() + QList<QAction*>{&m_rename, &m_unit,    &m_mount,  &m_release, &m_remove,
+                                    &m_hide,   &m_showAll, &m_update, &m_relink,  &m_unlink};
 }
 
 void CellBodies::setDocument(DocumentTab* document) {
@@ -155,6 +160,11 @@ void CellBodies::update() {
   const BodyPointer body = selected();
   const QString noSingleBody = m_selection.empty() ? noBody : tr("Select one body only.");
   for (QAction* action : {&m_rename, &m_mount}) offer(*action, body != nullptr, noSingleBody);
+  const bool isMesh = body && dynamic_cast<const MeshGeometry*>(body->geometry.get());
+  offer(m_unit, isMesh && !body->link,
+        !body    ? noSingleBody
+        : isMesh ? tr("Unlink the file first: it is read again with its own numbers.")
+                 : tr("Only bodies from mesh files have numbers without a unit."));
   offer(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);
   offer(m_relink, body != nullptr, noSingleBody);
   const QString noLink = body ? tr("The body is not linked to a file.") : m_relink.property(kDisabledReason).toString();

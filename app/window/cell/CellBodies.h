@@ -53,6 +53,9 @@ class CellBodies : public QObject {
   void rename(BodyId body, const QString& name);
   void applyToSelected(const char* verb);
   void relinkSelected();
+  void askForUnit();
+  void scale(BodyId id, double factor);
+  void reportUnit(BodyId id, const QString& file);
   void apply(const OperationValues& values);
   void read(const OperationValues& values);
   void commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change);
@@ -64,7 +67,8 @@ class CellBodies : public QObject {
   BodySelection m_selection;
   BodyList* m_list;
   QMenu* m_shapes;  // owned by the window
-  QAction m_add, m_link, m_rename, m_mount, m_release, m_remove, m_hide, m_showAll, m_update, m_relink, m_unlink;
+  QAction m_add, m_link, m_rename, m_unit, m_mount, m_release, m_remove, m_hide, m_showAll, m_update, m_relink,
+      m_unlink;
   QMenu* m_menu;  // owned by the window
   std::weak_ptr<const CellRobot> m_measured;
   Box m_robotAtRest;  // of m_measured

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How the actions for bodies change the document.
+#include "base/NumberText.h"
+#include "controls/QuantityText.h"
 #include "document/OperationText.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
@@ -9,6 +11,7 @@
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyChanges.h"
 #include "panels/LogModel.h"
+#include "scene/MeshGeometry.h"
 #include "scene/PrimitiveGeometry.h"
 #include "text/ErrorText.h"
 #include "tools/scene/BodyDragTool.h"
@@ -24,11 +27,21 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
+#include <QLocale>
+#include <array>
 #include <cmath>
 
 namespace handwheel {
 
 namespace {
+
+// "100 × 50 × 25.4 mm"
+QString sizeText(const Vec3& size, LengthUnit unit, const QLocale& locale) {
+  const auto number = [&](double value) { return locale.toString(value / millimetresPer(unit), 'g', 4); };
+  return QStringLiteral("%1 × %2 × %3 %4")
+      .arg(number(size.x()), number(size.y()), number(size.z()), unitSymbol(Quantity::Length, unit));
+}
 
 constexpr double kNewShape = 100.0;  // mm, each dimension of a new primitive
 
@@ -159,6 +172,82 @@ void CellBodies::relinkSelected() {
              });
 }
 
+// Of the selected body; the choices say how large it is in each.
+void CellBodies::askForUnit() {
+  const BodyPointer body = selected();
+  if (!body) return;
+  constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch};
+  const Vec3 size = body->geometry->bounds().sizes();
+  QStringList choices;
+  for (const LengthUnit unit : kUnits) {
+    choices += tr("%1: the body measures %2")
+                   .arg(unitSymbol(Quantity::Length, unit),
+                        sizeText(millimetresPer(unit) * size, cell().displayUnit(), QLocale()));
+  }
+  auto* dialog = new QInputDialog(m_parts.window);
+  dialog->setObjectName(QStringLiteral("bodyUnitDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Unit of %1").arg(QString::fromStdString(body->name)));
+  dialog->setLabelText(tr("Its numbers are in:"));
+  dialog->setComboBoxItems(choices);
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, choices, kUnits = std::to_array(kUnits), id = body->id, document = m_document](const QString& text) {
+            const auto chosen = static_cast<std::size_t>(std::max<qsizetype>(0, choices.indexOf(text)));
+            if (document == m_document) scale(id, millimetresPer(kUnits[chosen]));
+          });
+  dialog->open();
+}
+
+// About its own origin, as its file would have been read. Large ones take their time.
+void CellBodies::scale(BodyId id, double factor) {
+  const BodyPointer body = cell().bodies().withId(id);
+  if (!body || factor == 1.0) return;
+  DocumentTab& tab = *m_document;
+  Job job;
+  job.name = tr("Scaling %1").arg(QString::fromStdString(body->name));
+  job.owner = &tab;  // its closing cancels the job
+  job.work = [this, &tab, body, factor](Progress) -> Job::Finish {
+    TriangleSoup soup = *body->geometry->surface();
+    for (Vec3& point : soup.points) point *= factor;
+    const double largest = factor * body->geometry->bounds().sizes().maxCoeff();
+    const GeometryPointer scaled =
+        isSoundSoup(soup) ? std::make_shared<const MeshGeometry>(std::move(soup)) : GeometryPointer();
+    return [this, &tab, body, scaled, largest] {
+      auto& document = static_cast<RobotCellDocument&>(tab.document);
+      const BodyPointer now = document.bodies().withId(body->id);
+      if (!now || now->geometry != body->geometry) return;  // changed meanwhile
+      if (!scaled) {
+        const std::string most = shownText(MeshGeometry::kLargestCoordinate);
+        return report(document, {ErrorCode::ValueOutOfRange, {body->name, shownText(largest), "0", most}, {}, {}});
+      }
+      Body changed = *now;
+      changed.geometry = scaled;
+      auto edit = changeBodyEdit(document.bodies(), std::move(changed));
+      if (!edit) return report(document, edit.error());
+      document.commit(tr("Change the unit of %1").arg(QString::fromStdString(now->name)), std::move(edit).value());
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void CellBodies::reportUnit(BodyId id, const QString& file) {
+  const BodyPointer body = cell().bodies().withId(id);
+  const QString name = QString::fromStdString(body->name),
+                size = sizeText(body->geometry->bounds().sizes(), cell().displayUnit(), QLocale());
+  Message said{Message::Weight::Warning, tr("%1 measures %2").arg(name, size),
+               tr("%1 has no unit; its numbers were taken as millimetres.").arg(file)};
+  said.about = &m_document->document;
+  if (m_unit.isEnabled()) {
+    said.actionText = tr("Choose the unit…");
+    said.action = [this, id, document = m_document] {
+      if (document != m_document) return;
+      m_selection.select(id);
+      askForUnit();
+    };
+  }
+  emit message(said);
+}
+
 // Files are read by a job; all else is done at once.
 void CellBodies::apply(const OperationValues& values) {
   if (readsFile(values)) return read(values);
@@ -200,6 +289,8 @@ void CellBodies::commit(DocumentTab& tab, const OperationValues& values, Result<
   if (!values.isSet("add") || &tab != m_document) return;
   m_selection.select(next);
   emit added(next, readsFile(values));
+  if (!change->file.hasUnit)
+    reportUnit(next, QFileInfo(QFile::decodeName(QByteArray::fromStdString(values.text("add")))).fileName());
 }
 
 void CellBodies::report(const Document& document, const Error& error) {

@@ -4,6 +4,9 @@
 #include "StlFiles.h"
 #include "WindowTestMain.h"
 
+#include <QInputDialog>
+#include <algorithm>
+
 using namespace handwheel;
 using namespace handwheel::test;
 
@@ -183,6 +186,38 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.figures(), before);
     QVERIFY(!driver.find<QAction>("removeBody")->isEnabled());
+  }
+
+  // A file without a unit: its size is said, and a choice of units scales it, in one step.
+  void theUnitIsChosen() {
+    const QTemporaryDir folder;
+    const QString part = folder.filePath("part.stl");
+    writeStl(part, quadTorus(24, 12, {}));
+    CellWindow driver;
+    driver.choose("addBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", part));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("part"), kPatienceMs);
+    QVERIFY(driver.text("messageText").contains("part.stl has no unit"));
+    const auto choose = [&](const char* unit) {
+      driver.choose("bodyUnit");
+      auto* dialog = driver.find<QInputDialog>("bodyUnitDialog");
+      const QStringList all = dialog->comboBoxItems();
+      const auto found =
+          std::find_if(all.begin(), all.end(), [&](const QString& each) { return each.startsWith(unit); });
+      if (found == all.end()) return QString();
+      const QString text = *found;
+      dialog->setTextValue(text);
+      dialog->accept();
+      return text.section("measures ", 1).section(' ', 0, 0);
+    };
+    const double millimetres = choose("mm:").toDouble();  // as it is
+    QVERIFY(millimetres > 0.0);
+    QVERIFY(std::abs(choose("in:").toDouble() - 25.4 * millimetres) < 0.002 * 25.4 * millimetres);
+    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("unit"));
+    QVERIFY(!driver.text("messageText").contains("has no unit") || !driver.find<QLabel>("messageText")->isVisible());
+    QVERIFY(std::abs(choose("mm:").toDouble() - 25.4 * millimetres) < 0.002 * 25.4 * millimetres);
+    driver.click("quickActions/undo");
+    QVERIFY(std::abs(choose("mm:").toDouble() - millimetres) < 1e-9);
   }
 
   void aLinkedFileIsMissed() {
