@@ -114,7 +114,7 @@ class FeelTest : public QObject {
     QVERIFY2(ran.code == 0, ran.err);
     const Row last = rowsOf(ran.out).back();
     QVERIFY(std::abs(last.at("force_z") - 0.4) < 1e-6);
-    QVERIFY(std::abs(last.at("proxy_z") - end) < 1e-6);
+    QVERIFY(std::abs(last.at("proxy_z") - end) < 1e-5);  // the skin goes with the size
   }
 
   void isTheSameAgain() {

@@ -5,6 +5,7 @@
 #include "theme/Theme.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -41,21 +42,39 @@ int HintBar::widthOf(const Hint& hint) const {
          fontMetrics().horizontalAdvance(hint.effect);
 }
 
+std::vector<Hint> HintBar::shownHints() const {
+  const auto fits = [this](const std::vector<Hint>& hints) {
+    int x = kHintGap - kBetween;
+    for (const Hint& hint : hints) x += kBetween + widthOf(hint);
+    return x <= width();
+  };
+  if (fits(m_hints)) return m_hints;
+  std::vector<Hint> shown = m_hints;
+  std::erase_if(shown, [](const Hint& hint) { return !hint.enabled; });
+  if (fits(shown)) return shown;
+  const int more = kBetween + fontMetrics().horizontalAdvance(kMore);
+  int x = kHintGap;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    x += widthOf(shown[i]);
+    if (x + more > width()) shown.resize(i);
+    x += kBetween;
+  }
+  return shown;
+}
+
 void HintBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const int more = fontMetrics().horizontalAdvance(kMore);
+  const std::vector<Hint> shown = shownHints();
   int x = kHintGap;
-  for (const Hint& hint : m_hints) {
-    const int room = width() - x - (&hint == &m_hints.back() ? 0 : kBetween + more);
-    if (widthOf(hint) > room) {
-      painter.setPen(themeColours(currentTheme()).muted);
-      painter.drawText(QRect(x, 0, more, height()), Qt::AlignVCenter, kMore);
-      return;
-    }
+  for (const Hint& hint : shown) {
     draw(painter, hint, x);
     x += widthOf(hint) + kBetween;
   }
+  const auto available = std::count_if(m_hints.begin(), m_hints.end(), [](const Hint& hint) { return hint.enabled; });
+  if (static_cast<std::ptrdiff_t>(shown.size()) >= available) return;
+  painter.setPen(themeColours(currentTheme()).muted);
+  painter.drawText(QRect(x, 0, width() - x, height()), Qt::AlignVCenter | Qt::AlignLeft, kMore);
 }
 
 void HintBar::draw(QPainter& painter, const Hint& hint, int x) const {

@@ -11,7 +11,9 @@
 #include "mesh/holes/HoleContext.h"
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/holes/Ridges.h"
+#include "mesh/repair/Autorefinement.h"
 #include "mesh/repair/Cleaning.h"
+#include "mesh/repair/SheetThickening.h"
 #include "mesh/search/SmoothNormal.h"
 #include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -113,6 +115,8 @@ class TolerancesTest : public QObject {
   void ridgeAngle();
   void creaseAngle();
   void pieceEdges();
+  void cutBits();
+  void sheetThickness();
 };
 
 void TolerancesTest::oneWaySheet() {
@@ -138,12 +142,13 @@ void TolerancesTest::raggedOutline() {
   QVERIFY(isSheet(toothedTube(whereIs(kJustAbove * tolerance::kRaggedOutline, 0.65, outline))));
 }
 
-// 12 triangles are less than a hundredth of 1,280, and 14 are more.
+// 12 triangles are less than that share of 1,280, and 14 are more.
 void TolerancesTest::debris() {
   const auto removed = [](const TriangleSoup& soup) {
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     return removeDebris(mesh);
   };
+  QVERIFY(12 < tolerance::kDebrisFaces * 1280 && tolerance::kDebrisFaces * 1280 < 14);
   QCOMPARE(removed(ballWithCrumb(kJustBelow * tolerance::kDebrisArea, 6)), std::size_t{12});
   QCOMPARE(removed(ballWithCrumb(kJustAbove * tolerance::kDebrisArea, 6)), std::size_t{0});
   QCOMPARE(removed(ballWithCrumb(kJustBelow * tolerance::kDebrisArea, 7)), std::size_t{0});
@@ -229,6 +234,26 @@ void TolerancesTest::pieceEdges() {
   };
   QCOMPARE(chords(tolerance::kPieceEdges), std::size_t{0});
   QVERIFY(chords(tolerance::kPieceEdges + 1) > 0);
+}
+
+// Two triangles that cross, of coordinates from 1 to a power of two so many bits below.
+void TolerancesTest::cutBits() {
+  const auto cut = [](int bits) {
+    const double small = std::ldexp(1.0, 1 - bits);
+    const TriangleSoup s{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, small, -1}, {0, small, 1}, {0, -0.5, 1}},
+                         {{0, 1, 2}, {3, 4, 5}}};
+    return !autorefine(s, std::vector<TrianglePair>{{0, 1}}, NumberType::Float64).piecesOf.empty();
+  };
+  QVERIFY(cut(tolerance::kCutBits));
+  QVERIFY(!cut(tolerance::kCutBits + 1));
+}
+
+// A sheet thickened by default becomes a body of that thickness.
+void TolerancesTest::sheetThickness() {
+  const HalfEdgeMesh sheet = buildMesh(test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) {
+                               return Vec3(3.0 * i, 4.0 * j, 0);
+                             })).mesh;
+  QVERIFY(std::abs(defaultSheetThickness(sheet) - tolerance::kSheetThickness * 40.0) < 1e-12);
 }
 
 HANDWHEEL_TEST(TolerancesTest)

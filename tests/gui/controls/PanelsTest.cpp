@@ -26,6 +26,7 @@ class PanelsTest : public QObject {
   void docksFloatAndReturn();
   void docksFollowTheirTitle();
   void hintsThatFit();
+  void hintsThatAreLeftOut();
   void severalJobs();
   void jobsThatWaitAndGo();
   void servicesKeepTheirRows();
@@ -161,6 +162,20 @@ void PanelsTest::hintsThatFit() {
   bar.setHints({});
   QVERIFY(bar.grab().toImage() != narrow);  // at least that there is more
   QCOMPARE(bar.accessibleName(), QString());
+}
+
+// As it becomes narrower the hints that are not available go first, then the others from the end.
+void PanelsTest::hintsThatAreLeftOut() {
+  const Hint drag{"Drag", "move"}, enter{"Enter", "apply the tool", false}, escape{"Esc", "leave"};
+  HintBar bar;
+  bar.setHints({drag, enter, escape});
+  const std::vector<std::vector<Hint>> expected{{drag, enter, escape}, {drag, escape}, {drag}, {}};
+  std::vector<std::vector<Hint>> seen;
+  for (int width = 1000; width > 0; --width) {
+    bar.resize(width, bar.sizeHint().height());
+    if (seen.empty() || seen.back() != bar.shownHints()) seen.push_back(bar.shownHints());
+  }
+  QVERIFY(seen == expected);
 }
 
 void PanelsTest::severalJobs() {

@@ -98,6 +98,23 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
+  // A hole of 2 mm by 2 mm in a plane; the whole sentence is seen.
+  void measuresOfAHole() {
+    TriangleSoup soup = cube(2.0);
+    std::erase_if(soup.triangles, [&](const Triangle& t) {
+      return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return soup.points[v].z() == 2.0; });
+    });
+    WindowDriver driver;
+    QVERIFY(driver.open(file("open.stl", soup)));
+    driver.find<QTreeView>("defectList")->expand(driver.defects().groupIndex(DefectKind::Hole));
+    driver.clickDefect(DefectKind::Hole, 0);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("holeMeasures"), QString::fromUtf8("Area 4 mm². 0 mm from the best-fitting plane (RMS)."));
+    const auto* label = driver.find<QLabel>("holeMeasures");
+    QVERIFY(label->isVisible());
+    QVERIFY(label->height() >= label->heightForWidth(label->width()));
+  }
+
   // Beside the patch of a hole the other ways are previewed with the pointer on their button.
   void previewOfABack() {
     WindowDriver driver;

@@ -21,7 +21,7 @@ QString defectKindName(DefectKind kind) {
     case DefectKind::Hole:
       return DefectWords::tr("Holes");
     case DefectKind::KeptOpen:
-      return DefectWords::tr("Sheet edges, kept holes");
+      return DefectWords::tr("Boundaries kept open");
     case DefectKind::NonManifoldEdge:
       return DefectWords::tr("Non-manifold edges");
     case DefectKind::NonManifoldVertex:

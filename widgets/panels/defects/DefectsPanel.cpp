@@ -161,7 +161,9 @@ void DefectsPanel::setHighlightedLoop(int loop) {
 void DefectsPanel::updateSettings() {
   const bool hole = m_inspection && m_selectedLoop >= 0 && m_selectedLoop < m_inspection->loopCount();
   m_settings->setVisible(hole);
-  if (hole) m_settings->showLoop(m_inspection->loopName(m_selectedLoop), m_inspection->loopDetail(m_selectedLoop));
+  if (hole)
+    m_settings->showLoop(m_inspection->loopName(m_selectedLoop), m_inspection->loopDetail(m_selectedLoop),
+                         m_inspection->loopMeasures(m_selectedLoop));
   const QModelIndex defect = m_list->currentIndex();
   m_card->setVisible(!hole && defect.isValid());
   showDefect();

@@ -53,6 +53,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
     : QFrame(parent),
       m_name(new QLabel(this)),
       m_detail(new QLabel(this)),
+      m_measures(new QLabel(this)),
       m_method(methodBox(this)),
       m_status(new QLabel(this)),
       m_otherStatus(new QLabel(this)),
@@ -63,11 +64,13 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   m_detail->setProperty("muted", true);
   m_detail->setWordWrap(true);
   m_detail->setAlignment(Qt::AlignRight | Qt::AlignTop);
+  m_measures->setObjectName(QStringLiteral("holeMeasures"));
+  m_measures->setProperty("muted", true);
   m_status->setProperty("muted", true);
   m_status->setObjectName(QStringLiteral("previewStatus"));
   m_otherStatus->setProperty("muted", true);
   m_otherStatus->setObjectName(QStringLiteral("otherPreviewStatus"));
-  for (QLabel* label : {m_status, m_otherStatus}) label->setWordWrap(true);
+  for (QLabel* label : {m_measures, m_status, m_otherStatus}) label->setWordWrap(true);
   // Keeps its room, so that the button under the pointer stays where it is when the text appears.
   QSizePolicy keepsRoom = m_otherStatus->sizePolicy();
   keepsRoom.setRetainSizeWhenHidden(true);
@@ -94,6 +97,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(8);
   column->addLayout(title);
+  column->addWidget(m_measures);
   column->addLayout(method);
   column->addWidget(m_trials);
   column->addWidget(checkBoxFor(preview, this));
@@ -181,7 +185,8 @@ void HoleSettings::setMethod(FillMethod method) {
   m_method->setCurrentIndex(m_method->findData(static_cast<int>(method)));
 }
 
-void HoleSettings::showLoop(const QString& name, const QString& detail) {
+void HoleSettings::showLoop(const QString& name, const QString& detail, const QString& measures) {
+  m_measures->setText(measures);
   m_name->setText(name);
   m_detail->setText(detail);
 }

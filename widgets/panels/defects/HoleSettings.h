@@ -42,7 +42,7 @@ class HoleSettings : public QFrame {
   static std::span<const FillMethod> methods();
   FillMethod method() const;
   void setMethod(FillMethod method);
-  void showLoop(const QString& name, const QString& detail);
+  void showLoop(const QString& name, const QString& detail, const QString& measures);
   void showPreview(const PreviewState& state);
   // What the other way to close it would do, of which the pointer is on the button: a sentence, or empty.
   void showOtherPreview(const QString& text);
@@ -64,6 +64,7 @@ class HoleSettings : public QFrame {
 
   QLabel* m_name;
   QLabel* m_detail;
+  QLabel* m_measures;
   QComboBox* m_method;
   QLabel* m_status;
   QLabel* m_otherStatus;
