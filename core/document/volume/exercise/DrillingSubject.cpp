@@ -230,8 +230,11 @@ std::vector<std::string> DrillingSubject::targetEndings() const {
 
 Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const ExerciseTask& task,
                                                                           const std::filesystem::path& path,
+                                                                          std::optional<double> facing,
                                                                           Progress progress) const {
   ImportedTask imported;
+  if (facing)
+    imported.notes.push_back({QT_TRANSLATE_NOOP("Note", "Nothing is left for facing: a part is drilled as it is.")});
   const Result<SparseVolume> volume = volumeIn(path, imported.notes, progress.part(0.0, 0.6));
   if (!volume) {
     Error error = volume.error();

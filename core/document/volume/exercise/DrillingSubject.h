@@ -40,7 +40,7 @@ class DrillingSubject : public ExerciseSubject {
   std::vector<std::string> targetEndings() const override;
   // Another stock: a document of a volume, VDB or images.
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
-                                          Progress progress) const override;
+                                          std::optional<double> facing, Progress progress) const override;
   // Error WithoutTarget, always: a path has no sizes to be rounded; nor is there a drawing of it.
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 

@@ -237,7 +237,7 @@ class DrillingSubjectTest : public QObject {
     ball.volume = ballOfVoxels(8.0, 0.5);
     const VolumeKind kind;
     QVERIFY(saveDocument(kind, DocumentKinds::blank(kind).file, ball, path).hasValue());
-    const auto imported = plate()->subject->withImportedTarget(*plate()->task, path, {});
+    const auto imported = plate()->subject->withImportedTarget(*plate()->task, path, {}, {});
     QVERIFY(imported.hasValue());
     QCOMPARE(static_cast<const DrillingTask&>(*imported->task).volume().material(), ball.volume.material());
     QVERIFY(!plate()->subject->checkWork(*imported->task, *workOf(holeTo(6.5))));
