@@ -79,6 +79,9 @@ void DrillView::makeDock() {
   m_thrust->setObjectName(QStringLiteral("drillThrust"));
   m_torque = new PlotWidget(content);
   m_torque->setObjectName(QStringLiteral("drillTorque"));
+  constexpr int kLeastHeight = 260;  // pixels: title, names of the curves and axes take more than a half of it
+  m_thrust->setMinimumHeight(kLeastHeight);
+  m_torque->setMinimumHeight(kLeastHeight);
   auto* plots = new QHBoxLayout;
   plots->addWidget(m_thrust, 1);
   plots->addWidget(m_torque, 1);
@@ -119,7 +122,9 @@ void DrillView::show(const DrillingTool& tool, const DrillState& hole) {
   const ThemeColours colours = themeColours(currentTheme());
   const QColor colour = hole.figures.forbidden > 0.0 ? colours.error : colours.warning;
   m_verdict->setStyleSheet(verdict.isEmpty() ? QString() : QStringLiteral("color: %1").arg(colour.name()));
-  m_verdict->setText(verdict.isEmpty() ? tr("Hold the button on the volume to drill") : verdict);
+  m_verdict->setText(!verdict.isEmpty() ? verdict
+                     : tool.isLive()    ? tr("Drilling…")
+                                        : tr("Hold the button on the volume to drill"));
   const QLocale locale;
   if (!hole.moments.empty()) {
     const DrillMoment& moment = hole.moments[hole.moments.size() - 1];

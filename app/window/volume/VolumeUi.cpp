@@ -94,7 +94,9 @@ void VolumeUi::showPreview(const ToolPreview& preview) {
   RigidPartsUi::showPreview(preview);
   const auto* const clay = dynamic_cast<const VolumePreview*>(preview.ofKind.get());
   const std::shared_ptr<const ClayState> live = clay ? clay->state : nullptr;
-  if (std::exchange(m_live, live) != live) showVolume();
+  if (std::exchange(m_live, live) == live) return;
+  showVolume();
+  m_drillView->follow();
 }
 
 // The volume has its own layer. Of an exercise the planned path and the forbidden region are shown beside it.

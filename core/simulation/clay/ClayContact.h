@@ -11,6 +11,7 @@ struct ClayFeel {
   double stiffness = 0.5;    // N/mm, of the spring between hand and tool
   double resistance = 0.05;  // N·s/mm: force by the speed at which a tool that cuts goes through material
   bool isCutting = false;    // goes through material in a gesture; else it stays outside
+  double spindle = 0.0;      // r/min, of a drill: while it cuts, the force swings with its turns
   bool isFree = false;       // nothing holds it in a gesture, as material comes where it is
 
   bool operator==(const ClayFeel&) const = default;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/clay/ClayForce.h"
 
+#include "machining/force/CuttingFeel.h"
+
+#include <cmath>
+
 namespace handwheel {
 
 ClayForce::ClayForce(std::shared_ptr<ClayChannel> channel, const ClayFeel& feel)
@@ -12,6 +16,7 @@ void ClayForce::follow(const ForceSource& previous) noexcept {
   if (!other || other->m_channel != m_channel) return;
   m_contact = other->m_contact;
   m_share = other->m_share;
+  m_angle = other->m_angle;
   m_isPlaced = other->m_isPlaced;
 }
 
@@ -29,6 +34,8 @@ ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
   } else {
     m_contact.place(tip.position);
   }
+  m_isCutting = m_isTouching && m_feel.isCutting && gesture != 0;
+  m_angle = std::fmod(m_angle + m_feel.spindle / 60.0 * 2.0 * M_PI * tip.period, 2.0 * M_PI);
   m_channel->inputs->push({tip, m_contact.tool(), gesture});
   if (!m_isTouching) return {};
   out.isContact = true;
@@ -36,10 +43,15 @@ ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
   return {m_feel.stiffness, 0.0};
 }
 
+// While it cuts the spring gives way by the vibration once a turn: so it is never stiffer than the loop can carry.
 Vec3 ClayForce::force(const TipState& tip, double stiffness, double) noexcept {
   m_share = stiffness;
   if (!m_isTouching) return Vec3::Zero();
-  return stiffness * m_feel.stiffness * (m_contact.tool() - tip.position);
+  const Vec3 spring = stiffness * m_feel.stiffness * (m_contact.tool() - tip.position);
+  const double held = spring.norm();
+  if (!m_isCutting || !(m_feel.spindle > 0.0) || !(held > 0.0)) return spring;
+  const auto swing = [&](double angle) { return vibration({}, held, angle, m_feel.spindle, tip.period); };
+  return (1.0 - 0.5 * (swing(0.5 * M_PI) - swing(m_angle)) / held) * spring;
 }
 
 }  // namespace handwheel

@@ -25,6 +25,8 @@ class ClayForce : public ForceSource {
   ClayFeel m_feel;
   ClayContact m_contact;
   double m_share = 1.0;  // of the stiffness, in the tick before
+  double m_angle = 0.0;  // radian, that the spindle has turned by
+  bool m_isCutting = false;
   bool m_isTouching = false;
   bool m_isPlaced = false;
 };

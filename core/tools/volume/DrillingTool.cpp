@@ -85,6 +85,7 @@ ClayFeel DrillingTool::feelAtDevice() const {
   const double section = M_PI * m_head.radius() * m_head.radius();
   ClayFeel feel{kDrillStiffness, drillLoad(now.material, m_head, section, 1.0, 1.0, now.spindle).thrust};
   feel.isCutting = true;
+  feel.spindle = std::abs(now.spindle) * 60.0 / (2.0 * M_PI);
   return feel;
 }
 

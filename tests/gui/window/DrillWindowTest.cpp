@@ -6,6 +6,8 @@
 #include "document/volume/exercise/DrillingTask.h"
 #include "plot/PlotWidget.h"
 #include "tools/volume/DrillingTool.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
 
 #include <QDockWidget>

@@ -90,6 +90,38 @@ class ClayForceTest : public QObject {
     QVERIFY2(std::abs(force - 5.0 * feel.resistance) < 0.02 * force, qPrintable(QString::number(force)));
   }
 
+  // A drill's force swings once a turn by a twentieth, and never above the spring's; at rest beside the hole it does
+  // not.
+  void vibrationOfADrill() {
+    ClayFeel feel;
+    feel.isCutting = true;
+    feel.resistance = 0.5;
+    const auto forcesAt = [&](double spindle, bool isHeld) {
+      feel.spindle = spindle;
+      ClayBench bench(feel);
+      if (isHeld) bench.channel->inputs->setDeviceGesture(1);
+      bench.tick({0.0, 0.0, 11.0}, isHeld);
+      std::vector<double> forces;
+      for (int i = 0; i < 1200; ++i) forces.push_back(bench.tick({0.0, 0.0, 11.0 - 0.005 * i}, isHeld).norm());
+      return forces;
+    };
+    const std::vector<double> still = forcesAt(0.0, true), turning = forcesAt(3000.0, true);
+    int swings = 0;  // down through the middle, in the last second
+    double least = 1.0, most = 0.0, before = 0.0;
+    for (std::size_t i = 200; i < still.size(); ++i) {
+      if (!(still[i] > 0.5)) continue;
+      const double share = turning[i] / still[i];
+      least = std::min(least, share);
+      most = std::max(most, share);
+      swings += before > 0.975 && share <= 0.975;
+      before = share;
+    }
+    QVERIFY2(most <= 1.0 + 1e-9 && most > 0.999, qPrintable(QString::number(most)));
+    QVERIFY2(std::abs(least - 0.95) < 1e-3, qPrintable(QString::number(least)));
+    QVERIFY2(swings >= 35 && swings <= 51, qPrintable(QString::number(swings)));  // 50 turns in a second
+    QVERIFY(forcesAt(0.0, false) == forcesAt(3000.0, false));
+  }
+
   // Material that comes around a hand does not push it; it is felt when the hand has been outside.
   void clayThatComesBack() {
     ClayBench bench;
