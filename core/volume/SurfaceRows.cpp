@@ -133,25 +133,30 @@ SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress)
   }
 }
 
-std::vector<bool> SurfaceRows::boundingBy(const Turns& turns) const {
-  std::vector<bool> bounding(m_crossed.size(), false);
-  if (m_range.isEmpty()) return bounding;
+SurfaceRows::Bounding SurfaceRows::boundingBy(const Turns& turns) const {
+  Bounding found{std::vector<bool>(m_crossed.size(), false), {}};
+  if (m_range.isEmpty()) return found;
   const auto width = static_cast<std::size_t>(m_range.sizes().x() + 1);
+  const auto placeOf = [&](std::size_t row, std::size_t i) {
+    return Vec3(m_crossings[i].x, static_cast<double>(row % width) + m_range.min().x(),
+                static_cast<double>(row / width) + m_range.min().y());
+  };
   std::vector<char> isBounding(m_crossings.size(), 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, m_begin.size() - 1, kRowsAtOnce),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t row = range.begin(); row < range.end(); ++row)
                         for (std::size_t i = m_begin[row]; i < m_begin[row + 1]; ++i) {
-                          const Vec3 place(m_crossings[i].x, static_cast<double>(row % width) + m_range.min().x(),
-                                           static_cast<double>(row / width) + m_range.min().y());
-                          const int after = m_after[i], step = m_crossings[i].step;
-                          const double whole = turns(place, after);
-                          isBounding[i] = (whole > 0.5) != (whole - step > 0.5);
+                          const double after = turns(placeOf(row, i), m_after[i]);
+                          isBounding[i] = (after > 0.5) != (after - m_crossings[i].step > 0.5);
                         }
                     });
-  for (std::size_t i = 0; i < m_crossings.size(); ++i)
-    if (isBounding[i]) bounding[m_crossings[i].triangle] = true;
-  return bounding;
+  for (std::size_t row = 0; row + 1 < m_begin.size(); ++row)
+    for (std::size_t i = m_begin[row]; i < m_begin[row + 1]; ++i) {
+      if (!isBounding[i]) continue;
+      found.triangles[m_crossings[i].triangle] = true;
+      found.places.emplace_back(placeOf(row, i), m_crossings[i].triangle);
+    }
+  return found;
 }
 
 std::span<const SurfaceRows::Crossing> SurfaceRows::row(int y, int z) const {

@@ -42,7 +42,11 @@ class SurfaceRows {
   const std::vector<bool>& bounding() const { return m_bounding; }
   // The same by another winding number: turns(place, whole) is it, given the whole one there. O(crossings).
   using Turns = std::function<double(const Vec3&, int)>;
-  std::vector<bool> boundingBy(const Turns& turns) const;
+  struct Bounding {
+    std::vector<bool> triangles;
+    std::vector<std::pair<Vec3, std::uint32_t>> places;  // voxels, with the triangle
+  };
+  Bounding boundingBy(const Turns& turns) const;
   // Per triangle: whether any row crosses it.
   const std::vector<bool>& crossed() const { return m_crossed; }
 

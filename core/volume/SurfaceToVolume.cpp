@@ -163,34 +163,34 @@ SparseVolume::Block signedBlock(const TileDistances& distances, const VoxelIndex
   return block;
 }
 
-// Per triangle of a surface, whether it bounds its inside: certainly, as rows show that cross it, and perhaps, as none
-// along any axis does.
+// Where a surface bounds its inside.
 struct Bounding {
-  std::vector<bool> certain, perhaps;
+  std::vector<bool> certain, perhaps;  // per triangle: as rows show that cross it, and where none along any axis does
+  std::vector<std::pair<Vec3, std::uint32_t>> places;  // where rows cross it, voxels, with the triangle
 };
 
 Bounding boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX, const Membranes& membranes,
                            const Progress& progress) {
   const std::size_t count = closed.triangles.size();
-  if (alongX.isSimple()) return {std::vector<bool>(count, true), std::vector<bool>(count, false)};
-  Bounding bounding{std::vector<bool>(count, false), std::vector<bool>(count, true)};
+  Bounding bounding{std::vector<bool>(count, false), std::vector<bool>(count, true), {}};
   const auto add = [&](const SurfaceRows& rows, int turn) {
     // Back from the axes that were turned round so often.
-    const auto winding = [&](const Vec3& p, int whole) {
-      return membranes.winding(Vec3(p[(3 - turn) % 3], p[(4 - turn) % 3], p[(5 - turn) % 3]), whole);
-    };
-    const std::vector<bool> found = membranes.isEmpty() ? rows.bounding() : rows.boundingBy(winding);
+    const auto back = [&](const Vec3& p) { return Vec3(p[(3 - turn) % 3], p[(4 - turn) % 3], p[(5 - turn) % 3]); };
+    const SurfaceRows::Bounding found =
+        rows.boundingBy([&](const Vec3& p, int whole) { return membranes.winding(back(p), whole); });
     for (std::size_t i = 0; i < count; ++i) {
-      if (found[i]) bounding.certain[i] = true;
+      if (found.triangles[i]) bounding.certain[i] = true;
       if (rows.crossed()[i]) bounding.perhaps[i] = false;
     }
+    for (const auto& [place, triangle] : found.places) bounding.places.emplace_back(back(place), triangle);
   };
   add(alongX, 0);
   TriangleSoup turned = closed;
-  for (int axis = 1; axis < 3 && !progress.cancelled(); ++axis) {
+  for (int axis = 1; axis < 3 && !alongX.isSimple() && !progress.cancelled(); ++axis) {
     for (Vec3& p : turned.points) p = Vec3(p.y(), p.z(), p.x());
     add(SurfaceRows(turned, progress), axis);
   }
+  if (alongX.isSimple()) bounding.perhaps.assign(count, true);
   return bounding;
 }
 
@@ -207,6 +207,17 @@ void fillInside(SparseVolume& volume, const SurfaceRows& rows, const Membranes& 
         volume.setContent(at, {nullptr, true});
       }
     }
+}
+
+// Some of the places that are not on what closes the surface, evenly chosen, mm.
+std::vector<Vec3> keptPlaces(const std::vector<std::pair<Vec3, std::uint32_t>>& places, std::size_t triangles,
+                             const SparseVolume& volume) {
+  constexpr std::size_t kMost = 100'000;
+  const std::size_t step = places.size() / kMost + 1;
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < places.size(); i += step)
+    if (places[i].second < triangles) kept.push_back(volume.origin() + volume.voxel() * places[i].first);
+  return kept;
 }
 
 double volumeInside(const TriangleSoup& soup) {
@@ -266,7 +277,7 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
         VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
   const SurfaceRows rows(closed, progress.part(0.05, 0.3));
   const Membranes membranes(closed, caps.wide, progress);
-  Bounding found = boundingTriangles(closed, rows, membranes, progress.part(0.3, 0.4));
+  const Bounding found = boundingTriangles(closed, rows, membranes, progress.part(0.3, 0.4));
   std::vector<bool> bounding = found.certain;
   for (std::size_t i = 0; i < bounding.size(); ++i) bounding[i] = bounding[i] || found.perhaps[i];
   for (const std::uint32_t cone : caps.wide) bounding[cone] = false;
@@ -306,8 +317,7 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
                   : Error{VolumeErrors::NothingInside, {}, {}, {}};
   }
   made.nearShare = nearShareOf(made.volume, closed, bounding);
-  found.certain.resize(soup.triangles.size());
-  made.isKept = std::move(found.certain);
+  made.kept = keptPlaces(found.places, soup.triangles.size(), made.volume);
   progress.set(1.0);
   return made;
 }

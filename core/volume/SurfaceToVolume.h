@@ -16,9 +16,9 @@ namespace handwheel {
 struct SurfaceVolume {
   SparseVolume volume;
   std::size_t closedBoundaries = 0;  // holes, gaps and turned faces
-  double expected = 0.0;     // mm³ inside the surface closed by cones, by its triangles; of overlaps each counts
-  double nearShare = 0.0;    // of the area that bounds material: what is within a voxel of the volume's surface
-  std::vector<bool> isKept;  // of each triangle: it certainly bounds material
+  double expected = 0.0;   // mm³ inside the surface closed by cones, by its triangles; of overlaps each counts
+  double nearShare = 0.0;  // of the area that bounds material: what is within a voxel of the volume's surface
+  std::vector<Vec3> kept;  // mm, places on the surface that certainly bound material, all over it
 };
 
 // Samples the distance from a surface at the centres of voxels, exactly up to three voxels from it, and signs it by

@@ -8,7 +8,11 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "proximity/SelfIntersection.h"
 #include "volume/SurfaceToVolume.h"
+#include "volume/VolumeErrors.h"
 #include "volume/VolumeToSurface.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,20 +22,24 @@
 namespace handwheel {
 namespace {
 
-// How far the original gets from the mesh at most, mm; none: cancelled.
-std::optional<double> distanceFrom(const HalfEdgeMesh& mesh, const SurfaceDistance& original, Progress progress) {
+// How far the places are from the mesh at most, mm.
+double distanceFrom(const HalfEdgeMesh& mesh, const std::vector<Vec3>& places, Progress progress) {
   const SurfaceDistance surface(mesh, progress);
-  const std::size_t samples = std::clamp<std::size_t>(2 * original.faces().size(), 5'000, 200'000);
-  const Result<Deviation> measured = deviation(surface, original, {.samples = samples}, progress);
-  if (!measured) return std::nullopt;
-  return std::abs(measured->ofScan.farthest().distance);
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, places.size(), 256), 0.0,
+      [&](const tbb::blocked_range<std::size_t>& range, double most) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          if (const auto nearest = surface.from(places[i])) most = std::max(most, std::abs(nearest->distance));
+        return most;
+      },
+      [](double a, double b) { return std::max(a, b); });
 }
 
 // Takes triangles away from a mesh that was sampled.
 class Reduction {
  public:
-  // kept: what of the original is to stay within the distance.
-  Reduction(const HalfEdgeMesh& sampled, const SurfaceDistance& kept, double within)
+  // kept: places of the original that are to stay within the distance.
+  Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, double within)
       : m_sampled(sampled), m_kept(kept), m_within(within) {}
 
   // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all.
@@ -52,46 +60,46 @@ class Reduction {
     const DecimationReport report =
         decimate(fewer, {.faces = faces, .method = DecimationMethod::Quadric}, progress.part(0.0, 0.5));
     if (report.refusal != OpenMeshRefusal::None || report.cancelled) return false;
-    const std::optional<double> kept = distanceFrom(fewer, m_kept, progress.part(0.5, 0.6));
+    const double kept = distanceFrom(fewer, m_kept, progress.part(0.5, 0.6));
     // Where the sampled surface is farther itself, nothing can be nearer.
-    if (!kept || *kept > std::max(m_within, repair.keptDistance)) return false;
+    if (kept > std::max(m_within, repair.keptDistance)) return false;
     const std::optional<double> distance = largestDistance(fewer, m_sampled, progress.part(0.6, 0.7));
     if (!distance || *distance > m_within) return false;
     const TriangleSoup soup = fewer.compact().soup;
     const auto pairs = selfIntersections(soup.points, soup.triangles, progress.part(0.7, 1.0), 1);
     if (!pairs || !pairs->empty()) return false;
     repair.mesh = std::move(fewer);
-    repair.keptDistance = *kept;
+    repair.keptDistance = kept;
     return true;
   }
 
   const HalfEdgeMesh& m_sampled;
-  const SurfaceDistance& m_kept;
+  const std::vector<Vec3>& m_kept;
   double m_within;
 };
 
-// The triangles of a surface that bound material.
-HalfEdgeMesh keptOf(const TriangleSoup& surface, const std::vector<bool>& isKept) {
-  TriangleSoup kept{surface.points, {}};
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    if (isKept[i]) kept.triangles.push_back(surface.triangles[i]);
-  return buildMesh(kept).mesh;
+// The volume of a surface, or of its back where the front encloses nothing: which side of an open surface is its front
+// is by chance.
+Result<SurfaceVolume> volumeOfEitherSide(const TriangleSoup& surface, double voxel, Progress progress) {
+  Result<SurfaceVolume> made = volumeOfSurface(surface, voxel, progress);
+  if (made || made.error().code != VolumeErrors::NothingInside) return made;
+  TriangleSoup back = surface;
+  for (Triangle& t : back.triangles) std::swap(t[0], t[1]);
+  return volumeOfSurface(back, voxel, progress);
 }
 
 }  // namespace
 
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress) {
-  const Result<SurfaceVolume> made = volumeOfSurface(surface, options.voxel, progress.part(0.0, 0.4));
+  const Result<SurfaceVolume> made = volumeOfEitherSide(surface, options.voxel, progress.part(0.0, 0.4));
   if (!made) return made.error();
   const TriangleSoup sampled = surfaceOf(made->volume, progress.part(0.4, 0.5));
   const HalfEdgeMesh mesh = buildMesh(sampled, progress.part(0.5, 0.55)).mesh;
-  const SurfaceDistance kept(keptOf(surface, made->isKept), progress.part(0.55, 0.6));
-  const std::optional<double> distance = kept.empty() ? 0.0 : distanceFrom(mesh, kept, progress.part(0.55, 0.6));
-  if (progress.cancelled() || !distance) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  VolumeRepair repair{mesh, made->closedBoundaries, sampled.triangles.size(), made->nearShare, *distance};
-  if (options.isReduced && !kept.empty() && sampled.triangles.size() > surface.triangles.size())
-    repair = Reduction(mesh, kept, options.voxel)
+  VolumeRepair repair{mesh, made->closedBoundaries, sampled.triangles.size(), made->nearShare,
+                      distanceFrom(mesh, made->kept, progress.part(0.55, 0.6))};
+  if (options.isReduced && sampled.triangles.size() > surface.triangles.size() && !progress.cancelled())
+    repair = Reduction(mesh, made->kept, options.voxel)
                  .reduced(std::move(repair), surface.triangles.size(), progress.part(0.6, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return repair;

@@ -30,7 +30,8 @@ struct VolumeRepair {
 // gaps, self-intersections, walls inside, whatever is not manifold. Details below the size of a voxel go too, and sharp
 // edges are cut off by up to half a voxel. Triangles are taken away by quadrics, as far as nothing of the sampled
 // surface, nor of the original where that bounds material, gets farther than a voxel from the mesh, and none meet. So
-// only walls that are thinner than a voxel are farther. Errors: those of volumeOfSurface().
+// only walls that are thinner than a voxel are farther. A surface that is inside out is turned over. Errors: those of
+// volumeOfSurface().
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress = {});
 

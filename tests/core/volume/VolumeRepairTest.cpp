@@ -3,6 +3,7 @@
 #include "volume/VolumeRepair.h"
 
 #include "ClosedSurface.h"
+#include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -101,6 +102,23 @@ class VolumeRepairTest : public QObject {
     const Result<VolumeRepair> repair = repairByVolume(scan, {.voxel = 1.0});
     QVERIFY(repair.hasValue());
     QVERIFY(repair->keptDistance > 5.0);
+  }
+
+  // A bowl is closed whichever side its faces look to; so is a ball that is inside out.
+  void insideOut() {
+    const TriangleSoup ball = moved(icosphere(3), Vec3::Zero(), 10.0);
+    for (const double top : {100.0, 4.0}) {
+      TriangleSoup bowl = ball;
+      std::erase_if(bowl.triangles, [&](const Triangle& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return ball.points[v].z() > top; });
+      });
+      const Result<VolumeRepair> front = repairByVolume(bowl, {.voxel = 0.5});
+      const Result<VolumeRepair> back = repairByVolume(turnedOver(bowl), {.voxel = 0.5});
+      QVERIFY(front.hasValue() && back.hasValue());
+      QVERIFY(front->keptDistance <= 0.5 && back->keptDistance <= 0.5);
+      QVERIFY(isClosedManifold(back->mesh.compact().soup));
+      QVERIFY(std::abs(volume(back->mesh.compact().soup) / volume(front->mesh.compact().soup) - 1.0) < 0.01);
+    }
   }
 
   void withoutReduction() {
