@@ -100,11 +100,13 @@ void ExerciseUi::forget(DocumentTab* document) {
   m_classes.erase(document);
 }
 
-// A title that is changed is none of the shape.
+// A title that is changed is none of the shape. Work that takes long to prepare would take as long to be shown here:
+// its task stands for it, and Begin opens it.
 DisplayModel ExerciseUi::displayed(const Document& document) const {
   const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(document).exercise();
   if (m_displayedTask != exercise.task || m_displayedWork != exercise.work) {
-    m_displayed = RigidPartsUi::displayed(document);
+    m_displayed = exercise.subject->startsSlowly() ? exercise.subject->display(*exercise.task)
+                                                   : RigidPartsUi::displayed(document);
     m_displayedTask = exercise.task;
     m_displayedWork = exercise.work;
   }

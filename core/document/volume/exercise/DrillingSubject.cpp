@@ -274,7 +274,7 @@ DisplayModel DrillingSubject::display(const ExerciseTask& task) const {
   const DrillingTask& drilling = drillingOf(task);
   DisplayModel model{planParts(drilling.plan)};
   if (drilling.stock) return model;  // which may be large; it is shown once the exercise is begun
-  constexpr double kCoarse = 2.5;    // mm, of voxels: as soon as a person looks
+  constexpr double kCoarse = 3.0;    // mm, of voxels: in less than a frame or two of the window
   static const auto skull = std::make_shared<const TriangleSoup>(surfaceOf(skullOfVoxels(kCoarse)));
   DisplayPart bone;
   bone.name = bone.group = "stock";
