@@ -38,6 +38,14 @@ void SimulatedGesture::feed(const Vec3& place, std::optional<double> time, doubl
   m_inputs->pushFromWindow(input);
 }
 
+bool SimulatedGesture::close() {
+  m_inputs->setDeviceGesture(0);
+  SimulationInput input;
+  input.gesture = m_number;
+  input.isEnd = true;
+  return m_inputs->pushFromWindow(input);
+}
+
 std::unique_ptr<Simulation> SimulatedGesture::end() {
   std::unique_ptr<Simulation> ended = m_loop.take();
   disarm();

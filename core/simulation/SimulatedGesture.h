@@ -37,6 +37,9 @@ class SimulatedGesture {
   // A place of the mouse in its gesture, mm. time: s, when it was there, by any clock; none: now. The window comes to
   // several places at once when it is busy. period: s, for simulations that depend on it.
   void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period);
+  // Nothing more is fed, nor comes of the device. The simulation is told so after all that has arrived, and goes on
+  // with what is left. False: there was no room, to be asked again. end() is to follow.
+  bool close();
   // Ends it, and gives the simulation after all that has arrived. restart() is to follow. Throws what a step throws.
   std::unique_ptr<Simulation> end();
   // Looks at the simulation between two of its steps; the gesture goes on. Throws what a step throws.

@@ -18,6 +18,7 @@ struct SimulationInput {
   TipState tip;
   Vec3 proxy = Vec3::Zero();  // mm: where the tip is held by what it touches
   std::uint32_t gesture = 0;  // number of the gesture in which the hand acts; 0: it only moves
+  bool isEnd = false;         // nothing more of the gesture follows; it is no place
 };
 
 inline constexpr std::size_t kWaitingInputs = 4096;  // 4 s at 1 kHz

@@ -135,6 +135,9 @@ class Tool {
   // Whether the preview changes by itself, as that of a running simulation does: it is then shown with each frame, not
   // only after an input.
   virtual bool isLive() const { return false; }
+  // Whether what went on without the tool after an input is done: then resume() is called, while it is live.
+  virtual bool isDue() const { return false; }
+  virtual ToolReply resume() { return ToolReply::Ignored; }
   virtual std::vector<Property> settings() const { return {}; }
   virtual void setSetting(std::string_view id, const PropertyValue& value) {
     (void)id;

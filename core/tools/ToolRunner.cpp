@@ -96,6 +96,10 @@ ToolReply ToolRunner::undo() {
   return guarded([&] { return m_tool->undo(); });
 }
 
+void ToolRunner::resume() {
+  if (m_tool && m_tool->isDue()) guarded([&] { return m_tool->resume(); });
+}
+
 void ToolRunner::setSetting(std::string_view id, const PropertyValue& value) {
   guarded([&] {
     m_tool->setSetting(id, value);

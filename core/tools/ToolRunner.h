@@ -37,6 +37,8 @@ class ToolRunner : public QObject {
   ToolReply perform(std::string_view action);
   // Tool::undo().
   ToolReply undo();
+  // Tool::resume(), where it is due. To be called with each frame of a tool that is live.
+  void resume();
   void setSetting(std::string_view id, const PropertyValue& value);
   // Passes the result of a job to the tool, with the same handling of exceptions as an event.
   void deliver(const std::function<void()>& result);

@@ -80,8 +80,7 @@ void forEachCrossing(const std::array<Vec3, 3>& corners, const Progress& progres
 
 }  // namespace
 
-SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress)
-    : m_bounding(closed.triangles.size(), false), m_crossed(closed.triangles.size(), false) {
+SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress) : m_crossed(closed.triangles.size(), false) {
   tbb::enumerable_thread_specific<std::vector<Found>> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed.triangles.size()),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -126,9 +125,8 @@ SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress)
                       }
                     });
   for (std::size_t i = 0; i < m_crossings.size(); ++i) {
-    const int after = m_after[i], before = after - m_crossings[i].step;
+    const int after = m_after[i];
     m_crossed[m_crossings[i].triangle] = true;
-    if ((after > 0) != (before > 0)) m_bounding[m_crossings[i].triangle] = true;
     if (after < 0 || after > 1) m_isSimple = false;
   }
 }

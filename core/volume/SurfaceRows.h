@@ -38,9 +38,8 @@ class SurfaceRows {
 
   // Whether it goes round nothing more than once, nor backwards: then each triangle bounds the inside.
   bool isSimple() const { return m_isSimple; }
-  // Per triangle: whether somewhere a row goes into the inside or out of it there.
-  const std::vector<bool>& bounding() const { return m_bounding; }
-  // The same by another winding number: turns(place, whole) is it, given the whole one there. O(crossings).
+  // Where rows go into the inside or out of it: the triangles, each with true, and the places. Inside is what has a
+  // winding number above a half; turns(place, whole) is it, given the whole one there. O(crossings).
   using Turns = std::function<double(const Vec3&, int)>;
   struct Bounding {
     std::vector<bool> triangles;
@@ -55,7 +54,7 @@ class SurfaceRows {
   std::vector<std::size_t> m_begin;   // per row
   std::vector<Crossing> m_crossings;  // by row, then by x
   std::vector<int> m_after;           // the winding number behind each
-  std::vector<bool> m_bounding, m_crossed;
+  std::vector<bool> m_crossed;
   bool m_isSimple = true;
 };
 

@@ -106,6 +106,8 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
   });
   m_frames.setInterval(kFrameMs);
   connect(&m_frames, &QTimer::timeout, this, [this] {
+    m_runner.resume();
+    if (!m_runner.tool()) return;
     if (++m_frame % kFramesToFigures == 0) return show();
     showShapes(m_runner.tool()->preview());
   });

@@ -14,9 +14,21 @@ ClaySimulation::ClaySimulation(std::shared_ptr<const ClayState> begin, const Cla
 
 void ClaySimulation::step(double, std::span<const SimulationInput> inputs) {
   const VolumeReader reader(m_state->volume);
-  for (const SimulationInput& input : inputs)
-    if (input.gesture != 0) m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy));
+  for (const SimulationInput& input : inputs) {
+    if (input.gesture == 0) continue;
+    if (input.isEnd) {
+      m_isEnded = true;
+    } else {
+      m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy));
+    }
+  }
   apply(kMostDabs);
+  if (m_isEnded && m_stroke.dabs().empty() && !m_state->isComplete) {
+    auto complete = std::make_shared<ClayState>(*m_state);
+    complete->isComplete = true;
+    m_state = std::move(complete);
+    m_isWritten = false;
+  }
   if (m_isWritten) return;
   m_channel->patch.write({m_state});
   m_isWritten = true;

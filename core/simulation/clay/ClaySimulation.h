@@ -15,6 +15,7 @@ struct ClayState : SimulationState {
   SparseVolume volume;
   VolumeSurface surface;
   std::size_t changedBlocks = 0;  // since the simulation began
+  bool isComplete = false;        // the gesture has ended, and all of it is in the volume
 };
 
 // What the servo loop reads of a simulation of clay: null before the first step. A volume is read without a lock, and
@@ -46,6 +47,7 @@ class ClaySimulation : public Simulation {
   std::shared_ptr<const ClayState> m_state;
   ClayStroke m_stroke;
   std::shared_ptr<ClayChannel> m_channel;
+  bool m_isEnded = false;                  // the gesture
   bool m_isWritten = false;                // the present state is in the channel
   std::set<std::array<int, 3>> m_changed;  // blocks
 };

@@ -155,7 +155,12 @@ ToolReply ClayTool::press(const PointerEvent& event) {
 
 ToolReply ClayTool::pointer(const PointerEvent& event) {
   m_gesture.rethrow();
-  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture.isOnBy(isOfDevice);
+  const bool isHover = event.kind == PointerEvent::Kind::Hover || event.kind == PointerEvent::Kind::Leave;
+  if (m_isEnding && !isHover) {
+    m_waiting.push_back(event);
+    return ToolReply::Used;
+  }
+  const bool isOfDevice = event.device.has_value(), isOwn = !m_isEnding && m_gesture.isOnBy(isOfDevice);
   switch (event.kind) {
     case PointerEvent::Kind::Press:
       return press(event);
@@ -189,32 +194,63 @@ void ClayTool::hover(const PointerEvent& event) {
   }
 }
 
-// The edit comes back as documentChanged(), and the next simulation begins there.
+// The simulation goes on with what a fast hand has left; the stroke is live until then.
 ToolReply ClayTool::release() {
+  m_isEnding = true;
+  m_isClosed = m_gesture.close();
+  return ToolReply::Used;
+}
+
+bool ClayTool::isDue() const {
+  return m_isEnding && (!m_isClosed || state()->isComplete);
+}
+
+ToolReply ClayTool::resume() {
+  m_gesture.rethrow();
+  if (!m_isClosed) {
+    m_isClosed = m_gesture.close();
+    return ToolReply::Used;
+  }
+  const std::vector<PointerEvent> waiting = std::exchange(m_waiting, {});
+  complete();
+  for (const PointerEvent& event : waiting) pointer(event);
+  return ToolReply::Used;
+}
+
+void ClayTool::settle() {
+  if (m_isEnding) complete();
+}
+
+// The edit comes back as documentChanged(), and the next simulation begins there.
+void ClayTool::complete() {
+  m_isEnding = false;
+  m_waiting.clear();
   const std::unique_ptr<Simulation> ended = m_gesture.end();
   m_grip.reset();
   static_cast<ClaySimulation&>(*ended).finish();
   const auto shaped = std::static_pointer_cast<const ClayState>(ended->state());
   const ClayAction action = std::exchange(m_present, m_brush).action;
-  if (shaped->changedBlocks == 0) {
-    m_gesture.restart();
-    return ToolReply::Used;
-  }
+  if (shaped->changedBlocks == 0) return m_gesture.restart();
   const std::shared_ptr<const VolumeSnapshot>& before = m_document.volume();
   auto after = std::make_shared<VolumeSnapshot>(*before);
   after->volume = shaped->volume;
   after->surface = shaped->surface;
   const QString text = strokeText(action, after->volume.material() - before->volume.material());
   m_document.commit(text, std::make_unique<VolumeEdit>(std::move(after), shaped->changedBlocks));
-  return ToolReply::Used;
+}
+
+void ClayTool::restart() {
+  m_isEnding = false;
+  m_waiting.clear();
+  m_grip.reset();
+  m_present = m_brush;
+  m_gesture.restart();
 }
 
 ToolReply ClayTool::perform(std::string_view action) {
   if (action == "revert") {
     if (!m_gesture.isOn()) return ToolReply::Ignored;
-    m_grip.reset();
-    m_present = m_brush;
-    m_gesture.restart();
+    restart();
   } else if (action == "smaller" || action == "larger") {
     setSetting("radius", PropertyValue(m_brush.radius * (action == "larger" ? kRadiusStep : 1.0 / kRadiusStep)));
   } else if (action == "add") {
@@ -294,9 +330,8 @@ void ClayTool::setSetting(std::string_view id, const PropertyValue& value) {
     if (id == std::string("mirror_") + "xyz"[axis]) isBrush = assignSwitch(m_brush.isMirrored[axis], value);
   if (id == "resistance") assignNumber(m_resistance, value, kResistances);
   if (!isBrush) return;
-  m_grip.reset();
-  m_present = m_brush;
-  m_gesture.restart();
+  settle();
+  restart();
 }
 
 }  // namespace handwheel

@@ -27,9 +27,12 @@ class ClayTool : public VolumeTool {
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   bool isLive() const override { return m_gesture.isOn(); }
+  bool isDue() const override;
+  ToolReply resume() override;
+  void settle() override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  void documentChanged() override { m_gesture.restart(); }
+  void documentChanged() override { restart(); }
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
  private:
@@ -46,6 +49,8 @@ class ClayTool : public VolumeTool {
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
+  void complete();
+  void restart();
   void hover(const PointerEvent& event);
 
   VolumeDocument& m_document;
@@ -53,6 +58,10 @@ class ClayTool : public VolumeTool {
   ClayBrush m_present;  // of the gesture: with the modifiers that were held
   double m_resistance = 0.05;
   SimulatedGesture m_gesture;
+  // A stroke has ended, and the simulation applies the rest of it; whether it knows. What the hand does meanwhile
+  // waits.
+  bool m_isEnding = false, m_isClosed = false;
+  std::vector<PointerEvent> m_waiting;
   std::optional<Grip> m_grip;
   std::optional<Vec3> m_hovered;  // on the surface
 };

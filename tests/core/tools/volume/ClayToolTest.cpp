@@ -41,6 +41,14 @@ struct ClayBench {
     QCOMPARE(event(PointerEvent::Kind::Press, fromX, y, modifiers), ToolReply::Used);
     for (int i = 1; i <= 20; ++i) event(PointerEvent::Kind::Drag, fromX + i / 20.0 * (toX - fromX), y, modifiers);
     QCOMPARE(event(PointerEvent::Kind::Release, toX, y, modifiers), ToolReply::Used);
+    complete();
+  }
+  // As with each frame of the window.
+  void complete() {
+    while (tool->isLive()) {
+      QTest::qSleep(2);
+      runner.resume();
+    }
   }
   void set(const char* id, PropertyValue value) { runner.setSetting(id, value); }
   void choose(ClayAction action) { set("action", PropertyValue(static_cast<double>(action))); }
@@ -116,6 +124,38 @@ class ClayToolTest : public QObject {
     QVERIFY(bench.tool->preview().ofKind == nullptr);
   }
 
+  // The simulation applies the rest of a stroke after its release: the next press waits for it, and nothing is lost.
+  void nobodyWaits() {
+    ClayBench bench;
+    bench.choose(ClayAction::Inflate);
+    bench.set("radius", PropertyValue(6.0));
+    for (const double y : {-6.0, 6.0}) {
+      QCOMPARE(bench.event(PointerEvent::Kind::Press, -8.0, y), ToolReply::Used);
+      for (int i = 1; i <= 40; ++i) bench.event(PointerEvent::Kind::Drag, -8.0 + 0.4 * i, y);
+      QCOMPARE(bench.event(PointerEvent::Kind::Release, 8.0, y), ToolReply::Used);
+      QCOMPARE(bench.steps(), 0);
+    }
+    QVERIFY(bench.tool->isLive());
+    bench.complete();
+    QCOMPARE(bench.steps(), 2);
+    for (const double y : {-6.0, 6.0})
+      for (const double x : {-8.0, 0.0, 8.0})
+        QVERIFY(bench.depthAt({x, y, std::sqrt(400.0 - x * x - y * y) + 0.1}) > 0.0);
+  }
+
+  // A tool that is left has its stroke done, and one that undo meets is taken back.
+  void endsAtOnce() {
+    ClayBench bench;
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(bench.runner.undo(), ToolReply::Used);
+    QCOMPARE(bench.steps(), 0);
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    bench.runner.stop();
+    QCOMPARE(bench.steps(), 1);
+  }
+
   // The other side is worked on at once.
   void mirrored() {
     ClayBench bench;
@@ -151,6 +191,7 @@ class ClayToolTest : public QObject {
     }
     event.kind = PointerEvent::Kind::Release;
     QCOMPARE(bench.runner.pointer(event), ToolReply::Used);
+    bench.complete();
     QCOMPARE(bench.steps(), 1);
     QVERIFY(bench.depthAt({2.0, 0.0, 18.0}) < 0.0);
   }

@@ -78,7 +78,7 @@ class ClayWindowTest : public QObject {
       QTest::qWait(5);
     }
     QTest::mouseRelease(clay.view, Qt::LeftButton, {}, middle + QPoint(60, 0));
-    QCOMPARE(clay.document().history()->count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(clay.document().history()->count(), 1, kPatienceMs);
     const double carved = clay.document().volume()->volume.material();
     QVERIFY(carved < before - 1.0);
     clay.driver.click("quickActions/undo");
