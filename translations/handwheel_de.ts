@@ -102,10 +102,6 @@
         <translation>Löcher</translation>
     </message>
     <message>
-        <source>Sheet edges, kept holes</source>
-        <translation>Flächenränder und offene Löcher</translation>
-    </message>
-    <message>
         <source>Non-manifold edges</source>
         <translation>Nicht-mannigf. Kanten</translation>
     </message>
@@ -192,6 +188,10 @@
     <message>
         <source>Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its triangles. “Remove debris” removes all, or only the piece selected here; any other piece is removed with the tool “Select faces”.</source>
         <translation>Stücke neben dem größten, mit weniger als %1 % seiner Fläche und weniger als %2 % seiner Dreiecke. „Bruchstücke entfernen“ entfernt alle oder nur das hier gewählte Stück; andere Stücke entfernt das Werkzeug „Flächen auswählen“.</translation>
+    </message>
+    <message>
+        <source>Boundaries kept open</source>
+        <translation>Offen gelassene Ränder</translation>
     </message>
 </context>
 <context>
@@ -1445,6 +1445,14 @@
     <message>
         <source>Choose another range; bone in a CT begins at about 300.</source>
         <translation>Wählen Sie einen anderen Bereich; Knochen beginnt in einem CT bei etwa 300.</translation>
+    </message>
+    <message>
+        <source>nothing was drilled in the work that was begun</source>
+        <translation>in der begonnenen Arbeit wurde nichts gebohrt</translation>
+    </message>
+    <message>
+        <source>Drill the hole first: its way becomes the planned path.</source>
+        <translation>Bohren Sie zuerst das Loch: Sein Weg wird die geplante Bahn.</translation>
     </message>
 </context>
 <context>
@@ -2869,6 +2877,66 @@
         <source>the pixels of a slice cannot be unpacked</source>
         <translation>die Pixel einer Schicht lassen sich nicht entpacken</translation>
     </message>
+    <message>
+        <source>the size in front of its tolerance is not the nominal size</source>
+        <translation>das Maß vor seiner Toleranz ist nicht das Nennmaß</translation>
+    </message>
+    <message>
+        <source>a drill is impossible or not known</source>
+        <translation>ein Bohrer ist unmöglich oder unbekannt</translation>
+    </message>
+    <message>
+        <source>a drill was expected, such as ball:6, burr:4 or twist:3</source>
+        <translation>ein Bohrer wurde erwartet, zum Beispiel ball:6, burr:4 oder twist:3</translation>
+    </message>
+    <message>
+        <source>a hole has too many poses</source>
+        <translation>ein Bohrloch hat zu viele Lagen</translation>
+    </message>
+    <message>
+        <source>a list of holes was expected</source>
+        <translation>eine Liste von Bohrlöchern wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a pose of the drill is impossible</source>
+        <translation>eine Lage des Bohrers ist unmöglich</translation>
+    </message>
+    <message>
+        <source>balls were expected: x; y; z; radius, with “|” between them</source>
+        <translation>Kugeln wurden erwartet: x; y; z; Radius, mit „|“ dazwischen</translation>
+    </message>
+    <message>
+        <source>figures of drilling have limits, no tolerance</source>
+        <translation>Messgrößen des Bohrens haben Grenzen, keine Toleranz</translation>
+    </message>
+    <message>
+        <source>it is no drill</source>
+        <translation>es ist kein Bohrer</translation>
+    </message>
+    <message>
+        <source>it is no list of holes</source>
+        <translation>es ist keine Liste von Bohrlöchern</translation>
+    </message>
+    <message>
+        <source>it is no volume</source>
+        <translation>es ist kein Volumen</translation>
+    </message>
+    <message>
+        <source>points were expected: time, depth, beside, across, in order of time</source>
+        <translation>Punkte wurden erwartet: Zeit, Tiefe, seitlich, quer, nach der Zeit geordnet</translation>
+    </message>
+    <message>
+        <source>poses of the drill are lost</source>
+        <translation>Lagen des Bohrers sind verloren</translation>
+    </message>
+    <message>
+        <source>three lengths were expected, with “;” between them</source>
+        <translation>drei Längen wurden erwartet, mit „;“ dazwischen</translation>
+    </message>
+    <message>
+        <source>three numbers were expected, with “;” between them</source>
+        <translation>drei Zahlen wurden erwartet, mit „;“ dazwischen</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3251,6 +3319,94 @@
     <message>
         <source>turning tool</source>
         <translation>Drehmeißel</translation>
+    </message>
+    <message>
+        <source>Burr hole in the skull</source>
+        <translation>Bohrloch im Schädel</translation>
+    </message>
+    <message>
+        <source>Drill through the skull along the planned path, and stop before the brain.</source>
+        <translation>Bohren Sie entlang der geplanten Bahn durch den Schädel, und halten Sie vor dem Gehirn an.</translation>
+    </message>
+    <message>
+        <source>Choose the drill</source>
+        <translation>Bohrer wählen</translation>
+    </message>
+    <message>
+        <source>Press Shift+D, or choose “Drill” above. Drill, speed and material are those of the exercise. The green rod shows the planned path.</source>
+        <translation>Drücken Sie Umschalt+D, oder wählen Sie oben „Bohren“. Bohrer, Drehzahl und Material gibt die Übung vor. Der grüne Stab zeigt die geplante Bahn.</translation>
+    </message>
+    <message>
+        <source>Find the place</source>
+        <translation>Stelle finden</translation>
+    </message>
+    <message>
+        <source>Go with the pointer to where the green rod meets the skull. The circle shows the drill.</source>
+        <translation>Gehen Sie mit dem Zeiger dorthin, wo der grüne Stab auf den Schädel trifft. Der Kreis zeigt den Bohrer.</translation>
+    </message>
+    <message>
+        <source>Turn the view until you look along the rod.</source>
+        <translation>Drehen Sie die Ansicht, bis Sie entlang des Stabs blicken.</translation>
+    </message>
+    <message>
+        <source>With Shift held, the drill goes straight along the view.</source>
+        <translation>Bei gehaltener Umschalttaste geht der Bohrer gerade in Blickrichtung.</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Hold the left button: the drill goes on at its feed, and the plots show thrust and torque. Let go as soon as the breakthrough is shown.</source>
+        <translation>Halten Sie die linke Taste: Der Bohrer geht mit seinem Vorschub voran, und die Diagramme zeigen Vorschubkraft und Drehmoment. Lassen Sie los, sobald der Durchbruch angezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The thrust falls when the tip comes through the inner table.</source>
+        <translation>Die Vorschubkraft fällt, wenn die Spitze durch die Tabula interna kommt.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes a hole back, and with it all that was measured of it.</source>
+        <translation>Strg+Z nimmt ein Bohrloch zurück, und mit ihm alles, was daran gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Measure the hole</source>
+        <translation>Bohrloch messen</translation>
+    </message>
+    <message>
+        <source>Press “Measure” below.</source>
+        <translation>Drücken Sie unten „Messen“.</translation>
+    </message>
+    <message>
+        <source>The brain is not touched</source>
+        <translation>Das Gehirn ist nicht berührt</translation>
+    </message>
+    <message>
+        <source>Stopped within 2 mm</source>
+        <translation>Innerhalb von 2 mm angehalten</translation>
+    </message>
+    <message>
+        <source>On the planned path</source>
+        <translation>Auf der geplanten Bahn</translation>
+    </message>
+    <message>
+        <source>Through within 20 s</source>
+        <translation>Durch in höchstens 20 s</translation>
+    </message>
+    <message>
+        <source>Thrust below 30 N</source>
+        <translation>Vorschubkraft unter 30 N</translation>
+    </message>
+    <message>
+        <source>Gentle in the last millimetre</source>
+        <translation>Behutsam auf dem letzten Millimeter</translation>
+    </message>
+    <message>
+        <source>Torque below 150 N·mm</source>
+        <translation>Drehmoment unter 150 N·mm</translation>
+    </message>
+    <message>
+        <source>Cool drilling</source>
+        <translation>Kühl gebohrt</translation>
     </message>
 </context>
 <context>
@@ -3866,6 +4022,74 @@
     <message>
         <source>Collisions and feeds too high</source>
         <translation>Kollisionen und zu hohe Vorschübe</translation>
+    </message>
+    <message>
+        <source>Breakthrough</source>
+        <translation>Durchbruch</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Vorschubkraft</translation>
+    </message>
+    <message>
+        <source>Reference (3-22)</source>
+        <translation>Referenz (3-22)</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>Reference (3-23)</source>
+        <translation>Referenz (3-23)</translation>
+    </message>
+    <message>
+        <source>Depth of the tip</source>
+        <translation>Tiefe der Spitze</translation>
+    </message>
+    <message>
+        <source>Beside the path</source>
+        <translation>Neben der Bahn</translation>
+    </message>
+    <message>
+        <source>Temperature rise (estimate)</source>
+        <translation>Temperaturanstieg (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Deviation from the planned path</source>
+        <translation>Abweichung von der geplanten Bahn</translation>
+    </message>
+    <message>
+        <source>Time from contact to breakthrough</source>
+        <translation>Zeit von der Berührung bis zum Durchbruch</translation>
+    </message>
+    <message>
+        <source>Plunge beyond the inner surface</source>
+        <translation>Überstand hinter der inneren Oberfläche</translation>
+    </message>
+    <message>
+        <source>Depth in the forbidden region</source>
+        <translation>Tiefe im verbotenen Bereich</translation>
+    </message>
+    <message>
+        <source>Largest thrust</source>
+        <translation>Größte Vorschubkraft</translation>
+    </message>
+    <message>
+        <source>Mean thrust in the last millimetre</source>
+        <translation>Mittlere Vorschubkraft auf dem letzten Millimeter</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>Größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>Time of the hole</source>
+        <translation>Zeit des Bohrlochs</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Bohren</translation>
     </message>
 </context>
 <context>
@@ -4660,14 +4884,6 @@
         <translation>Die Arbeit steht nicht in der Beschreibung.</translation>
     </message>
     <message>
-        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
-        <translation>Die Zeichnung ist das Ziel einer neuen Stange von ⌀%1 × %2 mm. Im Feld „Rohteil“ lassen sich andere Maße eingeben; für eine Übung verwenden Sie „Ziel importieren…“ in deren Feld.</translation>
-    </message>
-    <message>
-        <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then import the target again.</source>
-        <translation>Das Ziel, ⌀%1 × %2 mm, passt nicht in die Stange von ⌀%3 × %4 mm. Stellen Sie die Stange größer ein, und importieren Sie das Ziel dann erneut.</translation>
-    </message>
-    <message>
         <source>The numbered columns are the points of these criteria:</source>
         <translation>Die nummerierten Spalten sind die Punkte für diese Kriterien:</translation>
     </message>
@@ -4708,16 +4924,104 @@
         <translation>Dateien, die keine Graustufenbilder sind oder beschädigt sind, werden ausgelassen (%1).</translation>
     </message>
     <message>
-        <source>Values from %1 on are taken as material: that parts the image best. &apos;handwheel segment&apos; takes any other range.</source>
-        <translation>Werte ab %1 gelten als Material: Das teilt das Bild am besten. „handwheel segment“ nimmt jeden anderen Bereich.</translation>
-    </message>
-    <message>
         <source>The file holds densities: what is denser than a half is material.</source>
         <translation>Die Datei enthält Dichten: Was dichter als einhalb ist, ist Material.</translation>
     </message>
     <message>
         <source>Further grids of the file are left out (%1).</source>
         <translation>Weitere Gitter der Datei werden ausgelassen (%1).</translation>
+    </message>
+    <message>
+        <source>Contact.</source>
+        <translation>Berührung.</translation>
+    </message>
+    <message>
+        <source>The drill left the planned path by more than %1 mm.</source>
+        <translation>Der Bohrer ist um mehr als %1 mm von der geplanten Bahn abgekommen.</translation>
+    </message>
+    <message>
+        <source>Breakthrough: the drill is through the inner surface.</source>
+        <translation>Durchbruch: Der Bohrer ist durch die innere Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The drill entered the forbidden region.</source>
+        <translation>Der Bohrer ist in den verbotenen Bereich eingedrungen.</translation>
+    </message>
+    <message>
+        <source>The measuring was cancelled.</source>
+        <translation>Das Messen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The volume was changed by something else than the drill.</source>
+        <translation>Das Volumen wurde durch etwas anderes als den Bohrer geändert.</translation>
+    </message>
+    <message>
+        <source>Another drill, speed or material was used.</source>
+        <translation>Bohrer, Drehzahl oder Material waren andere.</translation>
+    </message>
+    <message>
+        <source>Nothing was drilled.</source>
+        <translation>Es wurde nichts gebohrt.</translation>
+    </message>
+    <message>
+        <source>The drill did not come through.</source>
+        <translation>Der Bohrer ist nicht durchgekommen.</translation>
+    </message>
+    <message>
+        <source>It was entered %1 s after contact.</source>
+        <translation>Er wurde %1 s nach der Berührung erreicht.</translation>
+    </message>
+    <message>
+        <source>Twist drill ⌀%1 mm, %2 r/min</source>
+        <translation>Spiralbohrer ⌀%1 mm, %2 1/min</translation>
+    </message>
+    <message>
+        <source>Burr ⌀%1 mm, %2 r/min</source>
+        <translation>Frässtift ⌀%1 mm, %2 1/min</translation>
+    </message>
+    <message>
+        <source>Ball head ⌀%1 mm, %2 r/min</source>
+        <translation>Kugelkopf ⌀%1 mm, %2 1/min</translation>
+    </message>
+    <message>
+        <source>Material: %1</source>
+        <translation>Material: %1</translation>
+    </message>
+    <message>
+        <source>Planned path within %1 mm: the green line</source>
+        <translation>Geplante Bahn auf %1 mm genau: die grüne Linie</translation>
+    </message>
+    <message>
+        <source>The head must not enter the forbidden region</source>
+        <translation>Der Kopf darf nicht in den verbotenen Bereich eindringen</translation>
+    </message>
+    <message>
+        <source>Nothing is left for facing: a part is drilled as it is.</source>
+        <translation>Ein Aufmaß zum Plandrehen gibt es nicht: Ein Teil wird gebohrt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Planned path and forbidden region stay where they were. Set them for this volume; a hole that is drilled can be taken as the path.</source>
+        <translation>Geplante Bahn und verbotener Bereich bleiben, wo sie waren. Stellen Sie sie für dieses Volumen ein; ein gebohrtes Loch kann als Bahn übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Values from %1 on are taken as material: that parts the image best. The panel Segmentation and &apos;handwheel segment&apos; take any other range.</source>
+        <translation>Werte ab %1 gelten als Material: Das trennt das Bild am besten. Das Feld „Segmentierung“ und „handwheel segment“ nehmen jeden anderen Bereich.</translation>
+    </message>
+    <message>
+        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
+        <translation>Die Zeichnung ist das Ziel einer neuen Stange von ⌀%1 × %2 mm, mit %3 mm Aufmaß zum Plandrehen am freien Ende. Das Feld „Rohteil“ nimmt andere Maße an; für eine Übung verwenden Sie „Ziel importieren…“ in ihrem Feld.</translation>
+    </message>
+    <message>
+        <source>The finished face, zero of the drawing and of programs, is %1 mm behind the free end of the bar, at Z %2 mm; %3 mm of the bar are left behind the part at the chuck&apos;s end.</source>
+        <translation>Die fertige Planfläche, Nullpunkt der Zeichnung und der Programme, liegt %1 mm hinter dem freien Ende der Stange, bei Z %2 mm; %3 mm der Stange bleiben hinter dem Teil am Ende im Futter.</translation>
+    </message>
+    <message>
+        <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then what is left for facing.</source>
+        <translation>Das Ziel, ⌀%1 × %2 mm, passt nicht in die Stange von ⌀%3 × %4 mm. Stellen Sie für die Stange ein größeres Maß ein, danach das Aufmaß zum Plandrehen.</translation>
+    </message>
+    <message>
+        <source>no points, as the work fails by “%1”</source>
+        <translation>keine Punkte, da die Arbeit an „%1“ scheitert</translation>
     </message>
 </context>
 <context>
@@ -4846,10 +5150,6 @@
         <translation>Die Bahn wird geprüft.</translation>
     </message>
     <message>
-        <source>Not verified since the document was opened: select the path, or choose Verify all paths.</source>
-        <translation>Seit dem Öffnen des Dokuments nicht geprüft: Wählen Sie die Bahn aus, oder wählen Sie „Alle Bahnen prüfen“.</translation>
-    </message>
-    <message>
         <source>Before: %1</source>
         <translation>Zuvor: %1</translation>
     </message>
@@ -4860,6 +5160,14 @@
     <message>
         <source>It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.</source>
         <translation>Sie führt entlang der Kurve, wo %1 beim Planen stand. Neu geplant folgt sie dem Teil.</translation>
+    </message>
+    <message>
+        <source>On the way to place %1: %2 with %3</source>
+        <translation>Auf dem Weg zu Punkt %1: %2 mit %3</translation>
+    </message>
+    <message>
+        <source>It was never verified: select the path, or choose Verify all paths.</source>
+        <translation>Sie wurde noch nie geprüft: Wählen Sie die Bahn aus, oder wählen Sie „Alle Bahnen prüfen“.</translation>
     </message>
 </context>
 <context>
@@ -5372,10 +5680,6 @@
         <translation>Schnitte</translation>
     </message>
     <message>
-        <source>Nose radius</source>
-        <translation>Eckenradius</translation>
-    </message>
-    <message>
         <source>Resistance (N·s/mm)</source>
         <translation>Widerstand (N·s/mm)</translation>
     </message>
@@ -5816,10 +6120,6 @@
         <translation>Text</translation>
     </message>
     <message>
-        <source>Hints, with | between</source>
-        <translation>Hinweise, mit | getrennt</translation>
-    </message>
-    <message>
         <source>Lathe</source>
         <translation>Drehmaschine</translation>
     </message>
@@ -5946,30 +6246,6 @@
     <message>
         <source>Tailstock at Z</source>
         <translation>Reitstock bei Z</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Seite</translation>
-    </message>
-    <message>
-        <source>Outside</source>
-        <translation>Außen</translation>
-    </message>
-    <message>
-        <source>Bore</source>
-        <translation>Bohrung</translation>
-    </message>
-    <message>
-        <source>Exact trimming</source>
-        <translation>Exakter Beschnitt</translation>
-    </message>
-    <message>
-        <source>Control points</source>
-        <translation>Kontrollpunkte</translation>
-    </message>
-    <message>
-        <source>Control point distance</source>
-        <translation>Abstand der Kontrollpunkte</translation>
     </message>
     <message>
         <source>Nominal size</source>
@@ -6620,10 +6896,6 @@
         <translation>Grauguss, 200 HB</translation>
     </message>
     <message>
-        <source>Done when met, with ; between</source>
-        <translation>Erledigt, wenn erfüllt, mit ; getrennt</translation>
-    </message>
-    <message>
         <source>Its own</source>
         <translation>Eigene</translation>
     </message>
@@ -6747,6 +7019,106 @@
         <source>Largest parts</source>
         <translation>Größte Teile</translation>
     </message>
+    <message>
+        <source>Without it no points at all</source>
+        <translation>Ohne dieses gar keine Punkte</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Done when met</source>
+        <translation>Erledigt, wenn erfüllt</translation>
+    </message>
+    <message>
+        <source>Planned path</source>
+        <translation>Geplante Bahn</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path</source>
+        <translation>Toleranz der Bahn</translation>
+    </message>
+    <message>
+        <source>Entry (mm): x; y; z</source>
+        <translation>Eintritt (mm): x; y; z</translation>
+    </message>
+    <message>
+        <source>Direction: x; y; z</source>
+        <translation>Richtung: x; y; z</translation>
+    </message>
+    <message>
+        <source>Forbidden balls (mm): x; y; z; radius, with | between</source>
+        <translation>Verbotene Kugeln (mm): x; y; z; Radius, mit | dazwischen</translation>
+    </message>
+    <message>
+        <source>Drill: ball:6, burr:4 or twist:3</source>
+        <translation>Bohrer: ball:6, burr:4 oder twist:3</translation>
+    </message>
+    <message>
+        <source>the target is thicker than the bar</source>
+        <translation>das Ziel ist dicker als die Stange</translation>
+    </message>
+    <message>
+        <source>the target is longer than the bar</source>
+        <translation>das Ziel ist länger als die Stange</translation>
+    </message>
+    <message>
+        <source>the target goes beyond the chuck&apos;s end of the bar</source>
+        <translation>das Ziel ragt über das Ende der Stange im Futter hinaus</translation>
+    </message>
+    <message>
+        <source>the target goes beyond the free end of the bar</source>
+        <translation>das Ziel ragt über das freie Ende der Stange hinaus</translation>
+    </message>
+    <message>
+        <source>Left for facing at the free end</source>
+        <translation>Aufmaß zum Plandrehen am freien Ende</translation>
+    </message>
+    <message>
+        <source>Finished face, zero of the drawing and programs, Z</source>
+        <translation>Fertige Planfläche, Nullpunkt der Zeichnung und der Programme, Z</translation>
+    </message>
+    <message>
+        <source>Left behind the part at the chuck&apos;s end</source>
+        <translation>Rest hinter dem Teil am Ende im Futter</translation>
+    </message>
+    <message>
+        <source>Nose radius of the tool</source>
+        <translation>Eckenradius des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Drag felt by the hand (N·s/mm)</source>
+        <translation>Widerstand, den die Hand spürt (N·s/mm)</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>The outside</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>A bore</source>
+        <translation>Eine Bohrung</translation>
+    </message>
+    <message>
+        <source>The part takes the shape of</source>
+        <translation>Das Teil nimmt die Form an</translation>
+    </message>
+    <message>
+        <source>The nose, exactly</source>
+        <translation>Der Schneidenecke, genau</translation>
+    </message>
+    <message>
+        <source>A smooth curve near it</source>
+        <translation>Einer glatten Kurve nahe daran</translation>
+    </message>
+    <message>
+        <source>Distance of the points of the curve</source>
+        <translation>Abstand der Punkte der Kurve</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6755,13 +7127,6 @@
         <translation>
             <numerusform>%Ln Loch</numerusform>
             <numerusform>%Ln Löcher</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln sheet edge(s) and kept hole(s)</source>
-        <translation>
-            <numerusform>%Ln Flächenrand oder offenes Loch</numerusform>
-            <numerusform>%Ln Flächenränder und offene Löcher</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6845,6 +7210,13 @@
     <message>
         <source>new: %1</source>
         <translation>neu: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln outer boundary(ies) and kept hole(s)</source>
+        <translation>
+            <numerusform>%Ln Außenrand oder offen gelassenes Loch</numerusform>
+            <numerusform>%Ln Außenränder und offen gelassene Löcher</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7252,20 +7624,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n sheet edge(s) closed</source>
-        <translation>
-            <numerusform>%1 von %n Flächenrand geschlossen</numerusform>
-            <numerusform>%1 von %n Flächenrändern geschlossen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sheet edge(s) gone with removed triangles</source>
-        <translation>
-            <numerusform>%n Flächenrand mit entfernten Dreiecken verschwunden</numerusform>
-            <numerusform>%n Flächenränder mit entfernten Dreiecken verschwunden</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n new opening(s)</source>
         <translation>
             <numerusform>%n neue Öffnung</numerusform>
@@ -7279,6 +7637,20 @@
     <message>
         <source>it was the outer boundary of an open sheet, which has been changed so that it looks like a hole now</source>
         <translation>es war der Außenrand einer offenen Fläche, die so geändert wurde, dass er jetzt wie ein Loch aussieht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n outer boundary(ies) closed</source>
+        <translation>
+            <numerusform>%1 von %n Außenrand geschlossen</numerusform>
+            <numerusform>%1 von %n Außenrändern geschlossen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outer boundary(ies) gone with removed triangles</source>
+        <translation>
+            <numerusform>%n Außenrand mit entfernten Dreiecken verschwunden</numerusform>
+            <numerusform>%n Außenränder mit entfernten Dreiecken verschwunden</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7923,10 +8295,6 @@
         <translation>ein Dreieck hat einen Eckpunkt doppelt: Entfernen Sie zuerst entartete Dreiecke</translation>
     </message>
     <message>
-        <source>OpenMesh does not support two edges between the same vertices, as on one-sided surfaces</source>
-        <translation>OpenMesh unterstützt keine zwei Kanten zwischen denselben Eckpunkten, wie auf einseitigen Flächen</translation>
-    </message>
-    <message>
         <source>more than two triangles share an edge: the surface would tear there</source>
         <translation>mehr als zwei Dreiecke teilen eine Kante: Dort würde die Oberfläche reißen</translation>
     </message>
@@ -8383,8 +8751,20 @@
         <translation>Bild segmentieren</translation>
     </message>
     <message>
-        <source>OpenMesh does not support two triangles back to back: remove duplicate triangles first</source>
-        <translation>OpenMesh unterstützt keine zwei Dreiecke Rücken an Rücken: zuerst doppelte Dreiecke entfernen</translation>
+        <source>OpenMesh does not support two edges between the same vertices, as on one-sided surfaces: repair the mesh first</source>
+        <translation>OpenMesh unterstützt keine zwei Kanten zwischen denselben Eckpunkten, wie auf Flächen mit nur einer Seite: Reparieren Sie zuerst das Netz</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two triangles back to back, a plate of zero thickness: delete them first</source>
+        <translation>OpenMesh unterstützt keine zwei Dreiecke Rücken an Rücken, eine Platte der Dicke null: Löschen Sie sie zuerst</translation>
+    </message>
+    <message>
+        <source>in the forbidden region: release the button</source>
+        <translation>im verbotenen Bereich: Taste loslassen</translation>
+    </message>
+    <message>
+        <source>beside the planned path</source>
+        <translation>neben der geplanten Bahn</translation>
     </message>
 </context>
 <context>
@@ -8918,6 +9298,62 @@
         <source>Release %1</source>
         <translation>%1 loslassen</translation>
     </message>
+    <message>
+        <source>Re&amp;name the body</source>
+        <translation>Körper &amp;umbenennen</translation>
+    </message>
+    <message>
+        <source>Choose the &amp;unit of its numbers…</source>
+        <translation>Einheit seiner &amp;Zahlen wählen…</translation>
+    </message>
+    <message>
+        <source>Give the selected body another name, in the list</source>
+        <translation>Dem ausgewählten Körper in der Liste einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Say in which unit the numbers of its file are: STL, OBJ, PLY and OFF have none, and count as mm</source>
+        <translation>Angeben, in welcher Einheit die Zahlen seiner Datei sind: STL, OBJ, PLY und OFF haben keine und zählen als mm</translation>
+    </message>
+    <message>
+        <source>Unlink the file first: it is read again with its own numbers.</source>
+        <translation>Lösen Sie zuerst die Verknüpfung mit der Datei: Sie wird mit ihren eigenen Zahlen neu eingelesen.</translation>
+    </message>
+    <message>
+        <source>Only bodies from mesh files have numbers without a unit.</source>
+        <translation>Nur Körper aus Netzdateien haben Zahlen ohne Einheit.</translation>
+    </message>
+    <message>
+        <source>%1: the body measures %2</source>
+        <translation>%1: Der Körper misst %2</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Einheit von %1</translation>
+    </message>
+    <message>
+        <source>Its numbers are in:</source>
+        <translation>Seine Zahlen sind in:</translation>
+    </message>
+    <message>
+        <source>Scaling %1</source>
+        <translation>%1 wird skaliert</translation>
+    </message>
+    <message>
+        <source>Change the unit of %1</source>
+        <translation>Einheit von %1 ändern</translation>
+    </message>
+    <message>
+        <source>%1 measures %2</source>
+        <translation>%1 misst %2</translation>
+    </message>
+    <message>
+        <source>%1 has no unit; its numbers were taken as millimetres.</source>
+        <translation>%1 hat keine Einheit; die Zahlen wurden als Millimeter genommen.</translation>
+    </message>
+    <message>
+        <source>Choose the unit…</source>
+        <translation>Einheit wählen…</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellCollisions</name>
@@ -8979,10 +9415,6 @@
     <message>
         <source>Read allowed pairs (S&amp;RDF)…</source>
         <translation>Erlaubte Paare lesen (SR&amp;DF)…</translation>
-    </message>
-    <message>
-        <source>Re&amp;move from the plan</source>
-        <translation>Aus der Planung entfe&amp;rnen</translation>
     </message>
     <message>
         <source>Store where the robot stands under a name</source>
@@ -9360,10 +9792,6 @@
         <translation>Beweist, dass jede Bewegung der gewählten Bahn kollisionsfrei ist, oder listet alle Kollisionen auf; auch noch einmal, wenn es schon bewiesen ist</translation>
     </message>
     <message>
-        <source>Verify all paths of the robot that is planned for that are not verified as they are now</source>
-        <translation>Prüft alle Bahnen des Roboters, für den geplant wird, die nicht in ihrem jetzigen Stand geprüft sind</translation>
-    </message>
-    <message>
         <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
         <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen: für den gewählten Roboter, sonst für den, für den geplant wird</translation>
     </message>
@@ -9407,6 +9835,68 @@
     <message>
         <source>It leads along the curve where %1 was when it was planned: plan the path again.</source>
         <translation>Es führt entlang der Kurve, wo %1 beim Planen stand: die Bahn neu planen.</translation>
+    </message>
+    <message>
+        <source>%1 was planned</source>
+        <translation>%1 wurde geplant</translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %Ln place(s), and is selected in the list.</source>
+        <translation>
+            <numerusform>Sie hat %Ln Punkt und ist in der Liste ausgewählt.</numerusform>
+            <numerusform>Sie hat %Ln Punkte und ist in der Liste ausgewählt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>U&amp;mbenennen</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve from the plan</source>
+        <translation>Aus dem Plan entfe&amp;rnen</translation>
+    </message>
+    <message>
+        <source>Verify the paths of all robots that are not verified as they are now, each with the other robots where they stand</source>
+        <translation>Die Bahnen aller Roboter prüfen, die so, wie sie jetzt sind, nicht geprüft sind, jede mit den anderen Robotern, wo sie stehen</translation>
+    </message>
+    <message>
+        <source>Give the selected configuration, path or target another name</source>
+        <translation>Der ausgewählten Stellung oder Bahn oder dem ausgewählten Ziel einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path or a target first.</source>
+        <translation>Wählen Sie zuerst eine Stellung, eine Bahn oder ein Ziel aus.</translation>
+    </message>
+    <message>
+        <source>%1 was stored</source>
+        <translation>%1 wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>It is selected in the list.</source>
+        <translation>In der Liste ist der Eintrag ausgewählt.</translation>
+    </message>
+    <message>
+        <source>It moves with %1.</source>
+        <translation>Es bewegt sich mit %1.</translation>
+    </message>
+    <message>
+        <source>Place %1 of %2 was stored</source>
+        <translation>Punkt %1 von %2 wurde gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>The path has %Ln place(s) now.</source>
+        <translation>
+            <numerusform>Die Bahn hat jetzt %Ln Punkt.</numerusform>
+            <numerusform>Die Bahn hat jetzt %Ln Punkte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place 1 of %1 was stored</source>
+        <translation>Punkt 1 von %1 wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>The next places that are stored continue the path.</source>
+        <translation>Die nächsten gespeicherten Punkte setzen die Bahn fort.</translation>
     </message>
 </context>
 <context>
@@ -10101,6 +10591,73 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DrillView</name>
+    <message>
+        <source>The forbidden region was entered by %1 mm: this try has failed</source>
+        <translation>%1 mm in den verbotenen Bereich eingedrungen: Dieser Versuch ist nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Breakthrough: stop. %1 mm beyond</source>
+        <translation>Durchbruch: anhalten. %1 mm darüber hinaus</translation>
+    </message>
+    <message>
+        <source>%1 mm beside the planned path</source>
+        <translation>%1 mm neben der geplanten Bahn</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Drilling…</source>
+        <translation>Es wird gebohrt…</translation>
+    </message>
+    <message>
+        <source>Hold the button on the volume to drill</source>
+        <translation>Zum Bohren die Taste auf dem Volumen halten</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, %2 N, %3 N·mm, +%4 K (estimate)</source>
+        <translation>%1 mm tief, %2 N, %3 N·mm, +%4 K (Schätzung)</translation>
+    </message>
+    <message>
+        <source>The try has failed</source>
+        <translation>Der Versuch ist nicht bestanden</translation>
+    </message>
+    <message>
+        <source>The drill entered the forbidden region.</source>
+        <translation>Der Bohrer ist in den verbotenen Bereich eingedrungen.</translation>
+    </message>
+    <message>
+        <source>Undo the hole to try again; stop at the breakthrough.</source>
+        <translation>Machen Sie das Bohrloch rückgängig, um es noch einmal zu versuchen; halten Sie beim Durchbruch an.</translation>
+    </message>
+    <message>
+        <source>Beside the planned path</source>
+        <translation>Neben der geplanten Bahn</translation>
+    </message>
+    <message>
+        <source>The drill is more than %1 mm away from it.</source>
+        <translation>Der Bohrer ist mehr als %1 mm von ihr entfernt.</translation>
+    </message>
+    <message>
+        <source>Let go, undo the hole, and begin where the green rod meets the surface.</source>
+        <translation>Lassen Sie los, machen Sie das Bohrloch rückgängig, und beginnen Sie, wo der grüne Stab auf die Oberfläche trifft.</translation>
+    </message>
+    <message>
+        <source>Breakthrough</source>
+        <translation>Durchbruch</translation>
+    </message>
+    <message>
+        <source>The drill is through after %1 s.</source>
+        <translation>Der Bohrer ist nach %1 s durch.</translation>
+    </message>
+    <message>
+        <source>Let go now: each further millimetre counts.</source>
+        <translation>Lassen Sie jetzt los: Jeder weitere Millimeter zählt.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ExerciseEditor</name>
     <message>
         <source>Add what is marked</source>
@@ -10183,16 +10740,16 @@
         <translation>Die gewählte Zeile nach unten verschieben</translation>
     </message>
     <message>
-        <source>Done when met</source>
-        <translation>Erledigt, wenn erfüllt</translation>
-    </message>
-    <message>
-        <source>Choose the marks that tick this step once Measure finds them right</source>
-        <translation>Die Kriterien wählen, die diesen Schritt abhaken, sobald „Messen“ sie als erfüllt erkennt</translation>
-    </message>
-    <message>
         <source>Choose the marks of a step</source>
         <translation>Kriterien eines Schritts wählen</translation>
+    </message>
+    <message>
+        <source>New hint</source>
+        <translation>Neuer Hinweis</translation>
+    </message>
+    <message>
+        <source>Change the hints of a step</source>
+        <translation>Die Hinweise eines Schritts ändern</translation>
     </message>
 </context>
 <context>
@@ -10527,8 +11084,20 @@
         <translation>%1 ist jetzt das Ziel</translation>
     </message>
     <message>
-        <source>“Marks” says what is measured of it.</source>
-        <translation>„Bewertung“ sagt, was daran gemessen wird.</translation>
+        <source>Exercise: burr hole in the skull</source>
+        <translation>Übung: Bohrloch im Schädel</translation>
+    </message>
+    <message>
+        <source>Where the target lies</source>
+        <translation>Wo das Ziel liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>“Task” says where it lies in the bar, “Marks” what is measured of it.</source>
+        <translation>„Aufgabe“ sagt, wo es in der Stange liegt, „Bewertung“, was daran gemessen wird.</translation>
     </message>
 </context>
 <context>
@@ -10615,6 +11184,10 @@
     <message>
         <source>Save as *%1…</source>
         <translation>Als *%1 speichern…</translation>
+    </message>
+    <message>
+        <source>Open beside %1</source>
+        <translation>Neben %1 öffnen</translation>
     </message>
 </context>
 <context>
@@ -10885,6 +11458,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::HistogramView</name>
+    <message>
+        <source>Histogram with the range of values</source>
+        <translation>Histogramm mit dem Wertebereich</translation>
+    </message>
+    <message>
+        <source>How many samples have which value (logarithmic). Drag the handles: what lies between is the segment.</source>
+        <translation>Wie viele Abtastwerte welchen Wert haben (logarithmisch). Ziehen Sie die Griffe: Was dazwischen liegt, ist das Segment.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::HolePreview</name>
     <message>
         <source>Preview</source>
@@ -11073,14 +11657,6 @@
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Of the cut, of all three components</source>
-        <translation>Des Schnitts, aus allen drei Komponenten</translation>
-    </message>
-    <message>
         <source>Power</source>
         <translation>Leistung</translation>
     </message>
@@ -11183,6 +11759,14 @@
     <message>
         <source>Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or disk have taken off since</source>
         <translation>Rauheit des Teils an der Stelle des Werkzeugs: aus Vorschub und Eckenradius und aus dem, was Feile, Schleifpapier oder Schleifscheibe seither abgetragen haben</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Of the cut, of all three components, and what the exercise allows</source>
+        <translation>Des Schnitts, aus allen drei Komponenten, und was die Übung erlaubt</translation>
     </message>
 </context>
 <context>
@@ -11403,12 +11987,40 @@
         <translation>Das Werkzeug wurde bewegt</translation>
     </message>
     <message>
-        <source>The material that came back is where it was, so it stands where it was before that pass.</source>
-        <translation>Wo es war, ist jetzt wieder Werkstoff; daher steht es dort, wo es vor diesem Schnitt stand.</translation>
-    </message>
-    <message>
         <source>The spindle turns as before.</source>
         <translation>Die Spindel dreht sich wie zuvor.</translation>
+    </message>
+    <message>
+        <source>The tool does not touch the work</source>
+        <translation>Das Werkzeug berührt das Werkstück nicht</translation>
+    </message>
+    <message>
+        <source>Its tip is %1 mm from the nearest surface, measured on the radius. X was not touched off.</source>
+        <translation>Seine Spitze ist %1 mm von der nächsten Oberfläche entfernt, im Radius gemessen. X wurde nicht angekratzt.</translation>
+    </message>
+    <message>
+        <source>Its tip is %1 mm from the nearest face, measured along Z. Z was not touched off.</source>
+        <translation>Seine Spitze ist %1 mm von der nächsten Planfläche entfernt, entlang Z gemessen. Z wurde nicht angekratzt.</translation>
+    </message>
+    <message>
+        <source>Turn a little of the bar, and touch off before the cross slide moves.</source>
+        <translation>Drehen Sie die Stange ein wenig ab, und kratzen Sie an, bevor sich der Planschlitten bewegt.</translation>
+    </message>
+    <message>
+        <source>Touch or turn a face, and touch off before the carriage moves.</source>
+        <translation>Berühren oder drehen Sie eine Planfläche, und kratzen Sie an, bevor sich der Bettschlitten bewegt.</translation>
+    </message>
+    <message>
+        <source>Touch off anyway</source>
+        <translation>Trotzdem ankratzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The material that came back is where it was, so the tool was taken out of it.</source>
+        <translation>Das zurückgekommene Material ist dort, wo es stand; daher wurde das Werkzeug herausgefahren.</translation>
     </message>
 </context>
 <context>
@@ -11426,10 +12038,6 @@
         <translation>Planschlitten</translation>
     </message>
     <message>
-        <source>Clockwise: in, to the axis; counts on the radius. In the view: ↑ and ↓</source>
-        <translation>Im Uhrzeigersinn: nach innen, zur Achse; zählt im Radius. In der Ansicht: ↑ und ↓</translation>
-    </message>
-    <message>
         <source>Compound slide</source>
         <translation>Oberschlitten</translation>
     </message>
@@ -11444,6 +12052,10 @@
     <message>
         <source>Clockwise: out, to the work</source>
         <translation>Im Uhrzeigersinn: hinaus, zum Werkstück</translation>
+    </message>
+    <message>
+        <source>Clockwise: in, to the axis; counts as the read-out does, on the diameter (⌀) or the radius (R). In the view: ↑ and ↓</source>
+        <translation>Im Uhrzeigersinn: hinein, zur Achse; zählt wie die Anzeige, im Durchmesser (⌀) oder im Radius (R). In der Ansicht: ↑ und ↓</translation>
     </message>
 </context>
 <context>
@@ -11990,12 +12602,12 @@
 <context>
     <name>handwheel::PathChecks</name>
     <message>
-        <source>On the way to place %1: %2 with %3</source>
-        <translation>Auf dem Weg zu Punkt %1: %2 mit %3</translation>
-    </message>
-    <message>
         <source>Verifying %1</source>
         <translation>%1 wird geprüft</translation>
+    </message>
+    <message>
+        <source>Comparing the cell with what was verified</source>
+        <translation>Zelle wird mit dem Geprüften verglichen</translation>
     </message>
 </context>
 <context>
@@ -13518,6 +14130,30 @@
         <source>Move the bodies and the other robots.</source>
         <translation>Bewegen Sie die Körper und die anderen Roboter.</translation>
     </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>Robo&amp;ter</translation>
+    </message>
+    <message>
+        <source>&amp;Bodies</source>
+        <translation>Körp&amp;er</translation>
+    </message>
+    <message>
+        <source>C&amp;onfigurations and targets</source>
+        <translation>Stellungen &amp;und Ziele</translation>
+    </message>
+    <message>
+        <source>P&amp;aths</source>
+        <translation>Ba&amp;hnen</translation>
+    </message>
+    <message>
+        <source>Verif&amp;ication</source>
+        <translation>&amp;Prüfung</translation>
+    </message>
+    <message>
+        <source>Pro&amp;grams</source>
+        <translation>Progra&amp;mme</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RoundTargetDialog</name>
@@ -13588,6 +14224,14 @@
         <source>Give that file to your teacher.</source>
         <translation>Geben Sie diese Datei Ihrer Lehrkraft.</translation>
     </message>
+    <message>
+        <source>Preparing the exercise</source>
+        <translation>Übung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Checking the steps</source>
+        <translation>Schritte werden geprüft</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::SectionView</name>
@@ -13598,6 +14242,306 @@
     <message>
         <source>Area (%1)</source>
         <translation>Fläche (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Segmentation</name>
+    <message>
+        <source>&amp;Segmentation</source>
+        <translation>&amp;Segmentierung</translation>
+    </message>
+    <message>
+        <source>Choose what of a scan is material, in its slices</source>
+        <translation>In den Schichten eines Scans wählen, was davon Material ist</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Smoothing the segment</source>
+        <translation>Segment wird geglättet</translation>
+    </message>
+    <message>
+        <source>Smooth segment</source>
+        <translation>Segment glätten</translation>
+    </message>
+    <message>
+        <source>Counting parts</source>
+        <translation>Teile werden gezählt</translation>
+    </message>
+    <message>
+        <source>Choose values</source>
+        <translation>Werte wählen</translation>
+    </message>
+    <message>
+        <source>Erase from segment</source>
+        <translation>Aus dem Segment radieren</translation>
+    </message>
+    <message>
+        <source>Paint segment</source>
+        <translation>Segment malen</translation>
+    </message>
+    <message>
+        <source>Keeping the largest parts</source>
+        <translation>Größte Teile werden behalten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n largest part(s)</source>
+        <translation>
+            <numerusform>%n größten Teil behalten</numerusform>
+            <numerusform>%n größte Teile behalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Growing from the point</source>
+        <translation>Segment wächst vom Punkt aus</translation>
+    </message>
+    <message>
+        <source>Grow from point</source>
+        <translation>Vom Punkt aus wachsen</translation>
+    </message>
+    <message>
+        <source>The point, of value %1, is not in the segment. Click where it is coloured, or choose a range with this value.</source>
+        <translation>Der Punkt mit dem Wert %1 liegt nicht im Segment. Klicken Sie, wo es farbig ist, oder wählen Sie einen Bereich mit diesem Wert.</translation>
+    </message>
+    <message>
+        <source>Making the surface</source>
+        <translation>Oberfläche wird erzeugt</translation>
+    </message>
+    <message>
+        <source>The surface was not made</source>
+        <translation>Die Oberfläche wurde nicht erzeugt</translation>
+    </message>
+    <message>
+        <source>Make surface</source>
+        <translation>Oberfläche erzeugen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SegmentationPanel</name>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Unteres Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Oberes Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>&amp;Otsu</source>
+        <translation>&amp;Otsu</translation>
+    </message>
+    <message>
+        <source>From the value on that parts the image best in two</source>
+        <translation>Ab dem Wert, der das Bild am besten in zwei trennt</translation>
+    </message>
+    <message>
+        <source>&amp;Bone</source>
+        <translation>&amp;Knochen</translation>
+    </message>
+    <message>
+        <source>From 300 Hounsfield units on</source>
+        <translation>Ab 300 Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;Skin</source>
+        <translation>&amp;Haut</translation>
+    </message>
+    <message>
+        <source>From -200 Hounsfield units on: all but air</source>
+        <translation>Ab -200 Hounsfield-Einheiten: alles außer Luft</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>&amp;Largest part only</source>
+        <translation>Nur größter &amp;Teil</translation>
+    </message>
+    <message>
+        <source>Keeps what hangs together and is the largest</source>
+        <translation>Behält, was zusammenhängt und am größten ist</translation>
+    </message>
+    <message>
+        <source>How many of the largest parts are kept</source>
+        <translation>Wie viele der größten Teile behalten werden</translation>
+    </message>
+    <message>
+        <source>&amp;Keep so many</source>
+        <translation>&amp;So viele behalten</translation>
+    </message>
+    <message>
+        <source>Keeps the largest parts, so many of them</source>
+        <translation>Behält die größten Teile, so viele davon</translation>
+    </message>
+    <message>
+        <source>Size of parts below which they are debris</source>
+        <translation>Größe, unter der Teile Bruchstücke sind</translation>
+    </message>
+    <message>
+        <source>&amp;Remove debris</source>
+        <translation>&amp;Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the parts that are smaller</source>
+        <translation>Entfernt die Teile, die kleiner sind</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth</source>
+        <translation>&amp;Glätten</translation>
+    </message>
+    <message>
+        <source>Removes specks and evens steps: each sample becomes what most of the 27 around are</source>
+        <translation>Entfernt Flecken und ebnet Stufen: Jeder Abtastwert wird, was die meisten der 27 ringsum sind</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Cross&amp;hair</source>
+        <translation>Fa&amp;denkreuz</translation>
+    </message>
+    <message>
+        <source>Click to move the crosshair</source>
+        <translation>Klicken, um das Fadenkreuz zu bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>&amp;Malen</translation>
+    </message>
+    <message>
+        <source>Adds to the segment; Ctrl: erases. [ and ]: radius</source>
+        <translation>Fügt zum Segment hinzu; Strg: radiert. [ und ]: Radius</translation>
+    </message>
+    <message>
+        <source>&amp;Erase</source>
+        <translation>&amp;Radieren</translation>
+    </message>
+    <message>
+        <source>Erases from the segment; Ctrl: adds. [ and ]: radius</source>
+        <translation>Radiert aus dem Segment; Strg: fügt hinzu. [ und ]: Radius</translation>
+    </message>
+    <message>
+        <source>&amp;Grow from point</source>
+        <translation>&amp;Vom Punkt aus wachsen</translation>
+    </message>
+    <message>
+        <source>Click a point of the segment: what hangs together with it stays</source>
+        <translation>Klicken Sie einen Punkt des Segments an: Was mit ihm zusammenhängt, bleibt</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radius des Pinsels</translation>
+    </message>
+    <message>
+        <source>Ball (&amp;3D)</source>
+        <translation>Kugel (&amp;3D)</translation>
+    </message>
+    <message>
+        <source>The brush reaches into the slices around, else it stays in one</source>
+        <translation>Der Pinsel reicht in die Schichten ringsum, sonst bleibt er in einer</translation>
+    </message>
+    <message>
+        <source>In the slices</source>
+        <translation>In den Schichten</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Level of the greys</source>
+        <translation>Mitte der Graustufen</translation>
+    </message>
+    <message>
+        <source>Width of the greys</source>
+        <translation>Breite der Graustufen</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Graustufen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel</source>
+        <translation>Kantenlänge eines Voxels</translation>
+    </message>
+    <message>
+        <source>Smooth &amp;it</source>
+        <translation>Oberfläche g&amp;lätten</translation>
+    </message>
+    <message>
+        <source>Takes the steps of voxels off the surface</source>
+        <translation>Nimmt die Stufen der Voxel von der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Make s&amp;urface</source>
+        <translation>Oberfläche &amp;erzeugen</translation>
+    </message>
+    <message>
+        <source>Makes the volume of the segment, to be shaped, drilled, saved; undo brings back the one before</source>
+        <translation>Erzeugt das Volumen des Segments, zum Formen, Bohren, Speichern; „Rückgängig“ bringt das vorige zurück</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Changed by hand: another range starts anew (undo brings this back).</source>
+        <translation>Von Hand geändert: Ein anderer Bereich beginnt von vorn („Rückgängig“ bringt dies zurück).</translation>
+    </message>
+    <message>
+        <source>Nothing has values of this range.</source>
+        <translation>Nichts hat Werte in diesem Bereich.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s), %1 mm³; the largest is %2 % of it</source>
+        <translation>
+            <numerusform>%n Teil, %1 mm³; der größte ist %2 % davon</numerusform>
+            <numerusform>%n Teile, %1 mm³; der größte ist %2 % davon</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Counting parts…</source>
+        <translation>Teile werden gezählt…</translation>
+    </message>
+    <message>
+        <source>Value %1 at x %2, y %3, z %4 mm</source>
+        <translation>Wert %1 bei x %2, y %3, z %4 mm</translation>
+    </message>
+    <message>
+        <source>Below %1 mm³: %2 of %3 parts, %4 mm³</source>
+        <translation>Unter %1 mm³: %2 von %3 Teilen, %4 mm³</translation>
+    </message>
+    <message>
+        <source>About %1 MB of the %2 MB that are left</source>
+        <translation>Etwa %1 MB der %2 MB, die frei sind</translation>
+    </message>
+    <message>
+        <source>A larger voxel takes less.</source>
+        <translation>Ein größerer Voxel braucht weniger.</translation>
     </message>
 </context>
 <context>
@@ -13872,6 +14816,44 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SlicesPanel</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Wheel, Page up and down: slices. Right button: level and width of the greys. Ctrl+wheel, + and -: zoom; middle button: move. Shift+click, arrows: crosshair. Space: the chosen tool there.</source>
+        <translation>Rad, Bild auf und Bild ab: Schichten. Rechte Taste: Mitte und Breite der Graustufen. Strg+Rad, + und -: zoomen; mittlere Taste: verschieben. Umschalt+Klick, Pfeile: Fadenkreuz. Leertaste: das gewählte Werkzeug an dieser Stelle.</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>Schicht, %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 von %3</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SlowdownLabel</name>
+    <message>
+        <source>The computer does not keep up. Nothing is left out: the simulation runs slower than the clock.</source>
+        <translation>Der Computer kommt nicht mit. Nichts wird ausgelassen: Die Simulation läuft langsamer als die Uhr.</translation>
+    </message>
+    <message>
+        <source>Simulation at %1 % of real time</source>
+        <translation>Simulation mit %1 % der Echtzeit</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::SpaceMouseNavigation</name>
     <message>
         <source>Opening %1</source>
@@ -13973,6 +14955,25 @@
     <message>
         <source>Services</source>
         <translation>Dienste</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StepEditor</name>
+    <message>
+        <source>Done when these marks are met:</source>
+        <translation>Erledigt, wenn diese Kriterien erfüllt sind:</translation>
+    </message>
+    <message>
+        <source>Hints, shown one after another; double-click to change one:</source>
+        <translation>Hinweise, nacheinander gezeigt; Doppelklick ändert einen:</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>Einen Hinweis hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the hint</source>
+        <translation>Den Hinweis entfernen</translation>
     </message>
 </context>
 <context>
@@ -14130,6 +15131,18 @@
     <message>
         <source>Target of the exercise</source>
         <translation>Ziel der Übung</translation>
+    </message>
+    <message>
+        <source>Where the target lies</source>
+        <translation>Wo das Ziel liegt</translation>
+    </message>
+    <message>
+        <source>The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is left for facing. It can be changed later in the panel Stock.</source>
+        <translation>Die fertige Planfläche des Teils ist der Nullpunkt der Zeichnung und der Programme. Die Stange ragt um das Aufmaß zum Plandrehen darüber hinaus. Es lässt sich später im Feld „Rohteil“ ändern.</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
     </message>
 </context>
 <context>
@@ -14649,6 +15662,18 @@
         <source>%1 triangles</source>
         <translation>%1 Dreiecke</translation>
     </message>
+    <message>
+        <source>New &amp;skull</source>
+        <translation>Neuer S&amp;chädel</translation>
+    </message>
+    <message>
+        <source>Start with a skull to be drilled, made of no patient</source>
+        <translation>Mit einem Schädel zum Bohren beginnen, der von keinem Patienten stammt</translation>
+    </message>
+    <message>
+        <source>Making the skull</source>
+        <translation>Schädel wird erzeugt</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::WorkpieceUi</name>
@@ -14743,6 +15768,46 @@
     <message>
         <source>It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.</source>
         <translation>Es ist die Stange der Übung. Das Feld „Lektion“ sagt, was zu tun ist; „Drehen“ und „Drehmaschine“ bearbeiten sie.</translation>
+    </message>
+    <message>
+        <source>Checking force and power</source>
+        <translation>Kraft und Leistung werden geprüft</translation>
+    </message>
+    <message>
+        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.</source>
+        <translation>Die Schnittkraft dieses Schnitts betrug bis zu %1 N; die Drehmaschine der Übung verträgt %2 N.</translation>
+    </message>
+    <message>
+        <source>The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
+        <translation>Die Leistung dieses Schnitts betrug bis zu %1 kW; die Drehmaschine der Übung hat %2 kW.</translation>
+    </message>
+    <message>
+        <source>Too heavy a cut</source>
+        <translation>Zu schwerer Schnitt</translation>
+    </message>
+    <message>
+        <source>It is marked. Undo it, and take less depth or feed.</source>
+        <translation>Er wird bewertet. Machen Sie ihn rückgängig, und nehmen Sie weniger Schnitttiefe oder Vorschub.</translation>
+    </message>
+    <message>
+        <source>%1 is a program for a lathe</source>
+        <translation>%1 ist ein Programm für eine Drehmaschine</translation>
+    </message>
+    <message>
+        <source>A program is opened in the program editor of the workpiece that it turns.</source>
+        <translation>Ein Programm wird im Programmeditor des Werkstücks geöffnet, das es dreht.</translation>
+    </message>
+    <message>
+        <source>Open that workpiece first, then the program, or open the program on a new bar.</source>
+        <translation>Öffnen Sie zuerst dieses Werkstück, dann das Programm, oder öffnen Sie das Programm an einer neuen Stange.</translation>
+    </message>
+    <message>
+        <source>Open on a new bar</source>
+        <translation>An neuer Stange öffnen</translation>
+    </message>
+    <message>
+        <source>Programs (%1)</source>
+        <translation>Programme (%1)</translation>
     </message>
 </context>
 </TS>

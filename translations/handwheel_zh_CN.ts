@@ -101,10 +101,6 @@
         <translation>孔洞</translation>
     </message>
     <message>
-        <source>Sheet edges, kept holes</source>
-        <translation>片体边缘、保留的孔</translation>
-    </message>
-    <message>
         <source>Non-manifold edges</source>
         <translation>非流形边</translation>
     </message>
@@ -191,6 +187,10 @@
     <message>
         <source>Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its triangles. “Remove debris” removes all, or only the piece selected here; any other piece is removed with the tool “Select faces”.</source>
         <translation>最大部件以外的碎片，其面积小于最大部件的 %1 %，三角形数小于其 %2 %。“移除碎片”移除全部或仅移除此处选中的一块；其他部分用“选择面”工具移除。</translation>
+    </message>
+    <message>
+        <source>Boundaries kept open</source>
+        <translation>保持开放的边界</translation>
     </message>
 </context>
 <context>
@@ -1444,6 +1444,14 @@
     <message>
         <source>Choose another range; bone in a CT begins at about 300.</source>
         <translation>请选择其他范围；CT 中骨骼约从 300 开始。</translation>
+    </message>
+    <message>
+        <source>nothing was drilled in the work that was begun</source>
+        <translation>已开始的作业中没有钻任何孔</translation>
+    </message>
+    <message>
+        <source>Drill the hole first: its way becomes the planned path.</source>
+        <translation>请先钻孔：其路线将成为规划路径。</translation>
     </message>
 </context>
 <context>
@@ -2868,6 +2876,66 @@
         <source>the pixels of a slice cannot be unpacked</source>
         <translation>无法解压切片的像素</translation>
     </message>
+    <message>
+        <source>the size in front of its tolerance is not the nominal size</source>
+        <translation>公差前的尺寸不是公称尺寸</translation>
+    </message>
+    <message>
+        <source>a drill is impossible or not known</source>
+        <translation>某个钻头不可能存在或未知</translation>
+    </message>
+    <message>
+        <source>a drill was expected, such as ball:6, burr:4 or twist:3</source>
+        <translation>应为钻头，例如 ball:6、burr:4 或 twist:3</translation>
+    </message>
+    <message>
+        <source>a hole has too many poses</source>
+        <translation>某个孔的位姿过多</translation>
+    </message>
+    <message>
+        <source>a list of holes was expected</source>
+        <translation>应为孔的列表</translation>
+    </message>
+    <message>
+        <source>a pose of the drill is impossible</source>
+        <translation>钻头的某个位姿不可能</translation>
+    </message>
+    <message>
+        <source>balls were expected: x; y; z; radius, with “|” between them</source>
+        <translation>应为球：x; y; z; 半径，之间以“|”分隔</translation>
+    </message>
+    <message>
+        <source>figures of drilling have limits, no tolerance</source>
+        <translation>钻孔的指标有限值，没有公差</translation>
+    </message>
+    <message>
+        <source>it is no drill</source>
+        <translation>不是钻头</translation>
+    </message>
+    <message>
+        <source>it is no list of holes</source>
+        <translation>不是孔的列表</translation>
+    </message>
+    <message>
+        <source>it is no volume</source>
+        <translation>不是体素模型</translation>
+    </message>
+    <message>
+        <source>points were expected: time, depth, beside, across, in order of time</source>
+        <translation>应为点：时间、深度、偏离、横向，按时间顺序排列</translation>
+    </message>
+    <message>
+        <source>poses of the drill are lost</source>
+        <translation>钻头的位姿丢失</translation>
+    </message>
+    <message>
+        <source>three lengths were expected, with “;” between them</source>
+        <translation>应为三个长度，之间以“;”分隔</translation>
+    </message>
+    <message>
+        <source>three numbers were expected, with “;” between them</source>
+        <translation>应为三个数字，之间以“;”分隔</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3250,6 +3318,94 @@
     <message>
         <source>turning tool</source>
         <translation>车刀</translation>
+    </message>
+    <message>
+        <source>Burr hole in the skull</source>
+        <translation>颅骨钻孔</translation>
+    </message>
+    <message>
+        <source>Drill through the skull along the planned path, and stop before the brain.</source>
+        <translation>沿规划路径钻穿颅骨，并在到达大脑之前停止。</translation>
+    </message>
+    <message>
+        <source>Choose the drill</source>
+        <translation>选择钻头</translation>
+    </message>
+    <message>
+        <source>Press Shift+D, or choose “Drill” above. Drill, speed and material are those of the exercise. The green rod shows the planned path.</source>
+        <translation>按 Shift+D，或选择上方的“钻孔”。钻头、转速和材料由练习规定。绿色细杆表示规划路径。</translation>
+    </message>
+    <message>
+        <source>Find the place</source>
+        <translation>找到位置</translation>
+    </message>
+    <message>
+        <source>Go with the pointer to where the green rod meets the skull. The circle shows the drill.</source>
+        <translation>将指针移到绿色细杆与颅骨相交处。圆圈表示钻头。</translation>
+    </message>
+    <message>
+        <source>Turn the view until you look along the rod.</source>
+        <translation>转动视图，直到视线沿着细杆。</translation>
+    </message>
+    <message>
+        <source>With Shift held, the drill goes straight along the view.</source>
+        <translation>按住 Shift 时，钻头沿视线方向直行。</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>钻孔</translation>
+    </message>
+    <message>
+        <source>Hold the left button: the drill goes on at its feed, and the plots show thrust and torque. Let go as soon as the breakthrough is shown.</source>
+        <translation>按住左键：钻头以其进给前进，曲线图显示轴向力和扭矩。一旦显示已钻穿，请立即松开。</translation>
+    </message>
+    <message>
+        <source>The thrust falls when the tip comes through the inner table.</source>
+        <translation>钻尖穿过颅骨内板时，轴向力下降。</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes a hole back, and with it all that was measured of it.</source>
+        <translation>Ctrl+Z 撤销一个孔，连同其全部测量数据。</translation>
+    </message>
+    <message>
+        <source>Measure the hole</source>
+        <translation>测量孔</translation>
+    </message>
+    <message>
+        <source>Press “Measure” below.</source>
+        <translation>按下方的“测量”。</translation>
+    </message>
+    <message>
+        <source>The brain is not touched</source>
+        <translation>未触及大脑</translation>
+    </message>
+    <message>
+        <source>Stopped within 2 mm</source>
+        <translation>在 2 mm 以内停止</translation>
+    </message>
+    <message>
+        <source>On the planned path</source>
+        <translation>沿规划路径</translation>
+    </message>
+    <message>
+        <source>Through within 20 s</source>
+        <translation>20 s 以内钻穿</translation>
+    </message>
+    <message>
+        <source>Thrust below 30 N</source>
+        <translation>轴向力低于 30 N</translation>
+    </message>
+    <message>
+        <source>Gentle in the last millimetre</source>
+        <translation>最后一毫米轻柔</translation>
+    </message>
+    <message>
+        <source>Torque below 150 N·mm</source>
+        <translation>扭矩低于 150 N·mm</translation>
+    </message>
+    <message>
+        <source>Cool drilling</source>
+        <translation>低温钻孔</translation>
     </message>
 </context>
 <context>
@@ -3865,6 +4021,74 @@
     <message>
         <source>Collisions and feeds too high</source>
         <translation>碰撞与进给过大</translation>
+    </message>
+    <message>
+        <source>Breakthrough</source>
+        <translation>钻穿</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>轴向力</translation>
+    </message>
+    <message>
+        <source>Reference (3-22)</source>
+        <translation>参考值 (3-22)</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>Reference (3-23)</source>
+        <translation>参考值 (3-23)</translation>
+    </message>
+    <message>
+        <source>Depth of the tip</source>
+        <translation>钻尖深度</translation>
+    </message>
+    <message>
+        <source>Beside the path</source>
+        <translation>偏离路径</translation>
+    </message>
+    <message>
+        <source>Temperature rise (estimate)</source>
+        <translation>温升（估计值）</translation>
+    </message>
+    <message>
+        <source>Deviation from the planned path</source>
+        <translation>与规划路径的偏差</translation>
+    </message>
+    <message>
+        <source>Time from contact to breakthrough</source>
+        <translation>从接触到钻穿的时间</translation>
+    </message>
+    <message>
+        <source>Plunge beyond the inner surface</source>
+        <translation>越过内表面的突入量</translation>
+    </message>
+    <message>
+        <source>Depth in the forbidden region</source>
+        <translation>进入禁区的深度</translation>
+    </message>
+    <message>
+        <source>Largest thrust</source>
+        <translation>最大轴向力</translation>
+    </message>
+    <message>
+        <source>Mean thrust in the last millimetre</source>
+        <translation>最后一毫米的平均轴向力</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+    <message>
+        <source>Time of the hole</source>
+        <translation>钻孔用时</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>钻孔</translation>
     </message>
 </context>
 <context>
@@ -4652,14 +4876,6 @@
         <translation>作业不在描述文件中。</translation>
     </message>
     <message>
-        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
-        <translation>该图纸是 ⌀%1 × %2 mm 新棒料的目标。可在“毛坯”面板中输入其他尺寸；用于练习时，请使用其面板中的“导入目标…”。</translation>
-    </message>
-    <message>
-        <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then import the target again.</source>
-        <translation>目标（⌀%1 × %2 mm）超出棒料（⌀%3 × %4 mm）。请将棒料设为更大的尺寸，然后重新导入目标。</translation>
-    </message>
-    <message>
         <source>The numbered columns are the points of these criteria:</source>
         <translation>带编号的各列为以下评分项的得分：</translation>
     </message>
@@ -4700,16 +4916,104 @@
         <translation>已略去非灰度图像或已损坏的文件（%1）。</translation>
     </message>
     <message>
-        <source>Values from %1 on are taken as material: that parts the image best. &apos;handwheel segment&apos; takes any other range.</source>
-        <translation>从 %1 起的值视为材料：这样能最好地分割图像。“handwheel segment”可采用任意其他范围。</translation>
-    </message>
-    <message>
         <source>The file holds densities: what is denser than a half is material.</source>
         <translation>文件包含密度：密度大于二分之一处为材料。</translation>
     </message>
     <message>
         <source>Further grids of the file are left out (%1).</source>
         <translation>已略去文件中的其他网格（%1）。</translation>
+    </message>
+    <message>
+        <source>Contact.</source>
+        <translation>接触。</translation>
+    </message>
+    <message>
+        <source>The drill left the planned path by more than %1 mm.</source>
+        <translation>钻头偏离规划路径超过 %1 mm。</translation>
+    </message>
+    <message>
+        <source>Breakthrough: the drill is through the inner surface.</source>
+        <translation>钻穿：钻头已穿过内表面。</translation>
+    </message>
+    <message>
+        <source>The drill entered the forbidden region.</source>
+        <translation>钻头进入了禁区。</translation>
+    </message>
+    <message>
+        <source>The measuring was cancelled.</source>
+        <translation>测量已取消。</translation>
+    </message>
+    <message>
+        <source>The volume was changed by something else than the drill.</source>
+        <translation>体素模型被钻头以外的操作更改。</translation>
+    </message>
+    <message>
+        <source>Another drill, speed or material was used.</source>
+        <translation>使用了其他钻头、转速或材料。</translation>
+    </message>
+    <message>
+        <source>Nothing was drilled.</source>
+        <translation>没有钻任何孔。</translation>
+    </message>
+    <message>
+        <source>The drill did not come through.</source>
+        <translation>钻头没有钻穿。</translation>
+    </message>
+    <message>
+        <source>It was entered %1 s after contact.</source>
+        <translation>接触后 %1 s 进入。</translation>
+    </message>
+    <message>
+        <source>Twist drill ⌀%1 mm, %2 r/min</source>
+        <translation>麻花钻 ⌀%1 mm，%2 r/min</translation>
+    </message>
+    <message>
+        <source>Burr ⌀%1 mm, %2 r/min</source>
+        <translation>旋转锉 ⌀%1 mm，%2 r/min</translation>
+    </message>
+    <message>
+        <source>Ball head ⌀%1 mm, %2 r/min</source>
+        <translation>球头 ⌀%1 mm，%2 r/min</translation>
+    </message>
+    <message>
+        <source>Material: %1</source>
+        <translation>材料：%1</translation>
+    </message>
+    <message>
+        <source>Planned path within %1 mm: the green line</source>
+        <translation>规划路径，偏差不超过 %1 mm：绿线</translation>
+    </message>
+    <message>
+        <source>The head must not enter the forbidden region</source>
+        <translation>钻头不得进入禁区</translation>
+    </message>
+    <message>
+        <source>Nothing is left for facing: a part is drilled as it is.</source>
+        <translation>不留端面余量：零件按原样钻孔。</translation>
+    </message>
+    <message>
+        <source>Planned path and forbidden region stay where they were. Set them for this volume; a hole that is drilled can be taken as the path.</source>
+        <translation>规划路径和禁区保持在原处。请针对此体素模型设置它们；可将已钻的孔设为路径。</translation>
+    </message>
+    <message>
+        <source>Values from %1 on are taken as material: that parts the image best. The panel Segmentation and &apos;handwheel segment&apos; take any other range.</source>
+        <translation>从 %1 起的值视为材料：这样对图像的划分最好。“分割”面板和“handwheel segment”可采用任何其他范围。</translation>
+    </message>
+    <message>
+        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
+        <translation>该图纸是新棒料 ⌀%1 × %2 mm 的目标，自由端留有 %3 mm 端面余量。可在“毛坯”面板中设置其他尺寸；对于练习，请使用其面板中的“导入目标…”。</translation>
+    </message>
+    <message>
+        <source>The finished face, zero of the drawing and of programs, is %1 mm behind the free end of the bar, at Z %2 mm; %3 mm of the bar are left behind the part at the chuck&apos;s end.</source>
+        <translation>完工端面即图纸和程序的零点，位于棒料自由端之后 %1 mm，Z %2 mm 处；零件之后的卡盘端剩余 %3 mm 棒料。</translation>
+    </message>
+    <message>
+        <source>The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar to a larger size, then what is left for facing.</source>
+        <translation>目标 ⌀%1 × %2 mm 放不进棒料 ⌀%3 × %4 mm。请先将棒料设为更大的尺寸，再设置端面余量。</translation>
+    </message>
+    <message>
+        <source>no points, as the work fails by “%1”</source>
+        <translation>不得分，因为作业在“%1”上不合格</translation>
     </message>
 </context>
 <context>
@@ -4837,10 +5141,6 @@
         <translation>正在验证路径。</translation>
     </message>
     <message>
-        <source>Not verified since the document was opened: select the path, or choose Verify all paths.</source>
-        <translation>打开文档后尚未验证：请选择该路径，或选择“验证所有路径”。</translation>
-    </message>
-    <message>
         <source>Before: %1</source>
         <translation>此前：%1</translation>
     </message>
@@ -4851,6 +5151,14 @@
     <message>
         <source>It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.</source>
         <translation>它沿规划时 %1 所在位置的曲线。重新规划后，它会跟随零件。</translation>
+    </message>
+    <message>
+        <source>On the way to place %1: %2 with %3</source>
+        <translation>前往位置 %1 途中：%2 与 %3</translation>
+    </message>
+    <message>
+        <source>It was never verified: select the path, or choose Verify all paths.</source>
+        <translation>从未验证：请选择该路径，或选择“验证所有路径”。</translation>
     </message>
 </context>
 <context>
@@ -5363,10 +5671,6 @@
         <translation>走刀次数</translation>
     </message>
     <message>
-        <source>Nose radius</source>
-        <translation>刀尖半径</translation>
-    </message>
-    <message>
         <source>Resistance (N·s/mm)</source>
         <translation>阻力 (N·s/mm)</translation>
     </message>
@@ -5807,10 +6111,6 @@
         <translation>正文</translation>
     </message>
     <message>
-        <source>Hints, with | between</source>
-        <translation>提示（以 | 分隔）</translation>
-    </message>
-    <message>
         <source>Lathe</source>
         <translation>车床</translation>
     </message>
@@ -5937,30 +6237,6 @@
     <message>
         <source>Tailstock at Z</source>
         <translation>尾座位于 Z</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>加工面</translation>
-    </message>
-    <message>
-        <source>Outside</source>
-        <translation>外圆</translation>
-    </message>
-    <message>
-        <source>Bore</source>
-        <translation>内孔</translation>
-    </message>
-    <message>
-        <source>Exact trimming</source>
-        <translation>精确修剪</translation>
-    </message>
-    <message>
-        <source>Control points</source>
-        <translation>控制点</translation>
-    </message>
-    <message>
-        <source>Control point distance</source>
-        <translation>控制点间距</translation>
     </message>
     <message>
         <source>Nominal size</source>
@@ -6611,10 +6887,6 @@
         <translation>灰铸铁，200 HB</translation>
     </message>
     <message>
-        <source>Done when met, with ; between</source>
-        <translation>完成条件（以 ; 分隔）</translation>
-    </message>
-    <message>
         <source>Its own</source>
         <translation>自身的</translation>
     </message>
@@ -6738,6 +7010,106 @@
         <source>Largest parts</source>
         <translation>最大的部分</translation>
     </message>
+    <message>
+        <source>Without it no points at all</source>
+        <translation>未达到此项则完全不得分</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Done when met</source>
+        <translation>完成条件</translation>
+    </message>
+    <message>
+        <source>Planned path</source>
+        <translation>规划路径</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path</source>
+        <translation>路径的公差</translation>
+    </message>
+    <message>
+        <source>Entry (mm): x; y; z</source>
+        <translation>入口 (mm)：x; y; z</translation>
+    </message>
+    <message>
+        <source>Direction: x; y; z</source>
+        <translation>方向：x; y; z</translation>
+    </message>
+    <message>
+        <source>Forbidden balls (mm): x; y; z; radius, with | between</source>
+        <translation>禁区球 (mm)：x; y; z; 半径，之间以 | 分隔</translation>
+    </message>
+    <message>
+        <source>Drill: ball:6, burr:4 or twist:3</source>
+        <translation>钻头：ball:6、burr:4 或 twist:3</translation>
+    </message>
+    <message>
+        <source>the target is thicker than the bar</source>
+        <translation>目标比棒料粗</translation>
+    </message>
+    <message>
+        <source>the target is longer than the bar</source>
+        <translation>目标比棒料长</translation>
+    </message>
+    <message>
+        <source>the target goes beyond the chuck&apos;s end of the bar</source>
+        <translation>目标超出棒料的卡盘端</translation>
+    </message>
+    <message>
+        <source>the target goes beyond the free end of the bar</source>
+        <translation>目标超出棒料的自由端</translation>
+    </message>
+    <message>
+        <source>Left for facing at the free end</source>
+        <translation>自由端的端面余量</translation>
+    </message>
+    <message>
+        <source>Finished face, zero of the drawing and programs, Z</source>
+        <translation>完工端面（图纸和程序的零点），Z</translation>
+    </message>
+    <message>
+        <source>Left behind the part at the chuck&apos;s end</source>
+        <translation>零件之后卡盘端的余料</translation>
+    </message>
+    <message>
+        <source>Nose radius of the tool</source>
+        <translation>刀具的刀尖圆弧半径</translation>
+    </message>
+    <message>
+        <source>Drag felt by the hand (N·s/mm)</source>
+        <translation>手感受到的阻力 (N·s/mm)</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>车削</translation>
+    </message>
+    <message>
+        <source>The outside</source>
+        <translation>外圆</translation>
+    </message>
+    <message>
+        <source>A bore</source>
+        <translation>内孔</translation>
+    </message>
+    <message>
+        <source>The part takes the shape of</source>
+        <translation>零件的形状取自</translation>
+    </message>
+    <message>
+        <source>The nose, exactly</source>
+        <translation>刀尖，精确</translation>
+    </message>
+    <message>
+        <source>A smooth curve near it</source>
+        <translation>与其接近的平滑曲线</translation>
+    </message>
+    <message>
+        <source>Distance of the points of the curve</source>
+        <translation>曲线点的间距</translation>
+    </message>
 </context>
 <context>
     <name>RepairAccount</name>
@@ -6745,12 +7117,6 @@
         <source>%Ln hole(s)</source>
         <translation>
             <numerusform>%Ln 个孔洞</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln sheet edge(s) and kept hole(s)</source>
-        <translation>
-            <numerusform>%Ln 处片体边缘和保留的孔</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6824,6 +7190,12 @@
     <message>
         <source>new: %1</source>
         <translation>新增：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln outer boundary(ies) and kept hole(s)</source>
+        <translation>
+            <numerusform>%Ln 个外边界和保持开放的孔洞</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7209,18 +7581,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n sheet edge(s) closed</source>
-        <translation>
-            <numerusform>已闭合 %1 条片体边缘（共 %n 条）</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sheet edge(s) gone with removed triangles</source>
-        <translation>
-            <numerusform>%n 条片体边缘随被移除的三角形一起消失</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n new opening(s)</source>
         <translation>
             <numerusform>%n 个新开口</numerusform>
@@ -7233,6 +7593,18 @@
     <message>
         <source>it was the outer boundary of an open sheet, which has been changed so that it looks like a hole now</source>
         <translation>这曾是开放曲面的外边界，更改后现在看起来像孔洞</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n outer boundary(ies) closed</source>
+        <translation>
+            <numerusform>已封闭 %1 个外边界（共 %n 个）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outer boundary(ies) gone with removed triangles</source>
+        <translation>
+            <numerusform>%n 个外边界随被移除的三角形一起消失</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7877,10 +8249,6 @@
         <translation>某个三角形有重复的顶点：请先移除退化三角形</translation>
     </message>
     <message>
-        <source>OpenMesh does not support two edges between the same vertices, as on one-sided surfaces</source>
-        <translation>OpenMesh 不支持同一对顶点之间有两条边，例如单侧曲面</translation>
-    </message>
-    <message>
         <source>more than two triangles share an edge: the surface would tear there</source>
         <translation>有一条边被两个以上三角形共用：表面会在该处撕裂</translation>
     </message>
@@ -8337,8 +8705,20 @@
         <translation>分割图像</translation>
     </message>
     <message>
-        <source>OpenMesh does not support two triangles back to back: remove duplicate triangles first</source>
-        <translation>OpenMesh 不支持两个背靠背的三角形：请先删除重复三角形</translation>
+        <source>OpenMesh does not support two edges between the same vertices, as on one-sided surfaces: repair the mesh first</source>
+        <translation>OpenMesh 不支持相同顶点之间有两条边（如单侧面上的情形）：请先修复网格</translation>
+    </message>
+    <message>
+        <source>OpenMesh does not support two triangles back to back, a plate of zero thickness: delete them first</source>
+        <translation>OpenMesh 不支持两个三角形背靠背（零厚度板）：请先将其删除</translation>
+    </message>
+    <message>
+        <source>in the forbidden region: release the button</source>
+        <translation>在禁区内：请松开按钮</translation>
+    </message>
+    <message>
+        <source>beside the planned path</source>
+        <translation>偏离规划路径</translation>
     </message>
 </context>
 <context>
@@ -8868,6 +9248,62 @@
         <source>Release %1</source>
         <translation>放下 %1</translation>
     </message>
+    <message>
+        <source>Re&amp;name the body</source>
+        <translation>重命名物体(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Choose the &amp;unit of its numbers…</source>
+        <translation>选择其数值的单位(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Give the selected body another name, in the list</source>
+        <translation>在列表中为所选物体指定其他名称</translation>
+    </message>
+    <message>
+        <source>Say in which unit the numbers of its file are: STL, OBJ, PLY and OFF have none, and count as mm</source>
+        <translation>指定其文件中数值的单位：STL、OBJ、PLY 和 OFF 没有单位，按 mm 处理</translation>
+    </message>
+    <message>
+        <source>Unlink the file first: it is read again with its own numbers.</source>
+        <translation>请先取消与文件的链接：文件会按其自身的数值重新读取。</translation>
+    </message>
+    <message>
+        <source>Only bodies from mesh files have numbers without a unit.</source>
+        <translation>只有来自网格文件的物体才有不带单位的数值。</translation>
+    </message>
+    <message>
+        <source>%1: the body measures %2</source>
+        <translation>%1：物体尺寸为 %2</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>%1 的单位</translation>
+    </message>
+    <message>
+        <source>Its numbers are in:</source>
+        <translation>其数值的单位：</translation>
+    </message>
+    <message>
+        <source>Scaling %1</source>
+        <translation>正在缩放 %1</translation>
+    </message>
+    <message>
+        <source>Change the unit of %1</source>
+        <translation>更改 %1 的单位</translation>
+    </message>
+    <message>
+        <source>%1 measures %2</source>
+        <translation>%1 的尺寸为 %2</translation>
+    </message>
+    <message>
+        <source>%1 has no unit; its numbers were taken as millimetres.</source>
+        <translation>%1 没有单位；其数值已按毫米处理。</translation>
+    </message>
+    <message>
+        <source>Choose the unit…</source>
+        <translation>选择单位…</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellCollisions</name>
@@ -8929,10 +9365,6 @@
     <message>
         <source>Read allowed pairs (S&amp;RDF)…</source>
         <translation>读取允许接触的对 (S&amp;RDF)…</translation>
-    </message>
-    <message>
-        <source>Re&amp;move from the plan</source>
-        <translation>从规划中移除(&amp;M)</translation>
     </message>
     <message>
         <source>Store where the robot stands under a name</source>
@@ -9305,10 +9737,6 @@
         <translation>证明所选路径的每个运动均无碰撞，或列出所有碰撞；已证明的也可重新验证</translation>
     </message>
     <message>
-        <source>Verify all paths of the robot that is planned for that are not verified as they are now</source>
-        <translation>验证当前规划的机器人的所有路径中，尚未按当前状态验证的路径</translation>
-    </message>
-    <message>
         <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
         <translation>读取所选机器人（未选择时为当前规划的机器人）的允许接触的连杆对和命名状态</translation>
     </message>
@@ -9349,6 +9777,66 @@
     <message>
         <source>It leads along the curve where %1 was when it was planned: plan the path again.</source>
         <translation>它沿规划时 %1 所在位置的曲线：请重新规划路径。</translation>
+    </message>
+    <message>
+        <source>%1 was planned</source>
+        <translation>已规划 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %Ln place(s), and is selected in the list.</source>
+        <translation>
+            <numerusform>它有 %Ln 个位置，已在列表中选中。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>重命名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve from the plan</source>
+        <translation>从规划中移除(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Verify the paths of all robots that are not verified as they are now, each with the other robots where they stand</source>
+        <translation>验证所有机器人中当前状态尚未验证的路径，验证时其他机器人均处于当前位置</translation>
+    </message>
+    <message>
+        <source>Give the selected configuration, path or target another name</source>
+        <translation>为所选的位形、路径或目标点指定其他名称</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path or a target first.</source>
+        <translation>请先选择位形、路径或目标点。</translation>
+    </message>
+    <message>
+        <source>%1 was stored</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>It is selected in the list.</source>
+        <translation>它已在列表中选中。</translation>
+    </message>
+    <message>
+        <source>It moves with %1.</source>
+        <translation>它随 %1 移动。</translation>
+    </message>
+    <message>
+        <source>Place %1 of %2 was stored</source>
+        <translation>已保存 %2 的位置 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The path has %Ln place(s) now.</source>
+        <translation>
+            <numerusform>路径现在有 %Ln 个位置。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place 1 of %1 was stored</source>
+        <translation>已保存 %1 的位置 1</translation>
+    </message>
+    <message>
+        <source>The next places that are stored continue the path.</source>
+        <translation>接下来保存的位置将延续该路径。</translation>
     </message>
 </context>
 <context>
@@ -10041,6 +10529,73 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DrillView</name>
+    <message>
+        <source>The forbidden region was entered by %1 mm: this try has failed</source>
+        <translation>已进入禁区 %1 mm：本次尝试失败</translation>
+    </message>
+    <message>
+        <source>Breakthrough: stop. %1 mm beyond</source>
+        <translation>已钻穿：请停止。超出 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm beside the planned path</source>
+        <translation>偏离规划路径 %1 mm</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>钻孔</translation>
+    </message>
+    <message>
+        <source>Drilling…</source>
+        <translation>正在钻孔…</translation>
+    </message>
+    <message>
+        <source>Hold the button on the volume to drill</source>
+        <translation>在体素模型上按住按钮以钻孔</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, %2 N, %3 N·mm, +%4 K (estimate)</source>
+        <translation>深 %1 mm，%2 N，%3 N·mm，+%4 K（估计值）</translation>
+    </message>
+    <message>
+        <source>The try has failed</source>
+        <translation>本次尝试失败</translation>
+    </message>
+    <message>
+        <source>The drill entered the forbidden region.</source>
+        <translation>钻头进入了禁区。</translation>
+    </message>
+    <message>
+        <source>Undo the hole to try again; stop at the breakthrough.</source>
+        <translation>请撤销该孔后重试；钻穿时请停止。</translation>
+    </message>
+    <message>
+        <source>Beside the planned path</source>
+        <translation>偏离规划路径</translation>
+    </message>
+    <message>
+        <source>The drill is more than %1 mm away from it.</source>
+        <translation>钻头偏离规划路径超过 %1 mm。</translation>
+    </message>
+    <message>
+        <source>Let go, undo the hole, and begin where the green rod meets the surface.</source>
+        <translation>请松开，撤销该孔，然后从绿色细杆与表面相交处开始。</translation>
+    </message>
+    <message>
+        <source>Breakthrough</source>
+        <translation>钻穿</translation>
+    </message>
+    <message>
+        <source>The drill is through after %1 s.</source>
+        <translation>钻头在 %1 s 后钻穿。</translation>
+    </message>
+    <message>
+        <source>Let go now: each further millimetre counts.</source>
+        <translation>请立即松开：每多一毫米都会计入。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ExerciseEditor</name>
     <message>
         <source>Add what is marked</source>
@@ -10123,16 +10678,16 @@
         <translation>下移所选行</translation>
     </message>
     <message>
-        <source>Done when met</source>
-        <translation>完成条件</translation>
-    </message>
-    <message>
-        <source>Choose the marks that tick this step once Measure finds them right</source>
-        <translation>选择评分项：当“测量”判定其合格后，此步骤即标为完成</translation>
-    </message>
-    <message>
         <source>Choose the marks of a step</source>
         <translation>选择步骤的评分项</translation>
+    </message>
+    <message>
+        <source>New hint</source>
+        <translation>新提示</translation>
+    </message>
+    <message>
+        <source>Change the hints of a step</source>
+        <translation>更改步骤的提示</translation>
     </message>
 </context>
 <context>
@@ -10465,8 +11020,20 @@
         <translation>%1 现为目标</translation>
     </message>
     <message>
-        <source>“Marks” says what is measured of it.</source>
-        <translation>“评分”说明对其测量哪些内容。</translation>
+        <source>Exercise: burr hole in the skull</source>
+        <translation>练习：颅骨钻孔</translation>
+    </message>
+    <message>
+        <source>Where the target lies</source>
+        <translation>目标的位置</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>导入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>“Task” says where it lies in the bar, “Marks” what is measured of it.</source>
+        <translation>“任务”说明它在棒料中的位置，“评分”说明要测量它的哪些项目。</translation>
     </message>
 </context>
 <context>
@@ -10553,6 +11120,10 @@
     <message>
         <source>Save as *%1…</source>
         <translation>另存为 *%1…</translation>
+    </message>
+    <message>
+        <source>Open beside %1</source>
+        <translation>在 %1 旁打开</translation>
     </message>
 </context>
 <context>
@@ -10817,6 +11388,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::HistogramView</name>
+    <message>
+        <source>Histogram with the range of values</source>
+        <translation>直方图和值的范围</translation>
+    </message>
+    <message>
+        <source>How many samples have which value (logarithmic). Drag the handles: what lies between is the segment.</source>
+        <translation>各个值的采样点数（对数）。拖动控制柄：其间的部分即为分割区域。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::HolePreview</name>
     <message>
         <source>Preview</source>
@@ -11001,14 +11583,6 @@
         <translation>力</translation>
     </message>
     <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Of the cut, of all three components</source>
-        <translation>切削力，三个分力的合力</translation>
-    </message>
-    <message>
         <source>Power</source>
         <translation>功率</translation>
     </message>
@@ -11111,6 +11685,14 @@
     <message>
         <source>Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or disk have taken off since</source>
         <translation>刀具所在处零件的粗糙度：由进给量和刀尖圆弧半径，以及此后锉刀、砂纸或砂轮的去除量得出</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Of the cut, of all three components, and what the exercise allows</source>
+        <translation>切削力，即三个分量的合力，以及练习允许的值</translation>
     </message>
 </context>
 <context>
@@ -11331,12 +11913,40 @@
         <translation>刀具已移动</translation>
     </message>
     <message>
-        <source>The material that came back is where it was, so it stands where it was before that pass.</source>
-        <translation>恢复的材料占据了刀具所在的位置，因此刀具回到该次走刀之前的位置。</translation>
-    </message>
-    <message>
         <source>The spindle turns as before.</source>
         <translation>主轴照常转动。</translation>
+    </message>
+    <message>
+        <source>The tool does not touch the work</source>
+        <translation>刀具未接触工件</translation>
+    </message>
+    <message>
+        <source>Its tip is %1 mm from the nearest surface, measured on the radius. X was not touched off.</source>
+        <translation>刀尖距最近的表面 %1 mm（按半径测量）。X 未对刀。</translation>
+    </message>
+    <message>
+        <source>Its tip is %1 mm from the nearest face, measured along Z. Z was not touched off.</source>
+        <translation>刀尖距最近的端面 %1 mm（沿 Z 测量）。Z 未对刀。</translation>
+    </message>
+    <message>
+        <source>Turn a little of the bar, and touch off before the cross slide moves.</source>
+        <translation>将棒料车去少许，并在中拖板移动之前对刀。</translation>
+    </message>
+    <message>
+        <source>Touch or turn a face, and touch off before the carriage moves.</source>
+        <translation>接触或车削端面，并在大拖板移动之前对刀。</translation>
+    </message>
+    <message>
+        <source>Touch off anyway</source>
+        <translation>仍然对刀</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>The material that came back is where it was, so the tool was taken out of it.</source>
+        <translation>恢复的材料正处于刀具所在位置，因此已将刀具从中退出。</translation>
     </message>
 </context>
 <context>
@@ -11354,10 +11964,6 @@
         <translation>中拖板</translation>
     </message>
     <message>
-        <source>Clockwise: in, to the axis; counts on the radius. In the view: ↑ and ↓</source>
-        <translation>顺时针：向内，朝轴线；按半径计数。视图中：↑ 和 ↓</translation>
-    </message>
-    <message>
         <source>Compound slide</source>
         <translation>小拖板</translation>
     </message>
@@ -11372,6 +11978,10 @@
     <message>
         <source>Clockwise: out, to the work</source>
         <translation>顺时针：伸出，朝工件</translation>
+    </message>
+    <message>
+        <source>Clockwise: in, to the axis; counts as the read-out does, on the diameter (⌀) or the radius (R). In the view: ↑ and ↓</source>
+        <translation>顺时针：向内，朝轴线；与读数一样按直径 (⌀) 或半径 (R) 计数。视图中：↑ 和 ↓</translation>
     </message>
 </context>
 <context>
@@ -11913,12 +12523,12 @@
 <context>
     <name>handwheel::PathChecks</name>
     <message>
-        <source>On the way to place %1: %2 with %3</source>
-        <translation>前往位置 %1 途中：%2 与 %3</translation>
-    </message>
-    <message>
         <source>Verifying %1</source>
         <translation>正在验证 %1</translation>
+    </message>
+    <message>
+        <source>Comparing the cell with what was verified</source>
+        <translation>正在将单元与验证时的状态进行比较</translation>
     </message>
 </context>
 <context>
@@ -13426,6 +14036,30 @@
         <source>Move the bodies and the other robots.</source>
         <translation>请移动物体和其他机器人。</translation>
     </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Bodies</source>
+        <translation>物体(&amp;B)</translation>
+    </message>
+    <message>
+        <source>C&amp;onfigurations and targets</source>
+        <translation>位形和目标点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>P&amp;aths</source>
+        <translation>路径(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Verif&amp;ication</source>
+        <translation>验证(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;grams</source>
+        <translation>程序(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RoundTargetDialog</name>
@@ -13496,6 +14130,14 @@
         <source>Give that file to your teacher.</source>
         <translation>请将该文件交给教师。</translation>
     </message>
+    <message>
+        <source>Preparing the exercise</source>
+        <translation>正在准备练习</translation>
+    </message>
+    <message>
+        <source>Checking the steps</source>
+        <translation>正在检查步骤</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::SectionView</name>
@@ -13506,6 +14148,304 @@
     <message>
         <source>Area (%1)</source>
         <translation>面积 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Segmentation</name>
+    <message>
+        <source>&amp;Segmentation</source>
+        <translation>分割(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Choose what of a scan is material, in its slices</source>
+        <translation>在扫描的切片中选择哪些是材料</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>分割</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>切片</translation>
+    </message>
+    <message>
+        <source>Smoothing the segment</source>
+        <translation>正在平滑分割区域</translation>
+    </message>
+    <message>
+        <source>Smooth segment</source>
+        <translation>平滑分割区域</translation>
+    </message>
+    <message>
+        <source>Counting parts</source>
+        <translation>正在统计部分数量</translation>
+    </message>
+    <message>
+        <source>Choose values</source>
+        <translation>选择值</translation>
+    </message>
+    <message>
+        <source>Erase from segment</source>
+        <translation>从分割区域擦除</translation>
+    </message>
+    <message>
+        <source>Paint segment</source>
+        <translation>涂绘分割区域</translation>
+    </message>
+    <message>
+        <source>Keeping the largest parts</source>
+        <translation>正在保留最大的部分</translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n largest part(s)</source>
+        <translation>
+            <numerusform>保留最大的 %n 个部分</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Growing from the point</source>
+        <translation>正在从该点生长</translation>
+    </message>
+    <message>
+        <source>Grow from point</source>
+        <translation>从点生长</translation>
+    </message>
+    <message>
+        <source>The point, of value %1, is not in the segment. Click where it is coloured, or choose a range with this value.</source>
+        <translation>该点的值为 %1，不在分割区域内。请单击着色处，或选择包含此值的范围。</translation>
+    </message>
+    <message>
+        <source>Making the surface</source>
+        <translation>正在生成表面</translation>
+    </message>
+    <message>
+        <source>The surface was not made</source>
+        <translation>未生成表面</translation>
+    </message>
+    <message>
+        <source>Make surface</source>
+        <translation>生成表面</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SegmentationPanel</name>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>范围的下限</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>范围的上限</translation>
+    </message>
+    <message>
+        <source>&amp;Otsu</source>
+        <translation>大津法(&amp;O)</translation>
+    </message>
+    <message>
+        <source>From the value on that parts the image best in two</source>
+        <translation>从能将图像最佳地一分为二的值起</translation>
+    </message>
+    <message>
+        <source>&amp;Bone</source>
+        <translation>骨骼(&amp;B)</translation>
+    </message>
+    <message>
+        <source>From 300 Hounsfield units on</source>
+        <translation>从 300 亨氏单位起</translation>
+    </message>
+    <message>
+        <source>&amp;Skin</source>
+        <translation>皮肤(&amp;S)</translation>
+    </message>
+    <message>
+        <source>From -200 Hounsfield units on: all but air</source>
+        <translation>从 -200 亨氏单位起：除空气外的一切</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>&amp;Largest part only</source>
+        <translation>仅最大的部分(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Keeps what hangs together and is the largest</source>
+        <translation>保留相连且最大的部分</translation>
+    </message>
+    <message>
+        <source>How many of the largest parts are kept</source>
+        <translation>保留多少个最大的部分</translation>
+    </message>
+    <message>
+        <source>&amp;Keep so many</source>
+        <translation>保留此数量(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Keeps the largest parts, so many of them</source>
+        <translation>保留最大的部分，数量如此处所设</translation>
+    </message>
+    <message>
+        <source>Size of parts below which they are debris</source>
+        <translation>小于此大小的部分视为碎片</translation>
+    </message>
+    <message>
+        <source>&amp;Remove debris</source>
+        <translation>移除碎片(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Removes the parts that are smaller</source>
+        <translation>移除更小的部分</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth</source>
+        <translation>平滑(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Removes specks and evens steps: each sample becomes what most of the 27 around are</source>
+        <translation>移除斑点并抹平台阶：每个采样点取其周围 27 个采样点中的多数</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>Cross&amp;hair</source>
+        <translation>十字线(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Click to move the crosshair</source>
+        <translation>单击以移动十字线</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>涂绘(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Adds to the segment; Ctrl: erases. [ and ]: radius</source>
+        <translation>添加到分割区域；Ctrl：擦除。[ 和 ]：半径</translation>
+    </message>
+    <message>
+        <source>&amp;Erase</source>
+        <translation>擦除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Erases from the segment; Ctrl: adds. [ and ]: radius</source>
+        <translation>从分割区域擦除；Ctrl：添加。[ 和 ]：半径</translation>
+    </message>
+    <message>
+        <source>&amp;Grow from point</source>
+        <translation>从点生长(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Click a point of the segment: what hangs together with it stays</source>
+        <translation>单击分割区域中的一点：与其相连的部分保留</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Ball (&amp;3D)</source>
+        <translation>球 (&amp;3D)</translation>
+    </message>
+    <message>
+        <source>The brush reaches into the slices around, else it stays in one</source>
+        <translation>画笔延伸到相邻的切片，否则只作用于一个切片</translation>
+    </message>
+    <message>
+        <source>In the slices</source>
+        <translation>在切片中</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Level of the greys</source>
+        <translation>灰度窗位</translation>
+    </message>
+    <message>
+        <source>Width of the greys</source>
+        <translation>灰度窗宽</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>灰度</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>窗位</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>窗宽</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel</source>
+        <translation>体素的边长</translation>
+    </message>
+    <message>
+        <source>Smooth &amp;it</source>
+        <translation>使其平滑(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Takes the steps of voxels off the surface</source>
+        <translation>消除表面上的体素台阶</translation>
+    </message>
+    <message>
+        <source>Make s&amp;urface</source>
+        <translation>生成表面(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Makes the volume of the segment, to be shaped, drilled, saved; undo brings back the one before</source>
+        <translation>生成分割区域的体素模型，可用于塑造、钻孔和保存；撤销可恢复之前的体素模型</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>体素边长</translation>
+    </message>
+    <message>
+        <source>Changed by hand: another range starts anew (undo brings this back).</source>
+        <translation>已手动更改：选择其他范围将重新开始（撤销可恢复此结果）。</translation>
+    </message>
+    <message>
+        <source>Nothing has values of this range.</source>
+        <translation>没有处于此范围内的值。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s), %1 mm³; the largest is %2 % of it</source>
+        <translation>
+            <numerusform>%n 个部分，%1 mm³；最大的占其 %2 %</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Counting parts…</source>
+        <translation>正在统计部分数量…</translation>
+    </message>
+    <message>
+        <source>Value %1 at x %2, y %3, z %4 mm</source>
+        <translation>x %2、y %3、z %4 mm 处的值为 %1</translation>
+    </message>
+    <message>
+        <source>Below %1 mm³: %2 of %3 parts, %4 mm³</source>
+        <translation>小于 %1 mm³：%3 个部分中的 %2 个，%4 mm³</translation>
+    </message>
+    <message>
+        <source>About %1 MB of the %2 MB that are left</source>
+        <translation>约 %1 MB，剩余 %2 MB</translation>
+    </message>
+    <message>
+        <source>A larger voxel takes less.</source>
+        <translation>体素越大，所需内存越少。</translation>
     </message>
 </context>
 <context>
@@ -13777,6 +14717,44 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SlicesPanel</name>
+    <message>
+        <source>Axial</source>
+        <translation>轴状位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+    <message>
+        <source>Wheel, Page up and down: slices. Right button: level and width of the greys. Ctrl+wheel, + and -: zoom; middle button: move. Shift+click, arrows: crosshair. Space: the chosen tool there.</source>
+        <translation>滚轮、Page Up 和 Page Down：切片。右键：灰度的窗位和窗宽。Ctrl+滚轮、+ 和 -：缩放；中键：移动。Shift+单击、方向键：十字线。空格：在该处使用所选工具。</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1切片</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 / %3</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SlowdownLabel</name>
+    <message>
+        <source>The computer does not keep up. Nothing is left out: the simulation runs slower than the clock.</source>
+        <translation>计算机跟不上。没有省略任何内容：仿真比时钟运行得慢。</translation>
+    </message>
+    <message>
+        <source>Simulation at %1 % of real time</source>
+        <translation>仿真速度为实时的 %1 %</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::SpaceMouseNavigation</name>
     <message>
         <source>Opening %1</source>
@@ -13874,6 +14852,25 @@
     <message>
         <source>Services</source>
         <translation>服务</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StepEditor</name>
+    <message>
+        <source>Done when these marks are met:</source>
+        <translation>达到以下评分项时完成：</translation>
+    </message>
+    <message>
+        <source>Hints, shown one after another; double-click to change one:</source>
+        <translation>提示，依次显示；双击可更改：</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>添加提示</translation>
+    </message>
+    <message>
+        <source>Remove the hint</source>
+        <translation>移除提示</translation>
     </message>
 </context>
 <context>
@@ -14031,6 +15028,18 @@
     <message>
         <source>Target of the exercise</source>
         <translation>练习的目标</translation>
+    </message>
+    <message>
+        <source>Where the target lies</source>
+        <translation>目标的位置</translation>
+    </message>
+    <message>
+        <source>The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is left for facing. It can be changed later in the panel Stock.</source>
+        <translation>零件的完工端面是图纸和程序的零点。棒料超出该端面的部分即端面余量。以后可在“毛坯”面板中更改。</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>导入(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -14550,6 +15559,18 @@
         <source>%1 triangles</source>
         <translation>%1 个三角形</translation>
     </message>
+    <message>
+        <source>New &amp;skull</source>
+        <translation>新建颅骨(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Start with a skull to be drilled, made of no patient</source>
+        <translation>从一个可供钻孔的颅骨开始，并非取自任何患者</translation>
+    </message>
+    <message>
+        <source>Making the skull</source>
+        <translation>正在生成颅骨</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::WorkpieceUi</name>
@@ -14644,6 +15665,46 @@
     <message>
         <source>It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.</source>
         <translation>棒料由练习规定。“课程”面板说明该做什么；用“车削”和“车床”进行切削。</translation>
+    </message>
+    <message>
+        <source>Checking force and power</source>
+        <translation>正在检查切削力和功率</translation>
+    </message>
+    <message>
+        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.</source>
+        <translation>此次走刀的切削力最大达 %1 N；练习所用车床可承受 %2 N。</translation>
+    </message>
+    <message>
+        <source>The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
+        <translation>此次走刀的功率最大达 %1 kW；练习所用车床为 %2 kW。</translation>
+    </message>
+    <message>
+        <source>Too heavy a cut</source>
+        <translation>切削过重</translation>
+    </message>
+    <message>
+        <source>It is marked. Undo it, and take less depth or feed.</source>
+        <translation>已计入评分。请撤销，并减小切深或进给。</translation>
+    </message>
+    <message>
+        <source>%1 is a program for a lathe</source>
+        <translation>%1 是车床程序</translation>
+    </message>
+    <message>
+        <source>A program is opened in the program editor of the workpiece that it turns.</source>
+        <translation>程序在其所车削工件的程序编辑器中打开。</translation>
+    </message>
+    <message>
+        <source>Open that workpiece first, then the program, or open the program on a new bar.</source>
+        <translation>请先打开该工件，再打开程序，或在新棒料上打开程序。</translation>
+    </message>
+    <message>
+        <source>Open on a new bar</source>
+        <translation>在新棒料上打开</translation>
+    </message>
+    <message>
+        <source>Programs (%1)</source>
+        <translation>程序 (%1)</translation>
     </message>
 </context>
 </TS>
