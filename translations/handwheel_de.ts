@@ -5169,6 +5169,10 @@
         <source>It was never verified: select the path, or choose Verify all paths.</source>
         <translation>Sie wurde noch nie geprüft: Wählen Sie die Bahn aus, oder wählen Sie „Alle Bahnen prüfen“.</translation>
     </message>
+    <message>
+        <source>%1, as stored with the cell</source>
+        <translation>%1, wie in der Zelle gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -11098,6 +11102,14 @@
     <message>
         <source>“Task” says where it lies in the bar, “Marks” what is measured of it.</source>
         <translation>„Aufgabe“ sagt, wo es in der Stange liegt, „Bewertung“, was daran gemessen wird.</translation>
+    </message>
+    <message>
+        <source>The exercise was changed meanwhile.</source>
+        <translation>Die Übung wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>Import the target again.</source>
+        <translation>Importieren Sie das Ziel noch einmal.</translation>
     </message>
 </context>
 <context>

@@ -5160,6 +5160,10 @@
         <source>It was never verified: select the path, or choose Verify all paths.</source>
         <translation>从未验证：请选择该路径，或选择“验证所有路径”。</translation>
     </message>
+    <message>
+        <source>%1, as stored with the cell</source>
+        <translation>%1，如单元中所存储</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -11034,6 +11038,14 @@
     <message>
         <source>“Task” says where it lies in the bar, “Marks” what is measured of it.</source>
         <translation>“任务”说明它在棒料中的位置，“评分”说明要测量它的哪些项目。</translation>
+    </message>
+    <message>
+        <source>The exercise was changed meanwhile.</source>
+        <translation>练习在此期间已被更改。</translation>
+    </message>
+    <message>
+        <source>Import the target again.</source>
+        <translation>请重新导入目标。</translation>
     </message>
 </context>
 <context>

@@ -139,7 +139,7 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
     changed.paths.push_back(std::move(planned));
   else
     *old = std::move(planned);
-  commit(text.arg(name), std::move(changed));
+  if (!commit(text.arg(name), std::move(changed))) return;
   m_tree->select(entry);
   if (!wasEdited)
     return reportStored(tr("%1 was planned").arg(name),

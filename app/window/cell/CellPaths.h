@@ -79,7 +79,7 @@ class CellPaths : public QObject {
  private:
   RobotCellDocument& cell() const;
   void connectActions();
-  void commit(const QString& text, CellPlans plans);
+  bool commit(const QString& text, CellPlans plans);  // false: there are too many, which was reported
   void store();
   void storeTarget();
   void setTargetHere(const std::string& name);

@@ -68,9 +68,13 @@ void CellPaths::reportUnprepared() {
                 &m_document->document});
 }
 
-void CellPaths::commit(const QString& text, CellPlans plans) {
-  if (const Status fits = checkCounts(plans); !fits) return report(fits.error());
+bool CellPaths::commit(const QString& text, CellPlans plans) {
+  if (const Status fits = checkCounts(plans); !fits) {
+    report(fits.error());
+    return false;
+  }
   if (auto edit = cell().plansEdit(std::move(plans))) cell().commit(text, std::move(edit));
+  return true;
 }
 
 void CellPaths::store() {
@@ -78,7 +82,7 @@ void CellPaths::store() {
   const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
   const std::string name = changed.freePlaceName(wish);
   changed.configurations.push_back({name, cell().joints(), changed.arm});
-  commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed));
+  if (!commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed))) return;
   m_tree->select({Kind::Configuration, name});
   reportStored(tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."));
 }
@@ -104,8 +108,9 @@ void CellPaths::storeTarget() {
   const PlanTree::Entry entry{Kind::Target, target.name};
   const QString name = QString::fromStdString(target.name);
   changed.targets.push_back(std::move(target));
-  commit(body ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name)) : tr("Store %1").arg(name),
-         std::move(changed));
+  const QString text =
+      body ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name)) : tr("Store %1").arg(name);
+  if (!commit(text, std::move(changed))) return;
   m_tree->select(entry);
   reportStored(tr("%1 was stored").arg(name), body ? tr("It moves with %1.").arg(QString::fromStdString(body->name))
                                                    : tr("It is selected in the list."));
@@ -171,7 +176,7 @@ void CellPaths::insertAt(std::size_t behind) {
   const PlanTree::Entry inserted{Kind::Place, of.name, behind};
   const QString name = QString::fromStdString(of.name);
   const std::size_t count = of.places.size();
-  commit(tr("Insert a place into %1").arg(name), std::move(changed));
+  if (!commit(tr("Insert a place into %1").arg(name), std::move(changed))) return;
   m_tree->select(inserted);
   reportStored(tr("Place %1 of %2 was stored").arg(behind + 1).arg(name),
                tr("The path has %Ln place(s) now.", nullptr, static_cast<int>(count)));
@@ -190,7 +195,7 @@ void CellPaths::addPlace() {
   const PlanTree::Entry first{Kind::Place, begun.name, 0};
   const QString name = QString::fromStdString(begun.name);
   changed.paths.push_back(std::move(begun));
-  commit(tr("Begin a path"), std::move(changed));
+  if (!commit(tr("Begin a path"), std::move(changed))) return;
   m_tree->select(first);
   reportStored(tr("Place 1 of %1 was stored").arg(name), tr("The next places that are stored continue the path."));
 }

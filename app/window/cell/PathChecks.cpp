@@ -11,8 +11,20 @@
 #include "window/fidelity/FidelityChoice.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
+
+namespace {
+
+// Whether what is stored contradicts itself, as no verification finds it.
+bool isContradictory(const PathFindings& found, BasisChange change, double clearance) {
+  constexpr double kTolerance = 1e-6;  // mm
+  if (found.isCertified && (found.collisions > 0 || !found.listed.empty())) return true;
+  return change == BasisChange::Nothing && !(std::abs(found.clearance - clearance) <= kTolerance);
+}
+
+}  // namespace
 
 PathChecks::PathChecks(const WindowContext& parts, CellCollisions& collisions, QObject* parent)
     : QObject(parent), m_parts(parts), m_collisions(collisions) {
@@ -37,7 +49,8 @@ void PathChecks::setDocument(DocumentTab* document) {
 // What is stored of the paths of a document that was opened.
 void PathChecks::recall() {
   const auto now = content();
-  if (m_results.contains(m_document) || now->proofs->empty()) return;
+  if (now->proofs->empty()) m_recalled.insert(m_document);
+  if (m_recalled.contains(m_document)) return;
   Job job;
   job.name = tr("Comparing the cell with what was verified");
   job.owner = &m_results;
@@ -47,15 +60,13 @@ void PathChecks::recall() {
     for (const RobotPath& path : now->plans->paths) {
       const auto proof = now->proofs->find(path.name);
       if (proof == now->proofs->end()) continue;
+      const BasisChange change = changeBetween(proof->second.basis, digests->of(path));
+      if (isContradictory(proof->second.found, change, now->plans->clearance)) continue;
       const QDateTime at = QDateTime::fromString(QString::fromStdString(proof->second.at), Qt::ISODate).toLocalTime();
-      results[path.name] = {basisOf(*now, path),
-                            proof->second.found,
-                            {},
-                            nullptr,
-                            at,
-                            changeBetween(proof->second.basis, digests->of(path))};
+      results[path.name] = {basisOf(*now, path), proof->second.found, {}, nullptr, at, change};
     }
     return [this, digests, results = std::move(results)]() mutable {
+      m_recalled.insert(m_document);
       m_results[m_document].merge(results);
       m_digests = digests;
       emit changed();
@@ -182,10 +193,9 @@ void PathChecks::store(const PathResult& result, bool isAsked) {
 void PathChecks::renamed(const std::string& from, const std::string& to) {
   auto& cell = static_cast<RobotCellDocument&>(m_document->document);
   PathProofs proofs = cell.proofs();
-  auto proof = proofs.extract(from);
-  if (proof.empty()) return;
-  proof.key() = to;
-  proofs.insert(std::move(proof));
+  const auto proof = proofs.find(from);
+  if (proof == proofs.end()) return;
+  proofs.insert_or_assign(to, PathProof(proof->second));  // the other one stays for when the new name is undone
   cell.setProofs(std::move(proofs), false);
 }
 

@@ -12,6 +12,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace handwheel {
 
@@ -45,7 +46,10 @@ class PathChecks : public QObject {
   ~PathChecks() override;
 
   void setDocument(DocumentTab* document);
-  void forget(const DocumentTab* document) { m_results.erase(document); }
+  void forget(const DocumentTab* document) {
+    m_results.erase(document);
+    m_recalled.erase(document);
+  }
 
   // Begins to verify a path, unless its result is known. What is under way for another path or another state of it
   // ends. Nothing happens where the cell is not prepared for its robot.
@@ -89,6 +93,7 @@ class PathChecks : public QObject {
   CellCollisions& m_collisions;
   DocumentTab* m_document = nullptr;
   std::map<const DocumentTab*, std::map<std::string, PathResult>> m_results;  // by the name of the path
+  std::set<const DocumentTab*> m_recalled;  // of which nothing stored is left to be recalled
   std::optional<Run> m_run;
   std::uint64_t m_runs = 0;                      // that were begun
   std::deque<std::string> m_waiting;             // names of paths that are to be verified, too

@@ -141,8 +141,12 @@ PathRemark remarkOf(const PathChecks::State& state, const RobotPath& path, Lengt
     return plain(text, text + QLatin1Char('\n') + Words::tr("Before: %1").arg(found), "info");
   }
   const bool isFree = state.last->found && state.last->found->isCertified && state.last->found->partMoved.empty();
-  return {words.shortly(*state.last), found, (QStringList{found} + words.details(*state.last)).join('\n'),
-          isFree ? QStringLiteral("ok") : QStringLiteral("warning"), isFree};
+  // Only what was proven in this session is shown as such.
+  const bool isStored = isFree && !state.last->checked;
+  const QString summary = isStored ? Words::tr("%1, as stored with the cell").arg(found) : found;
+  const char* const icon = !isFree ? "warning" : isStored ? "info" : "ok";
+  return {words.shortly(*state.last), summary, (QStringList{summary} + words.details(*state.last)).join('\n'),
+          QLatin1String(icon), isFree};
 }
 
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QTreeWidgetItemIterator>
 
 namespace handwheel {
@@ -73,6 +74,8 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
                         const std::map<std::string, TargetReach>& reach) {
   m_isFilling = true;
   const Entry before = current();
+  const auto* editor = qobject_cast<QLineEdit*>(indexWidget(currentIndex()));
+  const QString typed = editor ? editor->text() : QString();
   std::set<std::string> collapsed;
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
     const Entry entry = entryOf(*it);
@@ -126,6 +129,10 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
   paths->setExpanded(true);
   select(before);
   m_isFilling = false;
+  // A name that is being typed goes on being typed in the new row.
+  if (!editor || current() != before) return;
+  editItem(currentItem(), 0);
+  if (auto* const again = qobject_cast<QLineEdit*>(indexWidget(currentIndex()))) again->setText(typed);
 }
 
 PlanTree::Entry PlanTree::current() const {

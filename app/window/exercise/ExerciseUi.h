@@ -55,7 +55,8 @@ class ExerciseUi : public RigidPartsUi {
   void importTarget(DocumentTab* owner, const QString& path);
   void askForPlace(DocumentTab* owner, const QString& name, const TaskPointer& before,
                    const ExerciseSubject::ImportedTask& imported);
-  void changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
+  // False: it stays as it is.
+  bool changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);

@@ -79,7 +79,11 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
   connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task] {
-    changeTarget(owner, tr("Import target"), before, *task);
+    if (!changeTarget(owner, tr("Import target"), before, *task)) {
+      emit message({Message::Weight::Warning, tr("%1 was not taken as the target").arg(name),
+                    tr("The exercise was changed meanwhile."), tr("Import the target again.")});
+      return;
+    }
     parts().log.add(tr("Target read from %1").arg(name));
     emit message({Message::Weight::Info,
                   tr("%1 is the target now").arg(name),
@@ -90,14 +94,15 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
 }
 
 // Where the task was changed in the meantime it stays as it is.
-void ExerciseUi::changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before,
+bool ExerciseUi::changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before,
                               const TaskPointer& made) {
-  if (!parts().tabs.contains(owner)) return;
+  if (!parts().tabs.contains(owner)) return false;
   auto& exercise = static_cast<ExerciseDocument&>(owner->document);
   ExerciseSnapshot changed = exercise.exercise();
-  if (changed.task != before) return;
+  if (changed.task != before) return false;
   changed.task = made;
   exercise.change(text, std::move(changed));
+  return true;
 }
 
 // Lines and arcs are fitted to all of the part.

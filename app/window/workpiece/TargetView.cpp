@@ -247,28 +247,30 @@ void TargetView::importFrom(DocumentTab* document, const QString& path) {
 void TargetView::askForPlace(DocumentTab* document, const ImportedTarget& imported, const QString& path) {
   if (!m_parts.tabs.contains(document)) return;
   const StockCylinder stock = static_cast<const WorkpieceDocument&>(document->document).workpiece().stock;
-  propose(document, placedTarget(imported, stock));
+  // Of this dialog: there may be another one behind it.
+  const auto proposed = std::make_shared<std::shared_ptr<const WorkpieceTarget>>(placedTarget(imported, stock));
+  propose(document, *proposed);
   auto* dialog = new PropertyDialog(
       {tr("Where the target lies"),
        tr("The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is "
           "left "
           "for facing. It can be changed later in the panel Stock."),
        tr("&Import")},
-      [this, stock] { return placeProperties(m_proposed->profile, stock); },
-      [this, document, stock](const std::string&, const PropertyValue& value) -> Status {
-        Result<TargetProfile> placed = withPlace(m_proposed->profile, stock, value);
+      [proposed, stock] { return placeProperties((*proposed)->profile, stock); },
+      [this, document, proposed, stock](const std::string&, const PropertyValue& value) -> Status {
+        Result<TargetProfile> placed = withPlace((*proposed)->profile, stock, value);
         if (!placed) return placed.error();
-        propose(document,
-                std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(*placed), m_proposed->source}));
+        *proposed = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(*placed), (*proposed)->source});
+        propose(document, *proposed);
         return Done{};
       },
       m_parts.window);
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
   dialog->setLengthUnit(document->document.displayUnit());
-  connect(dialog, &QDialog::finished, this, [this, document, imported, path](int result) {
-    const auto target = std::exchange(m_proposed, nullptr);
-    if (result == QDialog::Accepted) take(document, target, imported, path);
+  connect(dialog, &QDialog::finished, this, [this, document, proposed, imported, path](int result) {
+    if (m_proposed == *proposed) m_proposed = nullptr;
+    if (result == QDialog::Accepted) take(document, *proposed, imported, path);
     showOutline();
   });
   dialog->open();
@@ -281,7 +283,7 @@ void TargetView::propose(DocumentTab* document, std::shared_ptr<const WorkpieceT
 
 void TargetView::take(DocumentTab* document, const std::shared_ptr<const WorkpieceTarget>& target,
                       const ImportedTarget& imported, const QString& path) {
-  if (!m_parts.tabs.contains(document)) return;
+  if (!target || !m_parts.tabs.contains(document)) return;
   document->document.commit(tr("Import target"), std::make_unique<TargetEdit>(target));
   m_parts.log.add(tr("Target read from %1").arg(QFileInfo(path).fileName()));
   for (const Note& note : imported.notes) m_parts.log.add(noteText(note));

@@ -60,7 +60,7 @@ class TargetView : public QObject {
   JobRunner m_measuring;
   std::shared_ptr<PathLayer> m_layer;
   std::shared_ptr<const WorkpieceTarget> m_outlined;  // in the layer
-  std::shared_ptr<const WorkpieceTarget> m_proposed;  // while it is asked for its place; null: none is
+  std::shared_ptr<const WorkpieceTarget> m_proposed;  // in the outline, while it is asked for its place; null: none is
   bool m_isVisible = true;
   double m_range = 0.1;  // mm, of the colours
 };

@@ -114,6 +114,13 @@ void WorkpieceUi::refreshVisibility() {
 
 void WorkpieceUi::forget(DocumentTab* document) {
   parts().jobs.cancelOf(document);
+  m_loads.cancelOf(document);
+  if (m_loaded == document) {
+    m_loaded = nullptr;
+    m_loadedPart.reset();
+    m_peaks = {};
+    m_arePeaksPending = false;
+  }
   m_program.forget(document);
 }
 
@@ -209,15 +216,21 @@ void WorkpieceUi::watchLoads() {
   const bool isOther = std::exchange(m_loaded, document()) != document();
   const bool isSame = std::exchange(m_loadedPart, workpiece.part) == workpiece.part && !isOther;
   const auto task = isSame || !workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
+  if (isOther) {
+    m_loads.cancelAll();
+    m_peaks = {};
+    m_arePeaksPending = task != nullptr;
+  }
   if (!task) return;
   Job job;
   job.name = tr("Checking force and power");
   job.owner = document();
-  job.work = [this, task, workpiece, isOther, document = document()](Progress progress) -> Job::Finish {
+  job.work = [this, task, workpiece, document = document()](Progress progress) -> Job::Finish {
     const auto peaks = peakLoads(*task, workpiece, progress);
     if (!peaks) return {};
-    return [this, task, document, isOther, found = *peaks] {
-      if (isOther) m_peaks = found;  // what was there is not of this pass
+    return [this, task, document, found = *peaks] {
+      if (document != m_loaded) return;
+      if (std::exchange(m_arePeaksPending, false)) m_peaks = found;  // the passes that were there
       warnOfLoads(document, *task, found.first, found.second);
     };
   };

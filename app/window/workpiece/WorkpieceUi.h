@@ -78,6 +78,7 @@ class WorkpieceUi : public RigidPartsUi, public BesideFiles {
   QPointer<QWidget> m_panel;
   JobRunner m_loads;                  // what the passes of an exercise ask of its lathe
   std::pair<double, double> m_peaks;  // N, kW, of m_loaded, as they were told last
+  bool m_arePeaksPending = false;     // those of m_loaded are still being found: no pass is compared with them
   const DocumentTab* m_loaded = nullptr;
   std::shared_ptr<const TurnedPart> m_loadedPart;
   std::size_t m_passes = 0;                // of the current document, as the tool was followed last

@@ -29,10 +29,11 @@ void visitSetup(Setup& setup, const auto& visit) {
   visit("spindle", setup.spindle);
 }
 
+// All that can be drilled with can be read again. The length is bounded by the diameter, and with it the work to drill.
 bool isSound(const DrillSetup& setup) {
   const auto isWithin = [](double x, double least, double most) { return x >= least && x <= most; };
-  return isWithin(setup.tool.diameter, DrillTool::kLeastDiameter, DrillTool::kLargestDiameter) &&
-         isWithin(setup.tool.pointAngle, 0.1, M_PI) && isWithin(setup.tool.length, 0.0, 1e5) &&
+  return setup.tool.diameter > 0.0 && setup.tool.diameter <= 1e6 && isWithin(setup.tool.pointAngle, 0.1, M_PI) &&
+         isWithin(setup.tool.length, 0.0, 20.0 * setup.tool.diameter + 1.0) &&
          isWithin(setup.material.energy, 1e-9, 1e9) && isWithin(setup.material.tangential, 1e-9, 1e6) &&
          isWithin(std::abs(setup.spindle), 0.0, 1e7) && setup.erosion > 0.0;
 }
@@ -52,8 +53,8 @@ std::optional<DrillSetup> setupIn(const Json& entry) {
 
 // The poses of all holes as they are stored.
 struct StoredPoses {
-  ReadArray<std::uint32_t> times;
-  ReadArray<std::int32_t> places;
+  ReadArray<std::uint64_t> times;
+  ReadArray<std::int64_t> places;
   ReadArray<float> axes;
 
   bool isWhole(std::uint64_t count) const {
@@ -75,8 +76,8 @@ struct StoredPoses {
 
 void writeHoles(const DrilledHoles& holes, Container& container) {
   Json list = Json::array();
-  std::vector<std::uint32_t> times;
-  std::vector<std::int32_t> places;
+  std::vector<std::uint64_t> times;
+  std::vector<std::int64_t> places;
   std::vector<float> axes;
   for (const auto& hole : holes) {
     Json entry = {{kShape, kShapes[static_cast<std::size_t>(hole->setup.tool.shape)]}, {kPoses, hole->poses.size()}};
@@ -92,8 +93,8 @@ void writeHoles(const DrilledHoles& holes, Container& container) {
   }
   (*container.manifest)["document"][kHoles] = std::move(list);
   if (times.empty()) return;
-  writeArray<std::uint32_t>(container, kTimes, times);
-  writeArray<std::int32_t>(container, kPlaces, places, 3);
+  writeArray<std::uint64_t>(container, kTimes, times);
+  writeArray<std::int64_t>(container, kPlaces, places, 3);
   writeArray<float>(container, kAxes, axes, 3);
 }
 
@@ -111,8 +112,8 @@ DrilledHoles readHoles(const Container& container, std::vector<Error>& damage) {
     if (poses > DrillRecord::kMostPoses) return fail("a hole has too many poses");
     count += poses;
   }
-  const StoredPoses stored{readArray<std::uint32_t>(container, kTimes, count),
-                           readArray<std::int32_t>(container, kPlaces, count, 3),
+  const StoredPoses stored{readArray<std::uint64_t>(container, kTimes, count),
+                           readArray<std::int64_t>(container, kPlaces, count, 3),
                            readArray<float>(container, kAxes, count, 3)};
   if (!stored.isWhole(count)) return fail("poses of the drill are lost");
   DrilledHoles holes;

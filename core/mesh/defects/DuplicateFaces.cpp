@@ -25,6 +25,9 @@ bool isPlate(const FaceGroup& group, const std::vector<Triangle>& triangles) {
 }
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
+int direction(const Triangle& t, int k) {
+  return t[k] < t[(k + 1) % 3] ? 1 : -1;
+}
 Edge edge(const Triangle& sorted, int k) {
   return std::minmax(sorted[k], sorted[(k + 1) % 3]);
 }
@@ -33,27 +36,31 @@ Edge edge(const Triangle& sorted, int k) {
 struct Meeting {
   int groups = 0;
   int others = 0;
+  int forward = 0;  // of the others, those that run along it from the lower position, less those that run back
   std::uint32_t firstGroup = 0;
 };
 
 std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, const std::vector<FaceGroup>& groups,
                                      Progress progress) {
   std::map<Edge, Meeting> meetings;
+  std::vector<bool> isDuplicate(triangles.size(), false);
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     if (!pollProgress(g, groups.size(), progress.part(0.0, 0.5), kSearchesPerPoll)) return meetings;
+    for (const Face f : groups[g].faces) isDuplicate[f] = true;
     for (int k = 0; k < 3; ++k) {
-      Meeting& m = meetings.try_emplace(edge(groups[g].positions, k), Meeting{0, 0, g}).first->second;
+      Meeting& m = meetings.try_emplace(edge(groups[g].positions, k), Meeting{0, 0, 0, g}).first->second;
       ++m.groups;
-      m.others -= static_cast<int>(groups[g].faces.size());  // its faces are counted below
     }
   }
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!pollProgress(f, triangles.size(), progress.part(0.5, 1.0), kSearchesPerPoll)) return meetings;
     const Triangle& t = triangles[f];
-    if (hasRepeatedVertex(t)) continue;
+    if (hasRepeatedVertex(t) || isDuplicate[f]) continue;
     for (int k = 0; k < 3; ++k) {
       const auto at = meetings.find(edge(t, k));
-      if (at != meetings.end()) ++at->second.others;
+      if (at == meetings.end()) continue;
+      ++at->second.others;
+      at->second.forward += direction(t, k);
     }
   }
   return meetings;
@@ -73,6 +80,8 @@ struct Choice {
       const int n = m.others + keep * m.groups;
       bad[keep] += n != 0 && n != 2;
     }
+    // Two walls that run the same way are those of bodies that lie in one another, and do not continue each other.
+    bad[0] += m.others == 2 && m.forward != 0;
     open += m.others + m.groups == 1;
     bad[2] += m.others != 0;  // the two sides of a plate pair up whatever their number
   }

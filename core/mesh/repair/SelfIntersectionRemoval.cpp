@@ -96,7 +96,8 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   const auto firstPiece = static_cast<Face>(mesh.faceSlots());
   joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
   if (progress.cancelled()) return report;
-  uniteAtSharedWalls(result, firstPiece, progress.part(0.63, 0.65));
+  // A wall is inside or outside as a whole only where all is cut.
+  if (pairs.size() == before->size()) uniteAtSharedWalls(result, firstPiece, progress.part(0.63, 0.65));
   if (progress.cancelled()) return report;
   relink(result, progress.part(0.65, 0.7));
   removeDegenerateFaces(result, progress.part(0.7, 0.75));

@@ -98,8 +98,11 @@ class Walls {
         },
         progress);
     for (const std::set<Face>& names : forks) {
-      for (const Face f : names)
-        for (const Face g : names) m_neighbours[wallOf(f)].insert(wallOf(g));
+      if (progress.cancelled()) return;
+      std::set<Face> walls;
+      for (const Face f : names) walls.insert(wallOf(f));
+      for (const Face wall : walls) m_forksOf[wall].push_back(m_forks.size());
+      m_forks.emplace_back(walls.begin(), walls.end());
     }
     std::set<Face> bodies;
     for (const Face f : m_shared) bodies.insert(m_bodies.root(f));
@@ -139,6 +142,7 @@ class Walls {
   void unite(Face start) {
     if (!m_seen.insert(start).second) return;
     std::map<Face, Removal> group;
+    std::set<std::size_t> met;  // forks
     bool isSure = true;
     for (std::vector<Face> left{start}; !left.empty();) {
       if (m_progress.cancelled()) return;
@@ -147,14 +151,17 @@ class Walls {
       const std::optional<Sides>& sides = sidesOf(wall);
       isSure = isSure && sides && sides->front >= 0;
       group[wall] = sides && sides->isInside() ? Removal::All : Removal::AllButOne;
-      for (const Face next : m_neighbours[wall]) {
-        if (m_progress.cancelled()) return;
-        if (m_seen.contains(next)) continue;
-        const std::optional<Sides>& there = sidesOf(next);
-        isSure = isSure && there;
-        if (m_net[m_largest.at(next)] < 2 && !(there && there->isInside())) continue;
-        m_seen.insert(next);
-        left.push_back(next);
+      for (const std::size_t fork : m_forksOf[wall]) {
+        if (!met.insert(fork).second) continue;
+        for (const Face next : m_forks[fork]) {
+          if (m_progress.cancelled()) return;
+          if (m_seen.contains(next)) continue;
+          const std::optional<Sides>& there = sidesOf(next);
+          isSure = isSure && there;
+          if (m_net[m_largest.at(next)] < 2 && !(there && there->isInside())) continue;
+          m_seen.insert(next);
+          left.push_back(next);
+        }
       }
     }
     if (isSure) m_removed.merge(group);
@@ -162,14 +169,15 @@ class Walls {
 
   const HalfEdgeMesh& m_mesh;
   const Progress m_progress;
-  std::vector<Face> m_nameOf;  // per face
-  std::vector<int> m_net;      // per name: how many more look its way than the other
-  std::vector<Face> m_shared;  // names
-  DisjointSets m_walls;        // of names
-  DisjointSets m_bodies;       // of names
-  std::map<Face, std::set<Face>> m_neighbours;
-  std::map<Face, std::vector<Face>> m_facesOf;  // by body
-  std::map<Face, Face> m_largest;               // by wall: the name of its largest face
+  std::vector<Face> m_nameOf;                          // per face
+  std::vector<int> m_net;                              // per name: how many more look its way than the other
+  std::vector<Face> m_shared;                          // names
+  DisjointSets m_walls;                                // of names
+  DisjointSets m_bodies;                               // of names
+  std::vector<std::vector<Face>> m_forks;              // the walls that meet at an edge, three or more
+  std::map<Face, std::vector<std::size_t>> m_forksOf;  // by wall
+  std::map<Face, std::vector<Face>> m_facesOf;         // by body
+  std::map<Face, Face> m_largest;                      // by wall: the name of its largest face
   std::map<Face, std::optional<Sides>> m_sides;
   std::set<Face> m_seen;
   std::map<Face, Removal> m_removed;

@@ -6,6 +6,7 @@
 #include "volume/VolumeErrors.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -86,9 +87,9 @@ Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const P
   Drilled done;
   done.volume = std::move(volume);
   const double cycles = std::ceil(path.duration() * rate);
-  if (!(cycles <= kMostDrillCycles))
-    return Error{
-        VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(kMostDrillCycles / rate)}, {}, {}};
+  const double most = std::min<double>(kMostDrillCycles, static_cast<double>(DrillRecord::kMostPoses - 1));
+  if (!(cycles <= most))
+    return Error{VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(most / rate)}, {}, {}};
   DrillRun run(done.volume, setup);
   auto hole = std::make_shared<DrillRecord>();
   hole->setup = setup;

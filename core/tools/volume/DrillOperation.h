@@ -29,7 +29,7 @@ struct Drilled {
 };
 
 // Goes along a path of the head's centre in cycles of `rate` Hz, the shank as the poses turn +z. Errors:
-// VolumeErrors::PathTooLong (more than kMostDrillCycles cycles), Cancelled.
+// VolumeErrors::PathTooLong (more than kMostDrillCycles cycles, the first and the last counted), Cancelled.
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
 

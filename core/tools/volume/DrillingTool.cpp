@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -22,7 +23,10 @@ constexpr Limits kSpindle{1.0, 100'000.0};  // r/min
 constexpr ToolKey kDrillKeys[] = {{"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
 
 Limits diameterLimits(const SparseVolume& volume) {
-  return {kFinestDrill * volume.voxel(), kWidestDrill * volume.voxel()};
+  const Limits ofVoxels{kFinestDrill * volume.voxel(), kWidestDrill * volume.voxel()};
+  const Limits both{std::max(ofVoxels.least, DrillTool::kLeastDiameter),
+                    std::min(ofVoxels.largest, DrillTool::kLargestDiameter)};
+  return both.least < both.largest ? both : ofVoxels;
 }
 
 // "Drill: −28.3 mm³, at most 6.2 N and 31 N·mm"
@@ -112,6 +116,7 @@ ToolReply DrillingTool::press(const PointerEvent& event) {
     start = hit->point + m_head.reach() * m_feed->axis;
   }
   m_last.reset();
+  m_begun = setup();
   m_gesture.restart();
   m_gesture.begin(event.device.has_value());
   if (start) m_gesture.feed(*start, event.time);
@@ -158,7 +163,7 @@ ToolReply DrillingTool::release() {
   after->volume = m_last->volume;
   after->surface = m_last->surface;
   auto hole = std::make_shared<DrillRecord>();
-  hole->setup = setup();
+  hole->setup = m_begun;
   hole->poses = m_last->poses;
   after->holes.push_back(std::move(hole));
   m_document.commit(holeText(*m_last), std::make_unique<VolumeEdit>(std::move(after), m_last->changedBlocks));

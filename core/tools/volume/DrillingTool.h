@@ -55,6 +55,7 @@ class DrillingTool : public VolumeTool {
   double m_rpm = 1000.0;            // r/min
   double m_speed = 1.0;             // mm/s, of the feed
   std::optional<DrillFeed> m_feed;  // of the present hole; none: by a device
+  DrillSetup m_begun;               // that the present hole was begun with
   SimulatedGesture m_gesture;
   std::shared_ptr<const DrillState> m_last;  // of the hole before; null: none
   std::optional<Vec3> m_hovered, m_normal;   // on the surface

@@ -16,6 +16,7 @@ constexpr double kNear = 6.1;                     // voxels, from the middle of 
 constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
 constexpr double kMostRadius = 500.0;             // voxels
 constexpr std::size_t kFewBlocks = 200;           // to wake other threads for would take longer
+constexpr double kWideHead = 256.0;               // voxels, of a head that is looked for where there is material alone
 constexpr double kTwistStep = 0.25;               // voxels, between the places of a head that is not swept exactly
 
 // The share of a voxel that is below the surface.
@@ -117,7 +118,10 @@ DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& mov
   DrillCut done;
   if (!isSound(volume, tool, move)) return done;
   const HeadSweep head(volume, tool, move);
-  const Box box = head.box();
+  Box box = head.box();
+  if (!box.min().allFinite() || !box.max().allFinite()) return done;
+  if (box.sizes().maxCoeff() > kWideHead) box = box.intersection(volume.extent());
+  if (box.isEmpty()) return done;
   const VoxelIndex low = SparseVolume::blockOf(box.min().array().floor().cast<int>().matrix());
   const VoxelIndex high = SparseVolume::blockOf(box.max().array().ceil().cast<int>().matrix());
   std::vector<VoxelIndex> blocks;

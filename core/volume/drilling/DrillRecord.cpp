@@ -4,27 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace handwheel {
 namespace {
 
-// Whole, within what a type can hold; 0 for what is no number.
-template <class Whole>
-Whole nearest(double value) {
+constexpr double kMost = 9e15;  // up to there doubles hold all whole numbers
+
+// Whole, from least to kMost; 0 for what is no number.
+std::int64_t nearest(double value, double least) {
   if (std::isnan(value)) return 0;
-  return static_cast<Whole>(
-      std::clamp<double>(std::round(value), std::numeric_limits<Whole>::min(), std::numeric_limits<Whole>::max()));
+  return static_cast<std::int64_t>(std::clamp(std::round(value), least, kMost));
 }
 
 }  // namespace
 
 DrillPose DrillPose::of(const Vec3& place, const Vec3& axis, double seconds) {
   DrillPose pose;
-  pose.micros = nearest<std::uint32_t>(1e6 * seconds);
+  pose.micros = static_cast<std::uint64_t>(nearest(1e6 * seconds, 0.0));
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    pose.at[k] = nearest<std::int32_t>(place[i] / kStep);
+    pose.at[k] = nearest(place[i] / kStep, -kMost);
     pose.axis[k] = static_cast<float>(axis[i]);
   }
   return pose;

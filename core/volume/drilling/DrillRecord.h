@@ -14,15 +14,17 @@ namespace handwheel {
 struct DrillPose {
   static constexpr double kStep = 1e-6;  // mm; so fine that the steps of a slow hand are even at 1 kHz
 
-  std::uint32_t micros = 0;          // since the hole was begun
-  std::array<std::int32_t, 3> at{};  // of the centre, in kStep: two metres either way
+  std::uint64_t micros = 0;          // since the hole was begun
+  std::array<std::int64_t, 3> at{};  // of the centre, in kStep
   std::array<float, 3> axis{};       // to the shank
 
   // What cannot be kept, as a time before the hole or a place too far away, becomes the nearest that can.
   static DrillPose of(const Vec3& place, const Vec3& axis, double seconds);
 
-  double seconds() const { return 1e-6 * micros; }
-  Vec3 place() const { return kStep * Vec3(at[0], at[1], at[2]); }
+  double seconds() const { return 1e-6 * static_cast<double>(micros); }
+  Vec3 place() const {
+    return kStep * Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
+  }
   Vec3 direction() const;  // of length 1
   // Whether numbers that were read can be one.
   bool isSound() const;

@@ -34,10 +34,8 @@ std::optional<DrillReview> reviewDrilling(SparseVolume stock, const DrillPlan& p
     watch.beginHole(hole->setup);
     for (std::size_t i = 0; i < hole->poses.size(); ++i) {
       const std::size_t done = review.moments.size();
-      if (done % kBetweenLooks == 0) {
-        if (progress.cancelled()) return std::nullopt;
-        progress.set(static_cast<double>(done) / static_cast<double>(poses));
-      }
+      if (progress.cancelled()) return std::nullopt;
+      if (done % kBetweenLooks == 0) progress.set(static_cast<double>(done) / static_cast<double>(poses));
       const DrillPose& pose = hole->poses[i];
       const DrillTick tick = move(run, pose);
       review.moments.push_back(watch.add(tick, pose.direction(), run.breakthrough().has_value()));

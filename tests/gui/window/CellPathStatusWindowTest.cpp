@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QTemporaryDir>
+#include "window/cell/PlanTree.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -152,6 +153,34 @@ class CellPathStatusWindowTest : public QObject {
     QTRY_COMPARE(driver.configurations()->child(1)->text(0), QString("right"));
     driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));  // a place has none
     QVERIFY(!driver.find<QAction>("renamePlan")->isEnabled());
+  }
+
+  // What becomes known of a path meanwhile does not end the typing of its name.
+  void isRenamedWhileTheListIsFilled() {
+    PlanTree tree;
+    CellPlans plans;
+    plans.paths.resize(2);
+    plans.paths[0].name = "one";
+    plans.paths[1].name = "two";
+    tree.setPlans(plans, nullptr, {}, {});
+    tree.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&tree));
+    const PlanTree::Entry second{PlanTree::Entry::Kind::Path, "two"};
+    tree.select(second);
+    QStringList names;
+    connect(&tree, &PlanTree::renameRequested, this,
+            [&](const PlanTree::Entry&, const QString& name) { names += name; });
+    tree.editItem(tree.currentItem(), 0);
+    const auto editor = [&] { return qobject_cast<QLineEdit*>(tree.indexWidget(tree.currentIndex())); };
+    QVERIFY(editor());
+    editor()->setText("weld");
+    tree.setPlans(plans, nullptr, {{"two", PathRemark()}}, {});
+    QVERIFY(tree.current() == second);
+    QVERIFY(editor());
+    QCOMPARE(editor()->text(), QString("weld"));
+    QCOMPARE(names, QStringList());
+    QTest::keyClick(editor(), Qt::Key_Return);
+    QTRY_COMPARE(names, QStringList("weld"));
   }
 
   // A banner goes with the state that it tells of, and is not found again below a newer one.

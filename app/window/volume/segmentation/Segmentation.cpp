@@ -180,6 +180,11 @@ void Segmentation::count() {
       m_panel->setFigures(figures);
     };
   };
+  job.failed = [this, segment = volume().segment()](const Error& error) {
+    if (error.code == ErrorCode::Cancelled || !m_document || !(volume().segment() == segment)) return;
+    m_panel->setUncounted();
+    fail(tr("Counting parts"), errorSentence(error));
+  };
   m_counting.start(std::move(job));
 }
 

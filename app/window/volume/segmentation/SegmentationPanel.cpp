@@ -82,6 +82,10 @@ QString number(double value, int digits = 4) {
   return std::abs(value) < 1e4 ? QLocale().toString(value, 'g', digits) : QLocale().toString(value, 'f', 0);
 }
 
+double leastRadius(const ImageGrid& grid) {
+  return std::min(kLeastRadius, 0.5 * grid.spacing().minCoeff());
+}
+
 // A ball of more samples would not follow the mouse.
 double largestRadius(const ImageGrid& grid) {
   constexpr double kMostAcross = 200.0;
@@ -229,7 +233,7 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
   }
   m_voxel->setValue(usualVoxel(scan->image.grid()));
   // About a dozen samples across.
-  m_radius->setRange(kLeastRadius, largestRadius(scan->image.grid()));
+  m_radius->setRange(leastRadius(scan->image.grid()), largestRadius(scan->image.grid()));
   m_radius->setValue(roundedOff(6.0 * usualVoxel(scan->image.grid())));
   m_debris->setValue(0);
 }
@@ -264,6 +268,11 @@ void SegmentationPanel::setFigures(const SegmentFigures& figures) {
   showMemory();
 }
 
+void SegmentationPanel::setUncounted() {
+  m_parts->setText(QString());
+  m_make->setEnabled(m_scan != nullptr);
+}
+
 void SegmentationPanel::setGreys(const GreyWindow& greys) {
   m_level->setValue(greys.level);
   m_width->setValue(greys.width);
@@ -290,7 +299,8 @@ SegmentationPanel::Brush SegmentationPanel::brush() const {
 
 void SegmentationPanel::stepRadius(double factor) {
   if (!m_scan) return;
-  m_radius->setValue(std::clamp(m_radius->value() * factor, kLeastRadius, largestRadius(m_scan->image.grid())));
+  const ImageGrid& grid = m_scan->image.grid();
+  m_radius->setValue(std::clamp(m_radius->value() * factor, leastRadius(grid), largestRadius(grid)));
   emit brushChanged();
 }
 

@@ -50,6 +50,8 @@ class SegmentationPanel : public QWidget {
   void setSegment(const Segment& segment);
   // Null parts: they are being counted.
   void setFigures(const SegmentFigures& figures);
+  // They could not be counted: a surface can be made all the same.
+  void setUncounted();
   void setGreys(const GreyWindow& greys);
   // The value and the place at the crosshair.
   void setPlace(const Vec3& index);

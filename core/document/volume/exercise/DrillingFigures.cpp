@@ -64,20 +64,21 @@ const std::vector<FigureType>& drillingFigureTypes() {
   return types;
 }
 
-MeasuredDrilling::MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress)
-    : m_review(reviewDrilling(task.volume(), task.plan, work.holes, progress)) {
-  if (!m_review) return;
+MeasuredDrilling::MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress) {
   const DrillSetup setup = task.setup();
   m_isAsPrepared =
       std::all_of(work.holes.begin(), work.holes.end(), [&](const auto& hole) { return isSame(hole->setup, setup); });
+  if (!m_isAsPrepared) return;  // whatever drill is written there is not drilled with
+  m_review = reviewDrilling(task.volume(), task.plan, work.holes, progress);
+  if (!m_review) return;
   m_isOfItsHoles = isSame(m_review->left, work.volume);
 }
 
 // Empty: it can be measured.
 ExerciseText MeasuredDrilling::problem(const std::string& figure) const {
+  if (!m_isAsPrepared) return {QT_TRANSLATE_NOOP("Note", "Another drill, speed or material was used.")};
   if (!m_review) return {QT_TRANSLATE_NOOP("Note", "The measuring was cancelled.")};
   if (!m_isOfItsHoles) return {QT_TRANSLATE_NOOP("Note", "The volume was changed by something else than the drill.")};
-  if (!m_isAsPrepared) return {QT_TRANSLATE_NOOP("Note", "Another drill, speed or material was used.")};
   if (!m_review->figures.contact) return {QT_TRANSLATE_NOOP("Note", "Nothing was drilled.")};
   if (!valueOf(figure, *m_review)) return {QT_TRANSLATE_NOOP("Note", "The drill did not come through.")};
   return {};

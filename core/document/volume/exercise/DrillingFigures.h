@@ -18,7 +18,7 @@ class MeasuredDrilling {
   // Deterministic. What a figure does not find there, it says.
   Figure measure(const MarkingCriterion& criterion) const;
 
-  // None: cancelled.
+  // None: cancelled, or another drill was used.
   const std::optional<DrillReview>& review() const { return m_review; }
 
  private:

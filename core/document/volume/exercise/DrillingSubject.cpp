@@ -13,6 +13,7 @@
 #include "document/volume/exercise/DrillingDetails.h"
 #include "document/volume/exercise/DrillingFigures.h"
 #include "volume/Skull.h"
+#include "volume/VolumeErrors.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeToSurface.h"
 
@@ -241,6 +242,12 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
     if (error.subject.empty()) error.subject = path.string();
     return error;
   }
+  if (const std::size_t bytes = stockBytes(*volume); bytes > kLargestStock)
+    return Error{VolumeErrors::TooLargeToSave,
+                 {roundedText(volume->voxel()), roundedText(static_cast<double>(bytes) / 1e6, 3),
+                  roundedText(static_cast<double>(kLargestStock) / 1e6, 3)},
+                 {},
+                 {}};
   DrillingTask changed = drillingOf(task);
   changed.stock = std::make_shared<const DrillingStock>(stockOf(*volume));
   imported.notes.push_back({QT_TRANSLATE_NOOP("Note",

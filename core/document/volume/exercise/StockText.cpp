@@ -12,6 +12,11 @@
 
 namespace handwheel {
 
+std::size_t stockBytes(const SparseVolume& volume) {
+  constexpr std::size_t kRegionHead = 70;  // numbers before the samples of a region
+  return sizeof(std::int16_t) * (kRegionHead * regionsOf(volume).size() + VolumeBlock::kCount * volume.blockCount());
+}
+
 DrillingStock stockOf(const SparseVolume& volume) {
   std::vector<std::int16_t> numbers;
   for (const VoxelIndex& region : regionsOf(volume)) appendRegion(volume, region, numbers);
@@ -29,11 +34,10 @@ Result<DrillingStock> stockFrom(const nlohmann::json& json) {
   const std::vector<double> origin = numbersAt(json, "origin", 3);
   const QByteArray packed = QByteArray::fromBase64(QByteArray::fromStdString(stringAt(json, "data")));
   constexpr qsizetype kHead = 4;  // the unpacked size, in front of what zlib made
-  constexpr std::uint32_t kMost = std::uint32_t{1} << 30;
   if (!(voxel > 1e-9 && voxel < 1e9) || origin.size() != 3 || packed.size() < kHead) return malformed;
   // Before it is trusted: no data of zlib unpack to more than 1032 times their size.
   const auto size = qFromBigEndian<std::uint32_t>(packed.constData());
-  if (size > kMost || size / 1032 > static_cast<std::uint64_t>(packed.size())) return malformed;
+  if (size > kLargestStock || size / 1032 > static_cast<std::uint64_t>(packed.size())) return malformed;
   SparseVolume volume({origin[0], origin[1], origin[2]}, voxel);
   const std::vector<std::int16_t> numbers = fromBlob<std::int16_t>(qUncompress(packed).toStdString());
   if (!volume.origin().allFinite() || volume.origin().norm() > 1e12 || numbers.empty() ||

@@ -5,6 +5,7 @@
 #include "base/Result.h"
 #include "volume/SparseVolume.h"
 
+#include <cstddef>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 
@@ -16,6 +17,10 @@ struct DrillingStock {
   SparseVolume volume;
   std::shared_ptr<const nlohmann::json> json;
 };
+
+// Bytes of the data before they are compressed, and the most of which a stock is read.
+std::size_t stockBytes(const SparseVolume& volume);
+inline constexpr std::size_t kLargestStock = std::size_t{1} << 30;
 
 DrillingStock stockOf(const SparseVolume& volume);
 // Any JSON. Error: ElementMalformed.

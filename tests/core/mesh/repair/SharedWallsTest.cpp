@@ -105,6 +105,7 @@ void SharedWallsTest::unions_data() {
   row("on one face", {kCube, block({2, 3, 0}, {5, 5, 5})});
   row("through two faces", {kCube, block({2, 3, 0}, {5, 5, 10})});
   row("equal", {kCube, kCube});
+  row("with all of a face", {kCube, block({0, 0, 0}, {10, 10, 15})});
   row("three in a row", {kCube, block({5, 0, 0}, ten), block({10, 0, 0}, ten)});
   row("three, all overlapping", {kCube, block({3, 0, 0}, ten), block({6, 0, 0}, ten)});
   row("three around a corner", {kCube, block({5, 0, 0}, ten), block({0, 5, 0}, ten)});

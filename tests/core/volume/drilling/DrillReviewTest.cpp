@@ -148,9 +148,9 @@ class DrillReviewTest : public QObject {
   // What is no place and no time becomes one that can be kept.
   void hostilePoses() {
     const double nan = std::nan("");
-    QCOMPARE(DrillPose::of(Vec3(nan, 1e30, -1e30), Vec3::UnitZ(), nan).micros, 0u);
-    QCOMPARE(DrillPose::of(Vec3::Zero(), Vec3::UnitZ(), -1.0).micros, 0u);
-    QCOMPARE(DrillPose::of(Vec3::Zero(), Vec3::UnitZ(), 1e12).micros, 4294967295u);
+    QVERIFY(DrillPose::of(Vec3(nan, 1e30, -1e30), Vec3::UnitZ(), nan).micros == 0);
+    QVERIFY(DrillPose::of(Vec3::Zero(), Vec3::UnitZ(), -1.0).micros == 0);
+    QVERIFY(DrillPose::of(Vec3::Zero(), Vec3::UnitZ(), 1e12).micros == 9'000'000'000'000'000u);
     QVERIFY(!DrillPose::of(Vec3::Zero(), Vec3::Zero(), 0.0).isSound());
     QVERIFY(!DrillPose::of(Vec3::Zero(), Vec3(nan, 0.0, 1.0), 0.0).isSound());
     const Vec3 place(123.4567891, -987.654321, 0.000001);
