@@ -5,6 +5,7 @@
 #include "WindowTestMain.h"
 
 #include <QInputDialog>
+#include <QPointer>
 #include <algorithm>
 
 using namespace handwheel;
@@ -200,7 +201,7 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(driver.text("messageText").contains("part.stl has no unit"));
     const auto choose = [&](const char* unit) {
       driver.choose("bodyUnit");
-      auto* dialog = driver.find<QInputDialog>("bodyUnitDialog");
+      const QPointer<QInputDialog> dialog = driver.find<QInputDialog>("bodyUnitDialog");
       const QStringList all = dialog->comboBoxItems();
       const auto found =
           std::find_if(all.begin(), all.end(), [&](const QString& each) { return each.startsWith(unit); });
@@ -208,9 +209,11 @@ class CellBodiesWindowTest : public QObject {
       const QString text = *found;
       dialog->setTextValue(text);
       dialog->accept();
-      return text;
+      return QTest::qWaitFor([&] { return dialog.isNull(); }) ? text : QString();
     };
-    const auto sizeIn = [](const QString& text) { return text.section("measures ", 1).section(' ', 0, 0).toDouble(); };
+    const auto sizeIn = [](const QString& text) {
+      return QLocale().toDouble(text.section("measures ", 1).section(' ', 0, 0));
+    };
     const double millimetres = sizeIn(choose("mm:"));  // as it is
     QVERIFY(millimetres > 0.0);
     const QString inches = choose("in:");
