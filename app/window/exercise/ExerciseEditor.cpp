@@ -3,6 +3,7 @@
 #include "window/exercise/ExerciseEditor.h"
 
 #include "controls/PropertyList.h"
+#include "controls/ScrolledPanel.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
 #include "document/exercise/ShippedExercises.h"
@@ -149,7 +150,7 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
 // What a step has several of, in lists of their own.
 void ExerciseEditor::makeStepEditor() {
   m_step = new StepEditor(m_steps.page);
-  m_steps.page->layout()->addWidget(m_step);
+  m_steps.page->layout()->addWidget(new ScrolledPanel(m_step, ScrolledPanel::Ways::Vertical));
   connect(m_step, &StepEditor::markToggled, this, &ExerciseEditor::toggleMark);
   connect(m_step, &StepEditor::hintAdded, this, [this] {
     changeHints([](std::vector<std::string>& hints) { hints.push_back(tr("New hint").toStdString()); });

@@ -90,7 +90,7 @@ QWidget* WorkpieceUi::makePanel() {
   auto* panel = new QSplitter(Qt::Vertical, parts().window);
   panel->setObjectName(QStringLiteral("workpiecePanel"));
   panel->setChildrenCollapsible(false);
-  panel->addWidget(new ScrolledPanel(RigidPartsUi::panel(), ScrolledPanel::Ways::Vertical));
+  panel->addWidget(RigidPartsUi::panel());
   panel->addWidget(new ScrolledPanel(m_target.panel(), ScrolledPanel::Ways::Vertical));
   panel->setStretchFactor(1, 2);
   return panel;
