@@ -87,7 +87,7 @@ Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const P
   Drilled done;
   done.volume = std::move(volume);
   const double cycles = std::ceil(path.duration() * rate);
-  const double most = std::min<double>(kMostDrillCycles, static_cast<double>(DrillRecord::kMostPoses - 1));
+  constexpr auto most = static_cast<double>(DrillRecord::kMostPoses - 1);
   if (!(cycles <= most))
     return Error{VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(most / rate)}, {}, {}};
   DrillRun run(done.volume, setup);

@@ -29,10 +29,8 @@ struct Drilled {
 };
 
 // Goes along a path of the head's centre in cycles of `rate` Hz, the shank as the poses turn +z. Errors:
-// VolumeErrors::PathTooLong (more than kMostDrillCycles cycles, the first and the last counted), Cancelled.
+// VolumeErrors::PathTooLong (more poses than DrillRecord::kMostPoses), Cancelled.
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
-
-inline constexpr double kMostDrillCycles = 3.6e6;  // an hour at 1 kHz
 
 }  // namespace handwheel

@@ -242,6 +242,29 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.text("nextStepDetail").contains("1 duplicate triangle"));
   }
 
+  // Two sheets across one another are not cut: each piece would hang at the others. The window says so.
+  void whatCannotBeMended() {
+    const TriangleSoup soup{{{0.0, 0.0, 0.0},
+                             {1.0, 0.0, 0.0},
+                             {1.0, 1.0, 0.0},
+                             {0.0, 1.0, 0.0},
+                             {0.5, 0.0, -0.5},
+                             {0.5, 1.0, -0.5},
+                             {0.5, 1.0, 0.5},
+                             {0.5, 0.0, 0.5}},
+                            {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+    WindowDriver driver;
+    QVERIFY(driver.open(file("across.stl", soup)));
+    const int crossings = driver.count(DefectKind::SelfIntersection);
+    QVERIFY(crossings > 0);
+    clickGroup(driver, DefectKind::SelfIntersection);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("fixPreviewStatus").contains("no cut would separate"));
+    QVERIFY(!driver.text("fixPreviewStatus").contains("Repair all"));  // without a hole it would do no more
+    QVERIFY(!driver.find<QAbstractButton>("fixDefectButton")->isEnabled());
+    QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+  }
+
   // Two solids that overlap, with walls in one plane, become one.
   void wallsInOnePlane() {
     TriangleSoup soup = cube();
