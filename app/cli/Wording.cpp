@@ -102,13 +102,15 @@ std::string changesLine(const RepairReport& repair) {
 std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& before,
                                    const MeshReport& after) {
   std::vector<std::string> lines;
-  std::size_t sheets = 0;
+  std::size_t sheets = 0, formerSheets = 0;
   const std::vector<std::string> names = namesOf(repair.loops);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const LoopResult& loop = repair.loops[i];
     const bool isOpen = loop.outcome != LoopOutcome::Filled;
     if (isOpen && loop.reason == FillFailure::Rim) {
       ++sheets;
+    } else if (isOpen && loop.reason == FillFailure::WasRim) {
+      ++formerSheets;
     } else if (isOpen) {
       lines.push_back(leftOpen(loop, names[i]));
     }
@@ -117,6 +119,13 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
     lines.push_back(
         counted(sheets, "outer boundary of an open sheet stays", "outer boundaries of open sheets stay") +
         " open. --rims back thickens the sheets to thin bodies, --rims fill closes the boundaries as holes.");
+  }
+  if (formerSheets > 0) {
+    const bool isOne = formerSheets == 1;
+    lines.push_back(counted(formerSheets, "outer boundary of an open sheet", "outer boundaries of open sheets") +
+                    ", which the repair has changed, " + (isOne ? "looks like a hole" : "look like holes") +
+                    " now and " + (isOne ? "stays" : "stay") + " open. Another repair would fill " +
+                    (isOne ? "it." : "them."));
   }
   if (lines.empty() && after.boundaryEdges > 0) {
     lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one triangle.");

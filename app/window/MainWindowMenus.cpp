@@ -51,7 +51,8 @@ void MainWindow::buildMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addAction(m_fileActions.open());
   file->addMenu(m_fileActions.recentMenu());
-  file->addActions(m_fileActions.startActions());
+  file->addMenu(tr("&New"))->addActions(m_fileActions.newActions());
+  file->addMenu(tr("Sa&mples and exercises"))->addActions(m_fileActions.sampleActions());
   file->addSeparator();
   file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
   file->addActions(m_copies.actions());

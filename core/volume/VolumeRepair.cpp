@@ -35,12 +35,17 @@ double distanceFrom(const HalfEdgeMesh& mesh, const std::vector<Vec3>& places, P
       [](double a, double b) { return std::max(a, b); });
 }
 
+void roundTo(HalfEdgeMesh& mesh, NumberType numbers) {
+  if (numbers == NumberType::Float64) return;
+  for (Vertex v = 0; v < mesh.vertexSlots(); ++v) mesh.setPosition(v, rounded(mesh.position(v), numbers));
+}
+
 // Takes triangles away from a mesh that was sampled.
 class Reduction {
  public:
   // kept: places of the original that are to stay within the distance.
-  Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, double within)
-      : m_sampled(sampled), m_kept(kept), m_within(within) {}
+  Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, const VolumeRepairOptions& options)
+      : m_sampled(sampled), m_kept(kept), m_within(options.voxel), m_numbers(options.numbers) {}
 
   // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all.
   VolumeRepair reduced(VolumeRepair repair, std::size_t faces, Progress progress) const {
@@ -60,6 +65,7 @@ class Reduction {
     const DecimationReport report =
         decimate(fewer, {.faces = faces, .method = DecimationMethod::Quadric}, progress.part(0.0, 0.5));
     if (report.refusal != OpenMeshRefusal::None || report.cancelled) return false;
+    roundTo(fewer, m_numbers);
     const double kept = distanceFrom(fewer, m_kept, progress.part(0.5, 0.6));
     // Where the sampled surface is farther itself, nothing can be nearer.
     if (kept > std::max(m_within, repair.keptDistance)) return false;
@@ -75,7 +81,8 @@ class Reduction {
 
   const HalfEdgeMesh& m_sampled;
   const std::vector<Vec3>& m_kept;
-  double m_within;
+  double m_within;  // mm
+  NumberType m_numbers;
 };
 
 // The volume of a surface, or of its back where the front encloses nothing: which side of an open surface is its front
@@ -95,11 +102,12 @@ Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRep
   const Result<SurfaceVolume> made = volumeOfEitherSide(surface, options.voxel, progress.part(0.0, 0.4));
   if (!made) return made.error();
   const TriangleSoup sampled = surfaceOf(made->volume, progress.part(0.4, 0.5));
-  const HalfEdgeMesh mesh = buildMesh(sampled, progress.part(0.5, 0.55)).mesh;
+  HalfEdgeMesh mesh = buildMesh(sampled, progress.part(0.5, 0.55)).mesh;
+  roundTo(mesh, options.numbers);
   VolumeRepair repair{mesh, made->closedBoundaries, sampled.triangles.size(), made->nearShare,
                       distanceFrom(mesh, made->kept, progress.part(0.55, 0.6))};
   if (options.isReduced && sampled.triangles.size() > surface.triangles.size() && !progress.cancelled())
-    repair = Reduction(mesh, made->kept, options.voxel)
+    repair = Reduction(mesh, made->kept, options)
                  .reduced(std::move(repair), surface.triangles.size(), progress.part(0.6, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return repair;

@@ -15,6 +15,7 @@ namespace handwheel {
 struct VolumeRepairOptions {
   double voxel = 0.0;     // mm
   bool isReduced = true;  // to about as many triangles as the surface had, or as keep the distances below
+  NumberType numbers = NumberType::Float64;  // what the coordinates of the mesh are rounded to
 };
 
 // A surface that was repaired by a volume.

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # fuzz.sh SECONDS [NAME...]: searches for inputs that crash a reader, make it slow or make it take too much memory: each
-# fuzz test of build/fuzz (preset fuzz), or those named, for so many seconds. What was found is in build/fuzz/found; the
-# inputs that reach new places stay in build/fuzz/corpus and are where the next search starts.
+# fuzz test of build/fuzz (preset fuzz), or those named, for so many seconds, one on each core. What was found is in
+# build/fuzz/found; the inputs that reach new places stay in build/fuzz/corpus and are where the next search starts.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 seeds=$root/tests/fuzz/seeds
@@ -15,24 +15,27 @@ names=("$@")
 
 # UBSan prints and goes on by default; leaks are looked for by libFuzzer itself.
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
-failed=()
-for name in "${names[@]}"; do
-  corpus=$root/build/fuzz/corpus/$name
-  found=$root/build/fuzz/found/$name
+
+# fuzz_one NAME: false when something was found.
+fuzz_one() {
+  local name=$1 corpus=$root/build/fuzz/corpus/$1 found=$root/build/fuzz/found/$1 log=$root/build/fuzz/$1.log
+  local dictionary=() runs status=0
   mkdir -p "$corpus" "$found"
-  dictionary=()
   [[ -f $seeds/$name.dict ]] && dictionary=(-dict="$seeds/$name.dict")
-  log=$root/build/fuzz/$name.log
-  status=0
   "$root/build/fuzz/tests/$name" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 \
     -print_final_stats=1 -artifact_prefix="$found/" "${dictionary[@]}" "$corpus" "$seeds/$name" > "$log" 2>&1 || status=$?
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   if ((status == 0)); then
     echo "$name: ${runs:-?} inputs in $seconds s, $(find "$corpus" -type f | wc -l) kept"
-  else
-    failed+=("$name")
-    echo "$name: failed, see $log"
-    grep -E 'ERROR|SUMMARY|runtime error|written to' "$log" || tail -n 20 "$log"
+    return
   fi
-done
-((${#failed[@]} == 0))
+  echo "$name: failed, see $log"
+  grep -E 'ERROR|SUMMARY|runtime error|written to' "$log" || tail -n 20 "$log"
+  return "$status"
+}
+
+# As many at a time as there are cores; xargs fails when one of them did.
+export -f fuzz_one
+export root seeds seconds
+# shellcheck disable=SC2016  # for the inner shell
+printf '%s\0' "${names[@]}" | xargs -0 -P "$(nproc)" -I{} bash -c 'fuzz_one "$1"' _ {}

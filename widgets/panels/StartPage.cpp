@@ -24,7 +24,7 @@ constexpr int kWidest = 840;
 constexpr int kPageMargin = 24;
 constexpr int kTileGap = 16;
 constexpr int kNarrowestTile = 152;
-constexpr int kMostColumns = 4;
+constexpr int kMostColumns = 3;
 constexpr QSize kPicture(134, 86);
 constexpr int kRecentWidth = kPicture.width() + 18;
 constexpr int kRecentShown = 10;
@@ -98,7 +98,7 @@ QLayout* StartPage::heading() {
   big.setPointSizeF(big.pointSizeF() * 2.4);
   big.setWeight(QFont::DemiBold);
   name->setFont(big);
-  auto* line = new QLabel(tr("Repair scans, practise at the lathe, arrange robot cells."), m_content);
+  auto* line = new QLabel(tr("Repair scans, shape clay, practise at lathe and drill, arrange robot cells."), m_content);
   line->setProperty("muted", true);
   line->setWordWrap(true);
   auto* text = new QVBoxLayout;

@@ -176,6 +176,8 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   Work work{std::move(input.value()), {}, {}, {}, {}};
   if (*format) work.numbers = numberTypeOf(**format, work.input.mesh->numbers);
   work.before = meshToRepair(work.input, work.numbers, run.roundingMove, progress.part(0.2, 0.25));
+  // What the sentences on new debris compare with.
+  if (!request.inspectInput) run.before.debris = countDebris(findComponents(work.before.mesh));
   if (progress.cancelled()) return kCancelled;
   work.kept = loopsToKeep(work.input, work.before.mesh, request.options.keepOpen, run.unknownLoops);
   if (!run.unknownLoops.empty()) return run;

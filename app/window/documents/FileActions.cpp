@@ -105,10 +105,11 @@ void FileActions::add(const std::string& kind, KindUi& ui) {
   }
 }
 
-QList<QAction*> FileActions::startActions() const {
-  QList<QAction*> blank, samples;
-  for (const auto& [beginning, action] : m_startActions) (beginning.sample.isEmpty() ? blank : samples) << action;
-  return blank + samples;
+QList<QAction*> FileActions::startActions(bool isNew) const {
+  QList<QAction*> actions;
+  for (const auto& [beginning, action] : m_startActions)
+    if (beginning.sample.isEmpty() == isNew) actions << action;
+  return actions;
 }
 
 std::vector<StartTile> FileActions::tiles() const {

@@ -25,8 +25,8 @@ class FileActions : public QObject {
               RecentFiles& recent, LogModel& log);
 
   QAction* open() { return &m_open; }
-  // New documents, then samples.
-  QList<QAction*> startActions() const;
+  QList<QAction*> newActions() const { return startActions(true); }
+  QList<QAction*> sampleActions() const { return startActions(false); }
   QAction* save() { return &m_save; }
   QAction* saveAs() { return &m_saveAs; }
   QAction* closeTab() { return &m_close; }
@@ -56,6 +56,7 @@ class FileActions : public QObject {
   void saved(const handwheel::Document* document, const QString& topic);  // as FileSaver::succeeded()
 
  private:
+  QList<QAction*> startActions(bool isNew) const;
   void askForFiles();
   bool offerBeside(const QString& path);
   void saveCurrent();

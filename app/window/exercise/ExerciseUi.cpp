@@ -166,6 +166,8 @@ std::vector<StartAction> ExerciseUi::startActions() const {
     all.push_back({QStringLiteral("exercise/") + id, text, tr("Open a prepared exercise"), panelIcon(),
                    id + QStringLiteral(".exercise.json")});
   }
+  all.back().tile = StartTile{QStringLiteral("burrHoleTile"), QStringLiteral("drill"), tr("Drill a burr hole"),
+                              tr("Opens an exercise on a skull: drill along the rod, and stop at the breakthrough.")};
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
+#include "tools/mesh/voxels/VolumeRepairTool.h"
 #include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
@@ -119,6 +120,10 @@ std::unique_ptr<Tool> MeshTools::subdivideTool() {
 
 std::unique_ptr<Tool> MeshTools::transformTool() {
   return std::make_unique<TransformTool>(m_document->document, services());
+}
+
+std::unique_ptr<Tool> MeshTools::volumeRepairTool() {
+  return std::make_unique<VolumeRepairTool>(m_document->document, services());
 }
 
 MeshServices MeshTools::services() {

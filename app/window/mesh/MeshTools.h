@@ -44,6 +44,7 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> decimateTool();
   std::unique_ptr<Tool> subdivideTool();
   std::unique_ptr<Tool> transformTool();
+  std::unique_ptr<Tool> volumeRepairTool();
 
  private:
   const FillHoleTool* runningFillTool() const;

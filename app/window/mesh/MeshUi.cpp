@@ -21,6 +21,7 @@
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
+#include "tools/mesh/voxels/VolumeRepairTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
 #include "window/CommandLines.h"
@@ -40,6 +41,7 @@ namespace handwheel {
 
 namespace {
 const QString kTransformTool = QStringLiteral("transformTool");
+const QString kVolumeRepairTool = QStringLiteral("volumeRepairTool");
 }  // namespace
 
 MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
@@ -132,6 +134,7 @@ void MeshUi::connectSelection() {
   });
   connect(&m_preview, &HolePreview::compared, this, &MeshUi::compareMethods);
   connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
+  connect(&m_actions, &RepairActions::volumeRepairRequested, this, [this] { m_parts.chooseTool(kVolumeRepairTool); });
 }
 
 void MeshUi::compareMethods() {
@@ -260,32 +263,38 @@ std::vector<ToolDescriptor> MeshUi::tools() {
                       "fill",
                       FillHoleTool::keys()};
   fill.isDefault = true;
-  return {fill,
-          {QStringLiteral("selectTool"), tr("&Select faces"),
-           tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
-           QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }, "select", SelectTool::keys()},
-          {QStringLiteral("boundaryTool"), tr("Hole &boundaries"),
-           tr("Move, join and bridge boundary vertices; smooth a boundary; remove islands and peninsulas"),
-           QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }, "boundary",
-           BoundaryTool::keys()},
-          {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three vertices of open edges"),
-           QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }, "face",
-           MakeFaceTool::keys()},
-          {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
-           tr("Reduce the number of triangles while staying close to the surface"), QStringLiteral("decimate"),
-           QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
-          {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
-           tr("Refine the whole mesh by a subdivision scheme, including open edges"), QStringLiteral("subdivide"),
-           QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
-          {kTransformTool, tr("&Place"),
-           tr("Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin"),
-           QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",
-           TransformTool::keys()},
-          {QStringLiteral("sculptTool"), tr("Sc&ulpt"),
-           tr("Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
-           QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }, "sculpt",
-           SculptTool::keys()},
-          measureToolDescriptor([this] { return m_tools.measureTool(); })};
+  return {
+      fill,
+      {QStringLiteral("selectTool"), tr("&Select faces"),
+       tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
+       QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }, "select", SelectTool::keys()},
+      {QStringLiteral("boundaryTool"), tr("Hole &boundaries"),
+       tr("Move, join and bridge boundary vertices; smooth a boundary; remove islands and peninsulas"),
+       QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }, "boundary",
+       BoundaryTool::keys()},
+      {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three vertices of open edges"),
+       QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }, "face",
+       MakeFaceTool::keys()},
+      {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
+       tr("Reduce the number of triangles while staying close to the surface"), QStringLiteral("decimate"),
+       QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
+      {kVolumeRepairTool, tr("Repair by &volume"),
+       tr("Replace everything by the surface of the volume that is enclosed: closed and free of self-intersections, "
+          "without details smaller than a voxel"),
+       QStringLiteral("kind-volume"), QKeySequence(Qt::Key_V), [this] { return m_tools.volumeRepairTool(); },
+       "volume-repair", VolumeRepairTool::keys()},
+      {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
+       tr("Refine the whole mesh by a subdivision scheme, including open edges"), QStringLiteral("subdivide"),
+       QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},
+      {kTransformTool, tr("&Place"),
+       tr("Move, rotate and scale by numbers, or place on a flat face, along the axes or at the origin"),
+       QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",
+       TransformTool::keys()},
+      {QStringLiteral("sculptTool"), tr("Sc&ulpt"),
+       tr("Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
+       QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }, "sculpt",
+       SculptTool::keys()},
+      measureToolDescriptor([this] { return m_tools.measureTool(); })};
 }
 
 std::vector<Hint> MeshUi::hints() {
@@ -302,6 +311,7 @@ NextStep MeshUi::nextStep() {
                                    .thickenSheet = m_defectActions.thickenSheet(),
                                    .reverseBodies = m_defectActions.reverseBodies(),
                                    .resolveIntersections = m_defectActions.resolveIntersections(),
+                                   .repairByVolume = m_actions.repairByVolume(),
                                    .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
                                    .saveAs = m_parts.saveAs});
 }

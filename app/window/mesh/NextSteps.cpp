@@ -124,6 +124,13 @@ QString joined(QStringList sentences) {
   return sentences.join(QLatin1Char(' '));
 }
 
+// Whether something is left after the repair of triangles that a repair by volume mends.
+bool needsVolume(const Inspection& inspection) {
+  const MeshState state = inspection.state();
+  return inspection.count(DefectKind::SelfIntersection) > 0 || inspection.count(DefectKind::Hole) > 0 ||
+         !state.manifold || !state.oriented;
+}
+
 // What may be done about what a repair leaves, in one place; not what was tried in vain. None of it is what most people
 // want: the card shows no such action as the obvious one.
 void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& actions) {
@@ -133,6 +140,7 @@ void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& 
   if (inspection.count(DefectKind::InsideOut) > 0) step.actions.push_back(actions.reverseBodies);
   if (inspection.count(DefectKind::SelfIntersection) > 0 && !inspection.isHopeless(DefectKind::SelfIntersection))
     step.actions.push_back(actions.resolveIntersections);
+  if (needsVolume(inspection)) step.actions.push_back(actions.repairByVolume);
   if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   if (document.isJustRepaired() && document.document.isModified()) step.actions.push_back(actions.undoRepair);
@@ -147,8 +155,9 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
       defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), openTitle(inspection), {}, {}};
   if (state.isSound()) {
     step.icon = QStringLiteral("watertight");
-    step.colour = colours.success;
-    step.title = NextStepsWords::tr("Watertight.");
+    step.colour = state.isKnownSound() ? colours.success : colours.muted;
+    step.title = state.isKnownSound() ? NextStepsWords::tr("Watertight.")
+                                      : NextStepsWords::tr("Closed. Looking for self-intersections…");
   } else if (state.selfIntersectingPairs.value_or(0) > 0) {
     step.icon = QStringLiteral("warning");
     step.colour = colours.warning;
@@ -162,7 +171,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     if (turned > 0) details << NextStepsWords::tr("%Ln triangle(s) reversed on opening.", nullptr, turned);
   } else {
     details << otherFindings(inspection, Compared::No) << savedAs(document);
-    if (!document.written && state.isSound() && inspection.debris().empty())
+    if (!document.written && state.isKnownSound() && inspection.debris().empty())
       details << NextStepsWords::tr("There is nothing to repair.");
   }
   details << failedFixes(inspection);

@@ -37,6 +37,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
       m_removeDebris(tr("Remove &debris"), this),
       m_undoRepair(tr("&Undo repair"), this),
       m_oneByOne(tr("&Go one by one"), this),
+      m_byVolume(tr("Repair by &volume…"), this),
       m_fill(tr("&Fill"), this),
       m_keepOpen(tr("&Keep open"), this),
       m_showPreview(tr("&Preview"), this),
@@ -49,6 +50,8 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
           tr("Remove all pieces that are listed as debris; the list says which these are"));
   prepare(m_undoRepair, "undoRepair", "undo", {}, tr("Undo all that “Repair all” has changed"));
   prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
+  prepare(m_byVolume, "repairByVolume", "kind-volume", {},
+          tr("Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed"));
   prepare(m_fill, "fillHole", "fill-hole", {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
           tr("Fill the selected hole"));
   prepare(m_keepOpen, "keepOpen", "keep-open", {QKeySequence(Qt::Key_K)},
@@ -79,6 +82,7 @@ void RepairActions::connectActions() {
   connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_document); });
   connect(&m_undoRepair, &QAction::triggered, this, [this] { m_document->document.history()->undo(); });
   connect(&m_oneByOne, &QAction::triggered, this, [this] { step(+1); });
+  connect(&m_byVolume, &QAction::triggered, this, &RepairActions::volumeRepairRequested);
   connect(&m_fill, &QAction::triggered, this, &RepairActions::fillSelected);
   connect(&m_keepOpen, &QAction::triggered, this, &RepairActions::toggleKeepOpen);
   connect(&m_next, &QAction::triggered, this, [this] { step(+1); });

@@ -25,6 +25,7 @@ class RepairActions : public QObject {
   QAction* removeDebris() { return &m_removeDebris; }
   QAction* undoRepair() { return &m_undoRepair; }  // of what was done last; for the card
   QAction* goOneByOne() { return &m_oneByOne; }
+  QAction* repairByVolume() { return &m_byVolume; }  // for the card
   QAction* fill() { return &m_fill; }
   QAction* keepOpen() { return &m_keepOpen; }
   QAction* preview() { return &m_showPreview; }
@@ -35,6 +36,7 @@ class RepairActions : public QObject {
 
  signals:
   void showLoopRequested(int loop);  // move the camera there
+  void volumeRepairRequested();      // choose its tool
 
  private:
   void connectActions();
@@ -54,6 +56,7 @@ class RepairActions : public QObject {
   QAction m_removeDebris;
   QAction m_undoRepair;
   QAction m_oneByOne;
+  QAction m_byVolume;
   QAction m_fill;
   QAction m_keepOpen;
   QAction m_showPreview;

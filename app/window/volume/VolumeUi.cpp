@@ -138,15 +138,20 @@ bool VolumeUi::isSettled() const {
 }
 
 std::vector<StartAction> VolumeUi::startActions() const {
-  return {
-      {QStringLiteral("newVolume"), tr("New &clay"), tr("Start with a ball of clay to be shaped by hand"), panelIcon()},
-      {QStringLiteral("newSkull"),
-       tr("New &skull"),
-       tr("Start with a skull to be drilled, made of no patient"),
-       panelIcon(),
-       {},
-       {},
-       true}};
+  return {{QStringLiteral("newVolume"),
+           tr("New &clay"),
+           tr("Start with a ball of clay to be shaped by hand"),
+           panelIcon(),
+           {},
+           StartTile{QStringLiteral("clayTile"), panelIcon(), tr("Shape clay"),
+                     tr("Starts with a ball of clay. Add, carve and smooth it by hand.")}},
+          {QStringLiteral("newSkull"),
+           tr("New &skull"),
+           tr("Start with a skull to be drilled, made of no patient"),
+           panelIcon(),
+           {},
+           {},
+           true}};
 }
 
 // It takes a second to be made.

@@ -81,6 +81,11 @@ MeshState Defects::state(std::optional<std::size_t> selfIntersectingPairs) const
           nonOrientableEdges.empty() && insideOut.empty(), selfIntersectingPairs, components.size()};
 }
 
+std::size_t countDebris(std::span<const Component> components) {
+  return static_cast<std::size_t>(
+      std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; }));
+}
+
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress) {
   const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
   if (progress.cancelled()) return {};

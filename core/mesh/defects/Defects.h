@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct Defects {
 
 // Finds the connected components of the mesh, largest area first. Empty if cancelled.
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress = {});
+
+std::size_t countDebris(std::span<const Component> components);
 
 // Finds the defects of a mesh. nearWeld: the setting mesh.near_weld, as in RepairOptions. Incomplete if cancelled.
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});

@@ -62,8 +62,7 @@ void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport
   report.reversedFaces = built.report.reversedFaces.size();
   report.nearVertices = stitchablePairs(built.mesh, tolerance::kNearWeld, progress.part(0.0, 0.5)).size();
   const std::vector<Component> components = findComponents(built.mesh, progress.part(0.5, 0.8));
-  report.debris = static_cast<std::size_t>(
-      std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; }));
+  report.debris = countDebris(components);
   if (components.size() > 1) countIslands(built.mesh, loops, progress.part(0.8, 1.0));
 }
 

@@ -18,6 +18,8 @@ struct MeshState {
 
   // As far as it is known. Several components are no defect.
   bool isSound() const { return closed && manifold && oriented && selfIntersectingPairs.value_or(0) == 0; }
+  // The same, with self-intersections looked for.
+  bool isKnownSound() const { return isSound() && selfIntersectingPairs; }
 };
 
 }  // namespace handwheel

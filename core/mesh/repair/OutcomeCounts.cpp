@@ -19,8 +19,10 @@ void count(const LoopResult& loop, LoopCounts& counts) {
   ++of.all;
   if (isClosed) {
     ++(loop.method == FillMethod::Removed ? of.removed : of.closed);
+  } else if (loop.outcome == LoopOutcome::KeptOpen) {
+    ++(loop.reason == FillFailure::WasRim && !loop.rim ? of.joined : of.kept);
   } else {
-    ++(loop.outcome == LoopOutcome::KeptOpen ? of.kept : of.failed);
+    ++of.failed;
   }
 }
 

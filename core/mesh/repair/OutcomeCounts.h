@@ -15,6 +15,7 @@ struct OutcomeCounts {
   std::size_t closed = 0;   // by a patch, by stitching, or by thickening their sheet
   std::size_t removed = 0;  // gone with the faces around them
   std::size_t kept = 0;     // left open on purpose
+  std::size_t joined = 0;   // left open, as part of what was the outer boundary of an open sheet
   std::size_t failed = 0;   // tried in vain
 
   bool operator==(const OutcomeCounts&) const = default;

@@ -21,6 +21,7 @@
 #include "tools/mesh/operations/RepairOperation.h"
 #include "tools/mesh/operations/SubdivideOperation.h"
 #include "tools/mesh/sculpt/SculptSteps.h"
+#include "tools/mesh/voxels/VolumeRepairChange.h"
 
 #include <algorithm>
 #include <cassert>
@@ -226,6 +227,11 @@ constexpr Verb kVerbs[] = {
      },
      nullptr},
     {"cut-crossings", readCutCrossings, nullptr},
+    {"by-volume",
+     [](StepReader&, const OperationValues& v, const MeshDocument& d) {
+       return volumeRepairChange(v.given("voxel").value_or(0.0), numbersFor(d, v));
+     },
+     nullptr},
     {"decimate", readDecimate, nullptr},
     {"subdivide-mesh",
      [](StepReader&, const OperationValues& v, const MeshDocument& d) {

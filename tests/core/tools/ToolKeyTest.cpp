@@ -13,6 +13,7 @@
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
+#include "tools/mesh/voxels/VolumeRepairTool.h"
 
 #include <QKeySequence>
 #include <QTest>
@@ -55,6 +56,7 @@ void ToolKeyTest::theKeysOfATool_data() {
   add("select", SelectTool::keys());
   add("subdivide", SubdivideTool::keys());
   add("transform", TransformTool::keys());
+  add("volume-repair", VolumeRepairTool::keys());
 }
 
 // Return finishes every tool, Esc gives up; what else there is are keys of one press, and no two alike.

@@ -50,7 +50,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("fixDefectButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::SelfIntersection), 0, kPatienceMs);
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
     driver.click("quickActions/undo");
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
@@ -71,7 +71,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("fixDefectButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::NonManifoldEdge), 0, kPatienceMs);
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
   }
 
   // The row, not the kind; the card says before what will be done, and nothing is done until then.
@@ -160,7 +160,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("nextStep/thickenSheet");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::KeptOpen), 0, kPatienceMs);
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
   }
 
   // The panel shows the thickness of the body, a thousandth of the diagonal, and takes another; the log says which.
@@ -197,7 +197,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("cutAndCloseButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
   }
 
   // Each shell becomes a document; put together again they are what they were.
@@ -209,7 +209,7 @@ class DefectFixesWindowTest : public QObject {
     driver.choose("splitShells");
     QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 3, kPatienceMs);
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
     driver.choose("splitShells");
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("one shell"), kPatienceMs);
     QCOMPARE(driver.tabs(), 3);
@@ -220,7 +220,7 @@ class DefectFixesWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(undo->isEnabled(), kPatienceMs);
     QVERIFY(driver.settle());
     QVERIFY(undo->text().contains("Add a mesh"));
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
   }
 
   // A triangle with two sides is closed as it is. Where nothing helps, every way says so.

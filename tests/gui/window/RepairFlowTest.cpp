@@ -70,7 +70,7 @@ class RepairFlowTest : public QObject {
 
     driver.click("repairAllButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
     QVERIFY(driver.window().isWindowModified());
 
     driver.click("nextStep/saveFileAs");
@@ -283,7 +283,7 @@ class RepairFlowTest : public QObject {
     WindowDriver driver;
     QVERIFY(driver.open(path));
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
     driver.choose("saveFileAs");
     QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("near.stl")));
     QTRY_VERIFY_WITH_TIMEOUT(driver.window().windowTitle().startsWith("near.stl"), kPatienceMs);

@@ -13,6 +13,7 @@
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
+#include "tools/mesh/voxels/VolumeRepairTool.h"
 
 #include <QListView>
 
@@ -27,10 +28,17 @@ struct ToolUnderTest {
 };
 
 std::vector<ToolUnderTest> allTools() {
-  return {{"measure", MeasureTool::keys()},    {"joints", JointDragTool::keys()}, {"boundary", BoundaryTool::keys()},
-          {"decimate", DecimateTool::keys()},  {"fill", FillHoleTool::keys()},    {"face", MakeFaceTool::keys()},
-          {"sculpt", SculptTool::keys()},      {"select", SelectTool::keys()},    {"subdivide", SubdivideTool::keys()},
-          {"transform", TransformTool::keys()}};
+  return {{"measure", MeasureTool::keys()},
+          {"joints", JointDragTool::keys()},
+          {"boundary", BoundaryTool::keys()},
+          {"decimate", DecimateTool::keys()},
+          {"fill", FillHoleTool::keys()},
+          {"face", MakeFaceTool::keys()},
+          {"sculpt", SculptTool::keys()},
+          {"select", SelectTool::keys()},
+          {"subdivide", SubdivideTool::keys()},
+          {"transform", TransformTool::keys()},
+          {"volume-repair", VolumeRepairTool::keys()}};
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ Verdict verdictOn(const Inspection& inspection) {
   if (inspection.count(DefectKind::InsideOut) > 0) return warning(StateCard::tr("Inside out"));
   if (!state.oriented) return warning(StateCard::tr("Not oriented"));
   if (state.selfIntersectingPairs.value_or(0) > 0) return warning(StateCard::tr("Self-intersecting"));
-  if (state.isSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
+  if (state.isKnownSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
+  if (state.isSound()) return {QStringLiteral("watertight"), colours.muted, StateCard::tr("Closed")};
   return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes")};
 }
 
@@ -47,6 +48,7 @@ QString detailsOf(const Inspection& inspection) {
   const auto add = [&](std::size_t count, const auto& phrase) {
     if (const auto n = static_cast<int>(count); n > 0) parts << phrase(n);
   };
+  if (!inspection.state().selfIntersectingPairs) parts << StateCard::tr("self-intersections not known yet");
   const std::size_t sheets = inspection.sheetCount();
   add(sheets, [](int n) { return StateCard::tr("%Ln open sheet(s)", nullptr, n); });
   add(inspection.count(DefectKind::KeptOpen) - sheets,
@@ -89,7 +91,7 @@ void StateCard::showState(const Inspection& inspection) {
   const Verdict verdict = verdictOn(inspection);
   m_icon->setPixmap(icon(verdict.icon, verdict.colour).pixmap(QSize(28, 28), devicePixelRatioF()));
   m_headline->setText(verdict.headline);
-  m_headline->setProperty("good", inspection.state().isSound());
+  m_headline->setProperty("good", inspection.state().isKnownSound());
   m_headline->style()->polish(m_headline);  // the style sheet colours what is good
   m_details->setText(detailsOf(inspection));
   setAccessibleName(verdict.headline + QStringLiteral(", ") + m_details->text());

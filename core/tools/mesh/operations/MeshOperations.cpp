@@ -10,6 +10,7 @@
 #include "tools/mesh/operations/RepairOperation.h"
 #include "tools/mesh/operations/SculptOperations.h"
 #include "tools/mesh/operations/SubdivideOperation.h"
+#include "tools/mesh/voxels/VolumeRepairOperation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -52,6 +53,7 @@ std::vector<Operation> allOperations() {
   add(placeOperations());
   add({fillOperation(), repairOperation()});
   add(mendOperations());
+  add({volumeRepairOperation()});
   add({decimateOperation(), subdivideMeshOperation()});
   add(edgeOperations());
   add(sculptOperations());

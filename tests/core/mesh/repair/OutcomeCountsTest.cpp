@@ -62,6 +62,7 @@ class OutcomeCountsTest : public QObject {
   void newOpenings();
   void goneWithItsFaces();
   void aRepairThatSplits();
+  void whatASheetsBoundaryTookIn();
 };
 
 void OutcomeCountsTest::oneClosesAndOneSplits() {
@@ -139,6 +140,26 @@ void OutcomeCountsTest::aRepairThatSplits() {
   HalfEdgeMesh closed = buildMesh(test::torusWithSlits(1e-5)).mesh;
   QCOMPARE(countOutcomes(repair(closed, {})).holes, (OutcomeCounts{.all = 2, .closed = 2}));
   QCOMPARE(loopsOf(closed), std::size_t{0});
+}
+
+// Nobody asked for these to be kept open.
+void OutcomeCountsTest::whatASheetsBoundaryTookIn() {
+  RepairReport report;
+  report.loops.resize(4);
+  const std::pair<LoopOutcome, FillFailure> results[] = {{LoopOutcome::Filled, FillFailure::None},
+                                                         {LoopOutcome::KeptOpen, FillFailure::WasRim},
+                                                         {LoopOutcome::KeptOpen, FillFailure::KeptOpen},
+                                                         {LoopOutcome::KeptOpen, FillFailure::Rim}};
+  for (int i = 0; i < 4; ++i) {
+    LoopResult& loop = report.loops[static_cast<std::size_t>(i)];
+    loop.id = i;
+    loop.outcome = results[i].first;
+    loop.reason = results[i].second;
+    loop.rim = loop.reason == FillFailure::Rim;
+  }
+  const LoopCounts counts = countOutcomes(report);
+  QCOMPARE(counts.holes, (OutcomeCounts{.all = 3, .closed = 1, .kept = 1, .joined = 1}));
+  QCOMPARE(counts.sheetEdges, (OutcomeCounts{.all = 1, .kept = 1}));
 }
 
 HANDWHEEL_TEST(OutcomeCountsTest)

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/voxels/VolumeRepairOperation.h"
+
+#include "tools/mesh/operations/FillOperation.h"
+
+#include <QtGlobal>
+
+namespace handwheel {
+namespace {
+
+Parameter voxelParameter() {
+  return {.property = {.id = "voxel",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Edge of a voxel"),
+                       .value = 1.0,
+                       .quantity = Quantity::Length,
+                       .least = 1e-9,
+                       .largest = 1e9},
+          .meaning = "Edge of a voxel, in mm; what is smaller is lost. Default: a 256th of the largest extent",
+          .word = "MM",
+          .hasDefault = false};
+}
+
+}  // namespace
+
+const Operation& volumeRepairOperation() {
+  static const Operation operation = {
+      .id = "by-volume",
+      .title = QT_TRANSLATE_NOOP("Tool", "Repair by volume"),
+      .meaning =
+          "Replace everything by the surface of the volume that is enclosed, which is closed and free of "
+          "self-intersections",
+      .parameters = {voxelParameter(), numbersParameter()}};
+  return operation;
+}
+
+}  // namespace handwheel
