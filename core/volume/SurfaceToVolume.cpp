@@ -279,6 +279,7 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   made.closedBoundaries = caps.boundaries;
   const Vec3 across = bounds.sizes() / voxel;
   const double bytes = predictedVolumeBytes(closed, 1.0) * (1.0 + kWhileMaking + kTriangles) +
+                       Membranes::predictedBlocks(closed, caps.wide) * Membranes::kBytes +
                        across.y() * across.z() * sizeof(std::size_t);  // the index of the rows
   if (const auto left = static_cast<double>(systemMemory()); bytes > left)
     return Error{
