@@ -3,6 +3,7 @@
 #include "volume/ClayDab.h"
 
 #include "volume/DepthWindow.h"
+#include "volume/VolumeFilters.h"
 #include "volume/VolumeReader.h"
 
 #include <tbb/parallel_for.h>
@@ -114,21 +115,6 @@ std::vector<VoxelIndex> replace(SparseVolume& volume, const std::vector<VoxelInd
   return changed;
 }
 
-bool hasSign(const SparseVolume::View& view, bool isInside) {
-  if (!view.block) return view.isFull == isInside;
-  return std::any_of(view.block->depths.begin(), view.block->depths.end(),
-                     [&](std::int16_t depth) { return (depth > 0) == isInside; });
-}
-
-// Whether no surface is in a block or in those around it.
-bool isFar(const SparseVolume& volume, const VoxelIndex& block) {
-  const SparseVolume::View here = volume.view(block);
-  const bool isInside = here.block ? here.block->depths.front() > 0 : here.isFull;
-  for (int k = 0; k < 27; ++k)
-    if (hasSign(volume.view(block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)), !isInside)) return false;
-  return true;
-}
-
 // Unites with a swept ball, or subtracts it. Blocks far inside of it become full or empty at once.
 std::vector<VoxelIndex> applyBall(SparseVolume& volume, const VoxelDab& dab) {
   const bool isAdding = dab.action == ClayAction::Add;
@@ -153,7 +139,7 @@ std::vector<VoxelIndex> applyBall(SparseVolume& volume, const VoxelDab& dab) {
   const SparseVolume result = volume;
   const std::vector<VoxelIndex> gone = replace(volume, blocks, [&](const VoxelIndex& block) -> SparseVolume::Content {
     const SparseVolume::Content content = result.content(block);
-    if (!content.block || !isFar(result, block)) return content;
+    if (!content.block || !isFarFromSurface(result, block)) return content;
     return {nullptr, content.block->depths.front() > 0};
   });
   const auto isLess = [](const VoxelIndex& a, const VoxelIndex& b) {

@@ -102,6 +102,25 @@ Membranes::Membranes(const TriangleSoup& closed, std::span<const std::uint32_t> 
   }
 }
 
+// Over a flat round hole the turns are (1 - h / √(h² + r²)) / 2 in the middle at the height h: kLook up to a fifth of
+// the radius, and less towards the edge: a spindle of a third of r³ above and as much below, in terms of the area.
+// Around the cones there is a block more on either side.
+double Membranes::predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones) {
+  constexpr double kSpindle = 0.115, kAround = 3.0 + 1.5;  // blocks across a cone: its own, and those beside it
+  double blocks = 0.0;
+  for (std::size_t i = 0; i < cones.size();) {
+    const std::uint32_t tip = closed.triangles[cones[i]][2];
+    double area = 0.0;  // square blocks
+    for (; i < cones.size() && closed.triangles[cones[i]][2] == tip; ++i) {
+      const Triangle& t = closed.triangles[cones[i]];
+      const Vec3 &a = closed.points[t[0]], &b = closed.points[t[1]], &c = closed.points[t[2]];
+      area += 0.5 * (b - a).cross(c - a).norm() / (kBlock * kBlock);
+    }
+    blocks += kSpindle * area * std::sqrt(area) + kAround * area;
+  }
+  return blocks;
+}
+
 bool Membranes::isNear(const VoxelIndex& block) const {
   const auto found = m_near.find(keyOf(block));
   return found != m_near.end() && found->second;

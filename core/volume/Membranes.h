@@ -25,6 +25,10 @@ class Membranes {
   // closed: in voxels. cones: of its triangles, those over the wide holes. Nothing once cancelled.
   Membranes(const TriangleSoup& closed, std::span<const std::uint32_t> cones, const Progress& progress);
 
+  // How many blocks there are going to be, within a factor of two, as far as one hole does not shadow another. O(n).
+  static double predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones);
+  static constexpr double kBytes = 160.0;  // of a block, while the volume is made
+
   bool isEmpty() const { return m_blocks.empty(); }
   // The blocks where they can be; elsewhere the whole winding number tells what is inside.
   const std::vector<VoxelIndex>& blocks() const { return m_blocks; }

@@ -220,6 +220,13 @@ std::vector<Vec3> keptPlaces(const std::vector<std::pair<Vec3, std::uint32_t>>& 
   return kept;
 }
 
+// The origin of a grid for what begins at this place, mm.
+Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& alignedTo) {
+  if (!alignedTo) return first;
+  const double block = VolumeBlock::kSize * voxel;
+  return *alignedTo + block * ((first - *alignedTo) / block).array().floor().matrix();
+}
+
 double volumeInside(const TriangleSoup& soup) {
   double six = 0.0;
   for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));
@@ -246,7 +253,8 @@ double nearShareOf(const SparseVolume& volume, const TriangleSoup& soup, const s
 
 }  // namespace
 
-Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress) {
+Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress,
+                                      const std::optional<Vec3>& alignedTo) {
   if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   if (!(voxel > 0.0) || !std::isfinite(voxel))
     return Error{ErrorCode::ValueOutOfRange, {"voxel", shortestText(voxel), "0", "1e300"}, {}, {}};
@@ -265,12 +273,13 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
 
   // Space for the band around the part, whose sides lie between voxels; from here on in voxels.
   SurfaceVolume made;
-  made.volume = SparseVolume(bounds.min().array() - 3.5 * voxel, voxel);
+  made.volume = SparseVolume(originBefore(bounds.min().array() - 3.5 * voxel, voxel, alignedTo), voxel);
   for (Vec3& p : closed.points) p = (p - made.volume.origin()) / voxel;
   const BoundaryCaps caps = closeBoundaries(closed, kWide, progress);
   made.closedBoundaries = caps.boundaries;
   const Vec3 across = bounds.sizes() / voxel;
   const double bytes = predictedVolumeBytes(closed, 1.0) * (1.0 + kWhileMaking + kTriangles) +
+                       Membranes::predictedBlocks(closed, caps.wide) * Membranes::kBytes +
                        across.y() * across.z() * sizeof(std::size_t);  // the index of the rows
   if (const auto left = static_cast<double>(systemMemory()); bytes > left)
     return Error{
@@ -306,7 +315,8 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   });
   for (std::vector<NumberedBlock>& some : blocks)
     for (NumberedBlock& block : some) made.volume.setContent(block.first, std::move(block.second));
-  const VoxelIndex extentInBlocks = ((bounds.sizes() / voxel).array() / 8.0 + 2.0).ceil().cast<int>();
+  const VoxelIndex extentInBlocks =
+      ((bounds.max() - made.volume.origin()).array() / (8.0 * voxel) + 2.0).ceil().cast<int>();
   fillInside(made.volume, rows, membranes, extentInBlocks, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   made.expected = voxel * voxel * voxel * volumeInside(closed);

@@ -8,6 +8,7 @@
 #include "volume/SparseVolume.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace handwheel {
@@ -27,11 +28,12 @@ struct SurfaceVolume {
 // distances are of first order. Overlapping bodies become one, and walls within them vanish; a surface that is inside
 // out encloses nothing.
 //
-// voxel: edge of a voxel, mm. On all threads of the arena; O(area / voxel² + n log n).
-// Errors: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine (more voxels
-// along an axis than a volume has), TooLarge (for the memory that the system has left), NoVoxelInside, NothingInside;
-// Cancelled.
-Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {});
+// voxel: edge of a voxel, mm. alignedTo: the origin of a grid that it is to share but for whole blocks, mm; none: sides
+// of the part lie between voxels. On all threads of the arena; O(area / voxel² + n log n). Errors:
+// MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine (more voxels along an
+// axis than a volume has), TooLarge (for the memory that the system has left), NoVoxelInside, NothingInside; Cancelled.
+Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {},
+                                      const std::optional<Vec3>& alignedTo = {});
 
 // The voxel for a surface where a person chooses none: a 256th of its largest extent; mm.
 double usualVoxel(const TriangleSoup& surface);

@@ -37,6 +37,16 @@ const ErrorDescription VolumeErrors::NothingInside{
     .sentences = {translatable("ErrorText", "the surface encloses nothing")},
     .advice = {translatable("ErrorText", "Turn its faces outwards if it is inside out; a flat sheet has no inside.")}};
 
+const ErrorDescription VolumeErrors::NothingLeft{
+    .id = "NothingLeft",
+    .sentences = {translatable("ErrorText", "nothing is left of the material")},
+    .advice = {translatable("ErrorText", "Check where the bodies are, or choose a smaller distance.")}};
+
+const ErrorDescription VolumeErrors::WallTooThin{
+    .id = "WallTooThin",
+    .sentences = {translatable("ErrorText", "a wall of %1 mm is thinner than two voxels of %2 mm")},
+    .advice = {translatable("ErrorText", "Choose a thicker wall, or voxels of at most %3 mm.")}};
+
 const ErrorDescription VolumeErrors::NoSuchDrill{
     .id = "NoSuchDrill",
     .sentences = {translatable("ErrorText", "there is no drill “%1”")},

@@ -13,6 +13,8 @@ extern const ErrorDescription TooLargeToSave;       // {voxel in mm, MB that it 
 extern const ErrorDescription ImageTooLarge;        // {MB of the image, MB of the volume, MB that a document holds}
 extern const ErrorDescription NoVoxelInside;        // {voxel in mm} it is thinner than they are
 extern const ErrorDescription NothingInside;        // the surface goes round nothing: flat, or inside out
+extern const ErrorDescription NothingLeft;          // of what was cut, or moved inwards
+extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm, largest voxel for it in mm}
 extern const ErrorDescription NoSuchDrill;          // {word}
 extern const ErrorDescription NoSuchDrillMaterial;  // {word}
 extern const ErrorDescription PathTooLong;          // {seconds, most seconds}

@@ -10,6 +10,12 @@
 namespace handwheel {
 namespace {
 
+bool hasSign(const SparseVolume::View& view, bool isInside) {
+  if (!view.block) return view.isFull == isInside;
+  return std::any_of(view.block->depths.begin(), view.block->depths.end(),
+                     [&](std::int16_t depth) { return (depth > 0) == isInside; });
+}
+
 // Replaces blocks by what the work makes of a window around each as it was.
 template <class Work>
 void replaceBlocks(SparseVolume& volume, std::span<const VoxelIndex> blocks, Progress progress, Work work) {
@@ -28,15 +34,36 @@ void replaceBlocks(SparseVolume& volume, std::span<const VoxelIndex> blocks, Pro
 
 }  // namespace
 
-std::vector<VoxelIndex> withNeighbours(std::span<const VoxelIndex> blocks) {
+void sortUnique(std::vector<VoxelIndex>& blocks) {
   const auto key = [](const VoxelIndex& at) { return std::tuple(at.z(), at.y(), at.x()); };
+  std::sort(blocks.begin(), blocks.end(), [&](const VoxelIndex& a, const VoxelIndex& b) { return key(a) < key(b); });
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+}
+
+std::vector<VoxelIndex> withNeighbours(std::span<const VoxelIndex> blocks) {
   std::vector<VoxelIndex> all;
   all.reserve(27 * blocks.size());
   for (const VoxelIndex& at : blocks)
     for (int k = 0; k < 27; ++k) all.emplace_back(at + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
-  std::sort(all.begin(), all.end(), [&](const VoxelIndex& a, const VoxelIndex& b) { return key(a) < key(b); });
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sortUnique(all);
   return all;
+}
+
+bool isFarFromSurface(const SparseVolume& volume, const VoxelIndex& block) {
+  const SparseVolume::View here = volume.view(block);
+  const bool isInside = here.block ? here.block->depths.front() > 0 : here.isFull;
+  for (int k = 0; k < 27; ++k)
+    if (hasSign(volume.view(block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)), !isInside)) return false;
+  return true;
+}
+
+void dropFar(SparseVolume& volume, std::span<const VoxelIndex> blocks) {
+  std::vector<char> isFar(blocks.size(), 0);  // not of bits: written by several threads
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+    isFar[i] = volume.view(blocks[i]).block && isFarFromSurface(volume, blocks[i]);
+  });
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (isFar[i]) volume.setContent(blocks[i], {nullptr, volume.view(blocks[i]).block->depths.front() > 0});
 }
 
 void makeDistances(SparseVolume& volume, std::span<const VoxelIndex> blocks, DepthWindow::Beside beside,

@@ -6,6 +6,7 @@
 #include "volume/DepthWindow.h"
 
 #include <span>
+#include <vector>
 
 namespace handwheel {
 
@@ -18,7 +19,14 @@ void makeDistances(SparseVolume& volume, std::span<const VoxelIndex> blocks, Dep
 // voxels may vanish. On all threads of the arena; the volume is as it was once cancelled.
 void smooth(SparseVolume& volume, Progress progress = {});
 
-// These blocks and the 26 around each, once each, sorted along z, y, x.
+// Blocks once each, sorted along z, y, x; and with the 26 around each.
+void sortUnique(std::vector<VoxelIndex>& blocks);
 std::vector<VoxelIndex> withNeighbours(std::span<const VoxelIndex> blocks);
+
+// Whether no surface is in a block or in those around it.
+bool isFarFromSurface(const SparseVolume& volume, const VoxelIndex& block);
+// Makes those of these blocks uniform that are far from the surface: what was near one that has gone. On all threads of
+// the arena.
+void dropFar(SparseVolume& volume, std::span<const VoxelIndex> blocks);
 
 }  // namespace handwheel

@@ -9,6 +9,8 @@
 #include "proximity/SelfIntersection.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
+#include "volume/VolumeOffset.h"
+#include "volume/VolumeReader.h"
 #include "volume/VolumeToSurface.h"
 
 #include <tbb/blocked_range.h>
@@ -88,15 +90,33 @@ Result<SurfaceVolume> volumeOfEitherSide(const TriangleSoup& surface, double vox
   return volumeOfSurface(back, voxel, progress);
 }
 
+// Fills gaps, and forgets the places that are within what was filled. Returns its volume, mm³.
+Result<double> fillGaps(SurfaceVolume& made, double radius, Progress progress) {
+  if (radius == 0.0) return 0.0;
+  Result<SparseVolume> closed = withoutGaps(made.volume, radius, progress);
+  if (!closed) return closed.error();
+  const VolumeReader reader(*closed);
+  std::erase_if(made.kept, [&](const Vec3& p) { return reader.depthAt(p).depth > 0.5 * closed->voxel(); });
+  const double filled = closed->material() - made.volume.material();
+  made.volume = std::move(*closed);
+  return filled;
+}
+
 }  // namespace
 
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress) {
-  const Result<SurfaceVolume> made = volumeOfEitherSide(surface, options.voxel, progress.part(0.0, 0.4));
+  Result<SurfaceVolume> made = volumeOfEitherSide(surface, options.voxel, progress.part(0.0, 0.2));
   if (!made) return made.error();
+  const Result<double> filled = fillGaps(*made, options.gaps, progress.part(0.2, 0.4));
+  if (!filled) return filled.error();
   const TriangleSoup sampled = surfaceOf(made->volume, progress.part(0.4, 0.5));
   const HalfEdgeMesh mesh = buildMesh(sampled, progress.part(0.5, 0.55)).mesh;
-  VolumeRepair repair{mesh, made->closedBoundaries, sampled.triangles.size(), made->nearShare,
+  VolumeRepair repair{mesh,
+                      made->closedBoundaries,
+                      sampled.triangles.size(),
+                      made->nearShare,
+                      *filled,
                       distanceFrom(mesh, made->kept, progress.part(0.55, 0.6))};
   if (options.isReduced && sampled.triangles.size() > surface.triangles.size() && !progress.cancelled())
     repair = Reduction(mesh, made->kept, options.voxel)

@@ -14,6 +14,7 @@ namespace handwheel {
 // How a surface is repaired by a volume.
 struct VolumeRepairOptions {
   double voxel = 0.0;     // mm
+  double gaps = 0.0;      // mm: what a ball of this radius does not get into is filled (withoutGaps()); 0: nothing
   bool isReduced = true;  // to about as many triangles as the surface had, or as keep the distances below
 };
 
@@ -23,6 +24,7 @@ struct VolumeRepair {
   std::size_t closedBoundaries = 0;  // as in SurfaceVolume
   std::size_t sampledTriangles = 0;  // of the volume's surface, before any were taken away
   double nearShare = 0.0;            // as in SurfaceVolume
+  double filled = 0.0;               // mm³, of gaps
   double keptDistance = 0.0;         // mm, the largest found from what of the surface bounds material to the mesh
 };
 
@@ -31,7 +33,7 @@ struct VolumeRepair {
 // edges are cut off by up to half a voxel. Triangles are taken away by quadrics, as far as nothing of the sampled
 // surface, nor of the original where that bounds material, gets farther than a voxel from the mesh, and none meet. So
 // only walls that are thinner than a voxel are farther. A surface that is inside out is turned over. Errors: those of
-// volumeOfSurface().
+// volumeOfSurface() and withoutGaps().
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress = {});
 

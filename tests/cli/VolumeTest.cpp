@@ -151,6 +151,79 @@ class VolumeTest : public QObject {
     QVERIFY2(ran.err.contains(says), ran.err);
   }
 
+  // Two blocks of meshes that overlap by a quarter, as meshes and one as a volume.
+  void booleans_data() {
+    QTest::addColumn<QByteArray>("way");
+    QTest::addColumn<double>("exact");
+    QTest::newRow("unite") << QByteArray("--unite") << 8000.0 + 1000.0 - 250.0;
+    QTest::newRow("subtract") << QByteArray("--subtract") << 8000.0 - 250.0;
+    QTest::newRow("intersect") << QByteArray("--intersect") << 250.0;
+  }
+  void booleans() {
+    QFETCH(QByteArray, way);
+    QFETCH(double, exact);
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    Shape small = cube();
+    for (auto& p : small.points) p = {10.0 * p[0] + 17.5, 10.0 * p[1] + 5.0, 10.0 * p[2] + 5.0};
+    bench.put("b.off", small.off());
+    QCOMPARE(bench.run({"voxelize", "b.off", "-o", "b.nrrd", "--voxel", "0.3"}).code, 0);
+    for (const char* const second : {"b.off", "b.nrrd"}) {
+      const Ran ran = bench.run({"boolean", "a.off", second, way, "-o", "c.stl", "--voxel", "0.25", "--json"});
+      QCOMPARE(ran.err, QByteArray());
+      QCOMPARE(ran.code, 0);
+      const auto figures = volumeJson(ran.out);
+      QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
+      QVERIFY(std::abs(figures["first_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
+      const auto mesh = volumeJson(bench.run({"inspect", "c.stl", "--json"}).out);
+      QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+      QVERIFY2(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 0.03,
+               qPrintable(QString::number(mesh["volume_mm3"].get<double>())));
+    }
+    const Ran text = bench.run({"boolean", "a.off", "b.off", way, "-o", "c.handwheel", "--voxel", "0.5"});
+    QCOMPARE(text.code, 0);
+    QVERIFY(text.out.contains("voxels of 0.5 mm"));
+  }
+
+  // A wall of 2 mm in a block of 20 mm: an empty cube of 16 mm within.
+  void walls() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    const Ran ran =
+        bench.run({"shell", "a.off", "-o", "b.stl", "--wall", "2", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    QVERIFY(std::abs(volumeJson(ran.out)["volume_mm3"].get<double>() / (8000.0 - 4096.0) - 1.0) < 0.03);
+    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+    QCOMPARE(bench.run({"shell", "a.off", "-o", "c.nrrd", "--wall", "1", "--side", "outside", "--voxel", "0.5"}).code,
+             0);
+    const Ran smaller = bench.run({"offset", "c.nrrd", "-o", "d.stl", "--distance=-0.2", "--json"});
+    QCOMPARE(smaller.err, QByteArray());
+    // Steiner's formula for the rounded block: the wall is left from 0.2 to 0.8 mm.
+    const auto rounded = [](double d) { return 2400.0 * d + 60.0 * M_PI * d * d + 4.0 / 3.0 * M_PI * d * d * d; };
+    const auto left = volumeJson(bench.run({"inspect", "d.stl", "--json"}).out)["volume_mm3"].get<double>();
+    QVERIFY2(std::abs(left / (rounded(0.8) - rounded(0.2)) - 1.0) < 0.05, qPrintable(QString::number(left)));
+  }
+
+  // Between two blocks a gap of a millimetre is filled on the way.
+  void repairClosesGaps() {
+    const Bench bench;
+    Shape two = cube(10.0);
+    two.add(cube(10.0), {11.0, 0.0, 0.0});
+    bench.put("a.off", two.off());
+    const Ran ran = bench.run(
+        {"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.25", "--close-gaps", "0.7", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = volumeJson(ran.out);
+    QVERIFY(std::abs(figures["filled_mm3"].get<double>() - 90.0) < 5.0);
+    QVERIFY(figures["kept_distance_mm"].get<double>() < 0.25);
+    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    QCOMPARE(mesh["components"].get<int>(), 1);
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 2090.0 - 1.0) < 0.02);
+  }
+
   void repairByVolume() {
     const Bench bench;
     bench.put("a.off", openBlock());
@@ -201,6 +274,20 @@ class VolumeTest : public QObject {
                              << QByteArray("above 0");
     QTest::newRow("both ways") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--rims", "fill"}
                                << QByteArray("no meaning");
+    QTest::newRow("no way to combine") << QStringList{"boolean", "a.off", "a.off", "-o", "b.stl"}
+                                       << QByteArray("Choose one of --unite");
+    QTest::newRow("two ways") << QStringList{"boolean", "a.off", "a.off", "--unite", "--subtract", "-o", "b.stl"}
+                              << QByteArray("Choose one of --unite");
+    QTest::newRow("nothing left") << QStringList{"boolean", "a.off", "a.off", "--subtract", "-o", "b.stl"}
+                                  << QByteArray("Nothing is left");
+    QTest::newRow("no wall") << QStringList{"shell", "a.off", "-o", "b.stl"}
+                             << QByteArray("The option --wall MM is missing.");
+    QTest::newRow("thin wall") << QStringList{"shell", "a.off", "-o", "b.stl", "--wall", "0.5", "--voxel", "0.5"}
+                               << QByteArray("voxels of at most 0.25 mm");
+    QTest::newRow("huge") << QStringList{"offset", "a.off", "-o", "b.stl", "--distance", "90000", "--voxel", "0.5"}
+                          << QByteArray("MB");
+    QTest::newRow("shrunk away") << QStringList{"offset", "a.off", "-o", "b.stl", "--distance", "-11"}
+                                 << QByteArray("nothing is left");
     QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
                           << QByteArray("encloses nothing");
   }

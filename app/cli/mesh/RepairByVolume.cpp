@@ -24,12 +24,14 @@
 namespace handwheel {
 namespace {
 
-constexpr std::array<std::string_view, 5> kVolumeRepairOptions{"by", "voxel", "output", "partial", "json"};
+constexpr std::array<std::string_view, 6> kVolumeRepairOptions{"by",     "voxel",   "close-gaps",
+                                                               "output", "partial", "json"};
 
 struct VolumeRepairRequest {
   std::filesystem::path input, output;
   ReadOptions read;
   std::optional<double> voxel;
+  double gaps = 0.0;  // mm
 };
 
 struct RepairedByVolume {
@@ -63,7 +65,8 @@ Result<RepairedByVolume> repairFileByVolume(const VolumeRepairRequest& request, 
   if (!read) return read.error();
   const TriangleSoup& soup = *read;
   done.voxel = request.voxel.value_or(usualVoxel(soup));
-  Result<VolumeRepair> repair = repairByVolume(soup, {.voxel = done.voxel}, progress.part(0.1, 0.7));
+  Result<VolumeRepair> repair =
+      repairByVolume(soup, {.voxel = done.voxel, .gaps = request.gaps}, progress.part(0.1, 0.7));
   if (!repair) {
     Error error = repair.error();
     error.subject = request.input.string();
@@ -93,7 +96,8 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
          " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) + " mm, of what bounds material at " +
          roundedText(done.repair.keptDistance, 3) + " mm." +
          (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel are gone: choose smaller voxels.\n"
-                                                : "\n");
+                                                : "\n") +
+         (request.gaps > 0.0 ? "Gaps filled: " + roundedText(done.repair.filled, 3) + " mm³.\n" : std::string());
 }
 
 nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
@@ -105,6 +109,7 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
           {"triangles", done.after.triangles},
           {"scan_distance_99_mm", done.scanTo99},
           {"scan_distance_mm", done.scanToMost},
+          {"filled_mm3", done.repair.filled},
           {"kept_distance_mm", done.repair.keptDistance},
           {"sound", done.after.isSound()}};
 }
@@ -113,7 +118,8 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
 
 std::vector<OptionSpec> volumeRepairOptions() {
   return {{"by", 0, "WAY", "triangles (default), or volume: the surface of the volume that is enclosed replaces all"},
-          {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"}};
+          {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"},
+          {"close-gaps", 0, "MM", "By volume: fill gaps that a ball of this radius does not get into"}};
 }
 
 bool isByVolume(const Arguments& arguments) {
@@ -130,11 +136,15 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
-  if (arguments.has("voxel")) {
-    double voxel = 0.0;
-    if (!readNumber(arguments.valueOf("voxel"), voxel) || !(voxel > 0.0) || !std::isfinite(voxel))
-      return failUsage("--voxel needs a length in mm, above 0.", "repair");
-    request.voxel = voxel;
+  for (const char* const option : {"voxel", "close-gaps"}) {
+    if (!arguments.has(option)) continue;
+    double length = 0.0;
+    if (!readNumber(arguments.valueOf(option), length) || !(length > 0.0) || !std::isfinite(length))
+      return failUsage("--" + std::string(option) + " needs a length in mm, above 0.", "repair");
+    if (option == std::string_view("voxel"))
+      request.voxel = length;
+    else
+      request.gaps = length;
   }
   if (!isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());

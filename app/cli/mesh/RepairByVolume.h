@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The options of 'repair' by volume: --by and --voxel.
+// The options of 'repair' by volume.
 std::vector<OptionSpec> volumeRepairOptions();
 // Whether the arguments ask for it.
 bool isByVolume(const Arguments& arguments);

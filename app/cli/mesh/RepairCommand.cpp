@@ -157,8 +157,9 @@ CommandSpec repairSpec() {
 
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   if (isByVolume(arguments)) return runRepairByVolume(arguments, kinds);
-  if (arguments.has("voxel") || (arguments.has("by") && arguments.valueOf("by") != "triangles"))
-    return failUsage("--by is triangles or volume; --voxel belongs to volume.", "repair");
+  if (arguments.has("voxel") || arguments.has("close-gaps") ||
+      (arguments.has("by") && arguments.valueOf("by") != "triangles"))
+    return failUsage("--by is triangles or volume; --voxel and --close-gaps belong to volume.", "repair");
   if (isBatch(arguments)) return runBatchRepair(arguments, kinds);
   RepairRequest request;
   const std::string problem = readRequest(arguments, kinds, request);

@@ -8,6 +8,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/TipTrajectory.h"
+#include "cli/volume/VolumeFiles.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/formats/MeshExport.h"
@@ -22,6 +23,8 @@ namespace handwheel {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kVoxelAtRest = 1.0;  // mm, of a path that goes nowhere
 
 struct DrillRequest {
   fs::path part, path, output, forces;
@@ -47,15 +50,6 @@ double feedOf(const std::vector<HandPose>& poses) {
     time += poses[i].time - poses[i - 1].time;
   }
   return time > 0.0 ? length / time : 0.0;
-}
-
-// The part as a volume: its own, or one of its surface.
-Result<SparseVolume> volumeOf(const OpenedFile& opened, std::optional<double> voxel, Progress progress) {
-  if (const auto volume = std::dynamic_pointer_cast<const VolumeSnapshot>(opened.content)) return volume->volume;
-  Result<SurfaceVolume> made =
-      volumeOfSurface(placedSoup(opened.kind->display(*opened.content)), voxel.value_or(1.0), progress);
-  if (!made) return made.error();
-  return std::move(made->volume);
 }
 
 std::string forcesText(const Drilled& drilled) {
@@ -106,7 +100,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
   DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}};
-  if (const auto before = std::dynamic_pointer_cast<const VolumeSnapshot>(opened->content)) {
+  if (const auto before = volumeIn(*opened)) {
     done.before = before;
   } else {
     done.file.assigned = {};
@@ -118,12 +112,9 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   const double rate = values.number("rate"), feed = feedOf(poses);
   std::optional<double> voxel = values.given("voxel");
   if (!voxel && feed > 0.0) voxel = drillVoxel(feed, rate);
-  Result<SparseVolume> volume = volumeOf(*opened, voxel, progress.part(0.1, 0.4));
-  if (!volume) {
-    Error error = volume.error();
-    error.subject = request.part.string();
-    return error;
-  }
+  Result<SparseVolume> volume =
+      materialOf(*opened, request.part, voxel.value_or(kVoxelAtRest), {}, progress.part(0.1, 0.4));
+  if (!volume) return volume.error();
   done.voxel = volume->voxel();
   Result<Drilled> drilled =
       drillAlong(std::move(*volume), *setup, PoseTrajectory(poses), rate, progress.part(0.4, 0.8));

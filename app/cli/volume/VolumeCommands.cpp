@@ -7,9 +7,12 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
+#include "cli/volume/BooleanCommand.h"
 #include "cli/volume/DrillCommand.h"
 #include "cli/volume/OutputName.h"
 #include "cli/volume/SegmentCommand.h"
+#include "cli/volume/VolumeFiles.h"
+#include "cli/volume/WallCommands.h"
 #include "document/formats/MeshExport.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
@@ -104,7 +107,7 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
   Answer done{opened->file, {}, {}, {}};
-  const auto volume = std::dynamic_pointer_cast<const VolumeSnapshot>(opened->content);
+  const auto volume = volumeIn(*opened);
   if (!volume) {
     done.refusal = request.input.string() + ": it is no volume. 'handwheel voxelize' makes one of a mesh.";
     return done;
@@ -174,7 +177,11 @@ int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 std::vector<Command> volumeCommands() {
-  return {{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, drillCommand(), segmentCommand()};
+  std::vector<Command> commands{{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, booleanCommand()};
+  for (Command& command : wallCommands()) commands.push_back(std::move(command));
+  commands.push_back(drillCommand());
+  commands.push_back(segmentCommand());
+  return commands;
 }
 
 }  // namespace handwheel

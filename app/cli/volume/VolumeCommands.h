@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The commands for volumes: voxelize, remesh and segment.
+// The commands for volumes.
 std::vector<Command> volumeCommands();
 
 }  // namespace handwheel

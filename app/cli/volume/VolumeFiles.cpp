@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/volume/VolumeFiles.h"
+
+#include "cli/volume/OutputName.h"
+#include "document/volume/VolumeMaking.h"
+#include "volume/VolumeErrors.h"
+
+namespace handwheel {
+
+std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened) {
+  return std::dynamic_pointer_cast<const VolumeSnapshot>(opened.content);
+}
+
+Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
+                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, Progress progress) {
+  if (const auto volume = volumeIn(opened)) return volume->volume;
+  const TriangleSoup surface = placedSoup(opened.kind->display(*opened.content));
+  Result<SurfaceVolume> made = volumeOfSurface(surface, voxel.value_or(usualVoxel(surface)), progress, alignedTo);
+  if (made) return std::move(made->volume);
+  Error error = made.error();
+  error.subject = path.string();
+  return error;
+}
+
+Status canWriteVolume(const std::filesystem::path& output, const DocumentKinds& kinds) {
+  const auto endings = writtenEndings(kinds.withId("volume")->formats());
+  if (!hasOneOf(output, endings) && !isContainerName(output)) return unknownEnding(output, endings);
+  return Done{};
+}
+
+Result<WrittenFile> writeVolume(const SparseVolume& volume, const std::filesystem::path& input,
+                                const DocumentFile& inputFile, const std::filesystem::path& output,
+                                const DocumentKinds& kinds, Progress progress) {
+  if (volume.isEmpty()) return Error{VolumeErrors::NothingLeft, {}, {}, {}};
+  const auto snapshot = snapshotOf(volume, input.filename().string(), progress.part(0.0, 0.5));
+  if (!snapshot) return snapshot.error();
+  DocumentFile file;
+  file.displayUnit = inputFile.displayUnit;
+  return saveDocument(*kinds.withId("volume"), file, **snapshot, output, progress.part(0.5, 1.0));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "document/volume/VolumeSnapshot.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace handwheel {
+
+// The content of a document of a volume; null where it is of another kind.
+std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened);
+
+// The material of a document: its own volume, or what its surface encloses, in voxels of this edge (mm; none: the usual
+// one). alignedTo: as in volumeOfSurface(). Errors: those of volumeOfSurface(), about the path.
+Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
+                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, Progress progress);
+
+// Whether a volume can be written under this name: as one, or its surface as a mesh. Error: that of unknownEnding().
+Status canWriteVolume(const std::filesystem::path& output, const DocumentKinds& kinds);
+
+// Writes a new document of a volume, or its surface as a mesh. input: the file that it was made of, and what is known
+// of it. Errors: VolumeErrors::NothingLeft of an empty one; those of snapshotOf() and saveDocument().
+Result<WrittenFile> writeVolume(const SparseVolume& volume, const std::filesystem::path& input,
+                                const DocumentFile& inputFile, const std::filesystem::path& output,
+                                const DocumentKinds& kinds, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "MeshShapes.h"
+#include "volume/ClayDab.h"
+#include "volume/SurfaceToVolume.h"
+
+#include <cmath>
+
+namespace handwheel::test {
+
+inline double ballVolume(double radius) {
+  return 4.0 / 3.0 * M_PI * radius * radius * radius;
+}
+
+// Of a cube and all that is within a distance of it (Steiner's formula).
+inline double roundedCubeVolume(double side, double distance) {
+  return side * side * side + 6.0 * side * side * distance + 3.0 * M_PI * side * distance * distance +
+         ballVolume(distance);
+}
+
+// A ball united with what is in a volume.
+inline SparseVolume withBall(SparseVolume volume, const Vec3& centre, double radius) {
+  ClayDab dab;
+  dab.action = ClayAction::Add;
+  dab.centre = centre;
+  dab.radius = radius;
+  applyDab(volume, dab);
+  return volume;
+}
+
+// A box in a grid whose voxel (0, 0, 0) is at the origin.
+inline SparseVolume boxOfVoxels(const Vec3& size, const Vec3& corner, double voxel) {
+  TriangleSoup box = cube(1.0);
+  for (Vec3& p : box.points) p = corner + p.cwiseProduct(size);
+  return volumeOfSurface(box, voxel, {}, Vec3(Vec3::Zero()))->volume;
+}
+
+}  // namespace handwheel::test
