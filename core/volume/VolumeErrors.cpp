@@ -19,6 +19,14 @@ const ErrorDescription VolumeErrors::TooLargeToSave{
     .sentences = {translatable("ErrorText", "voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB")},
     .advice = {translatable("ErrorText", "Choose larger voxels, or work on a piece of the part.")}};
 
+const ErrorDescription VolumeErrors::ImageTooLarge{
+    .id = "ImageTooLarge",
+    .sentences = {translatable("ErrorText",
+                               "the image takes %1 MB, what is made of it %2 MB, and a document holds %3 MB")},
+    .advice = {translatable("ErrorText",
+                            "Choose larger voxels; or make the volume with 'handwheel segment', which keeps no "
+                            "image.")}};
+
 const ErrorDescription VolumeErrors::NoVoxelInside{
     .id = "NoVoxelInside",
     .sentences = {translatable("ErrorText", "no voxel of %1 mm lies inside: the part is thinner than they are")},
