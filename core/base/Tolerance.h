@@ -63,6 +63,9 @@ inline constexpr double kRidgeAngle = 0.52;
 // is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;
 inline constexpr int kPatchVertices = 10'000;
+// Winding numbers this near to whole ones are taken for them: holes elsewhere in a surface change them by their solid
+// angle, and half way to the next is no answer.
+inline constexpr double kWindingDoubt = 0.25;
 // The thickness of a sheet after thickenSheets().
 inline constexpr double kSheetThickness = 1e-3;
 // The thickness of a flake that nobody asked to thicken is at most this share of its shortest edge.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "mesh/repair/SharedPlanes.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "proximity/SelfIntersection.h"
 
@@ -26,8 +27,9 @@ struct Autorefinement {
 // triangles must have area. O(m log m) for m intersections beside one pass over the soup. Nothing is cut when a
 // triangle would be cut more than tolerance::kCutsPerFace times (that is a folded region, and would take minutes),
 // where coordinates range over more than tolerance::kCutBits, or where the library gives up. The result is invalid if
-// cancelled.
+// cancelled. Triangles with corners in shared planes are cut as if these lay in them exactly, so that surfaces that lie
+// on each other but for rounding have equal pieces; the corners themselves stay where they are.
 Autorefinement autorefine(const TriangleSoup& soup, std::span<const TrianglePair> pairs, NumberType numbers,
-                          Progress progress = {});
+                          Progress progress = {}, const SharedPlanes& planes = {});
 
 }  // namespace handwheel

@@ -20,6 +20,7 @@
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
+#include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
 
 #include <algorithm>
@@ -105,7 +106,8 @@ class Repairer {
 
   void clean(Progress progress) {
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.0, 0.15));
-    if (!progress.cancelled()) m_report.removedDuplicates += removeDuplicateFaces(m_mesh, progress.part(0.15, 0.35));
+    if (m_options.cutCrossings && m_round == 0 && !progress.cancelled()) cutAtDuplicates(progress.part(0.15, 0.2));
+    if (!progress.cancelled()) m_report.removedDuplicates += removeDuplicateFaces(m_mesh, progress.part(0.2, 0.35));
     if (!progress.cancelled()) m_report.removedFlaps += removeFlaps(m_mesh, progress.part(0.35, 0.6));
     if (m_options.removeDebris && !progress.cancelled())
       m_report.removedDebris += removeDebris(m_mesh, progress.part(0.6, 0.7));
@@ -249,6 +251,15 @@ class Repairer {
         replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_efforts.tangle));
     m_report.replacedFaces += replaced;
     if (replaced > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_efforts.separation));
+  }
+
+  // Of solids that overlap and have whole faces in common: while both are closed it is known what is inside.
+  void cutAtDuplicates(const Progress& progress) {
+    const PositionTriangles byPosition(m_mesh, progress.part(0.0, 0.1));
+    if (progress.cancelled()) return;
+    const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.1, 0.2));
+    if (progress.cancelled() || equalFaces(byPosition.triangles, edges, progress.part(0.2, 0.3)).empty()) return;
+    cutCrossings(progress.part(0.3, 1.0));
   }
 
   void cutCrossings(Progress progress) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/SharedWalls.h"
 
+#include "base/Tolerance.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/FaceNormal.h"
@@ -21,9 +22,6 @@
 namespace handwheel {
 namespace {
 
-// Winding numbers this near to whole ones are taken for them: holes elsewhere in a surface change them by their solid
-// angle, and half way to the next is no answer.
-constexpr double kWindingDoubt = 0.25;
 // Solid angles that are added up in the time of one step of Effort.
 constexpr std::size_t kAnglesPerStep = 20;
 
@@ -129,7 +127,7 @@ class Walls {
     m_progress.spend(faces.size() / kAnglesPerStep + 1);
     const double front = angle / (4.0 * std::numbers::pi) - 0.5 * m_net[face];
     const double whole = std::round(front);
-    if (std::abs(front - whole) > kWindingDoubt) return {};
+    if (std::abs(front - whole) > tolerance::kWindingDoubt) return {};
     return Sides{static_cast<int>(whole), static_cast<int>(whole) + m_net[face]};
   }
 
