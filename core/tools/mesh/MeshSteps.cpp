@@ -229,7 +229,7 @@ constexpr Verb kVerbs[] = {
     {"cut-crossings", readCutCrossings, nullptr},
     {"by-volume",
      [](StepReader&, const OperationValues& v, const MeshDocument& d) {
-       return volumeRepairChange(v.given("voxel").value_or(0.0), numbersFor(d, v));
+       return volumeRepairChange(v.given("voxel").value_or(0.0), v.number("close-gaps"), numbersFor(d, v));
      },
      nullptr},
     {"decimate", readDecimate, nullptr},

@@ -30,15 +30,17 @@ const char* reasonOf(const Error& error) {
 
 }  // namespace
 
-MeshChange volumeRepairChange(double voxel, NumberType numbers) {
+MeshChange volumeRepairChange(double voxel, double gaps, NumberType numbers) {
   OperationValues values(volumeRepairOperation());
   if (voxel > 0.0) values.setValid("voxel", voxel);
+  values.setValid("close-gaps", gaps);
   setNumbers(values, numbers);
   const auto distance = std::make_shared<std::optional<double>>();
-  MeshChange change = explainedChange(
-      volumeRepairOperation().title, [voxel, numbers, distance](HalfEdgeMesh& mesh, Progress progress) -> const char* {
+  MeshChange change =
+      explainedChange(volumeRepairOperation().title, [=](HalfEdgeMesh& mesh, Progress progress) -> const char* {
         const TriangleSoup surface = mesh.compact().soup;
-        const VolumeRepairOptions options{.voxel = voxel > 0.0 ? voxel : usualVoxel(surface), .numbers = numbers};
+        const VolumeRepairOptions options{
+            .voxel = voxel > 0.0 ? voxel : usualVoxel(surface), .gaps = gaps, .numbers = numbers};
         Result<VolumeRepair> repair = repairByVolume(surface, options, progress);
         if (!repair) return repair.error().code == ErrorCode::Cancelled ? nullptr : reasonOf(repair.error());
         *distance = repair->keptDistance;

@@ -8,7 +8,7 @@
 namespace handwheel {
 
 // Replaces a mesh by the surface of the volume that it encloses (repairByVolume()). No face or vertex keeps its index.
-// voxel: mm; 0: the usual one.
-MeshChange volumeRepairChange(double voxel, NumberType numbers);
+// voxel: mm; 0: the usual one. gaps: mm, as VolumeRepairOptions has it.
+MeshChange volumeRepairChange(double voxel, double gaps, NumberType numbers);
 
 }  // namespace handwheel

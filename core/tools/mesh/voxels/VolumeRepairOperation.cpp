@@ -22,6 +22,18 @@ Parameter voxelParameter() {
           .hasDefault = false};
 }
 
+Parameter gapsParameter() {
+  return {.property = {.id = "close-gaps",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Close gaps up to a radius of"),
+                       .value = 0.0,
+                       .quantity = Quantity::Length,
+                       .least = 0.0,
+                       .largest = 1e9},
+          .meaning = "Fill gaps that a ball of this radius, in mm, does not get into",
+          .word = "MM"};
+}
+
 }  // namespace
 
 const Operation& volumeRepairOperation() {
@@ -31,7 +43,7 @@ const Operation& volumeRepairOperation() {
       .meaning =
           "Replace everything by the surface of the volume that is enclosed, which is closed and free of "
           "self-intersections",
-      .parameters = {voxelParameter(), numbersParameter()}};
+      .parameters = {voxelParameter(), gapsParameter(), numbersParameter()}};
   return operation;
 }
 

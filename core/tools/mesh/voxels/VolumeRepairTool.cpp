@@ -8,6 +8,7 @@
 #include "volume/SurfaceToVolume.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -39,7 +40,7 @@ void VolumeRepairTool::documentChanged() {
 ToolReply VolumeRepairTool::perform(std::string_view action) {
   if (action == "revert") return ToolReply::Finished;
   if (action != "commit") return ToolReply::Ignored;
-  m_services.commit(volumeRepairChange(m_isOwn ? m_voxel : 0.0, m_document.fileNumbers()));
+  m_services.commit(volumeRepairChange(m_isOwn ? m_voxel : 0.0, m_gaps, m_document.fileNumbers()));
   return ToolReply::Used;
 }
 
@@ -63,12 +64,17 @@ std::vector<Property> VolumeRepairTool::settings() const {
   memory.label = QT_TRANSLATE_NOOP("Property", "Memory for the voxels (MB)");
   memory.value = std::ceil(m_megabytes);
   memory.editable = false;
-  return {std::move(voxel), std::move(memory)};
+  Property gaps = volumeRepairOperation().find("close-gaps")->property;
+  gaps.id = "close_gaps";
+  gaps.value = m_gaps;
+  return {std::move(voxel), std::move(gaps), std::move(memory)};
 }
 
 void VolumeRepairTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* number = std::get_if<double>(&value);
-  if (id != "voxel" || !number || !(*number > 0.0) || !std::isfinite(*number)) return;
+  if (!number || !std::isfinite(*number)) return;
+  if (id == "close_gaps") m_gaps = std::max(0.0, *number);
+  if (id != "voxel" || !(*number > 0.0)) return;
   m_voxel = *number;
   m_isOwn = true;
   predict();

@@ -32,6 +32,7 @@ class VolumeRepairTool : public Tool {
   MeshServices m_services;
   double m_voxel = 0.0;    // mm; 0: there are no triangles
   bool m_isOwn = false;    // the user has set it
+  double m_gaps = 0.0;     // mm
   double m_megabytes = 0;  // that the voxels are going to take at least
 };
 

@@ -42,6 +42,7 @@ class VolumeRepairToolTest : public QObject {
   void oneStepMakesItSound();
   void coordinatesAreThoseOfTheFile();
   void theVoxelOfTheUserStays();
+  void gapsAreFilledOnRequest();
   void noTriangles();
   void aSheetStaysWithTheReason();
   void aCancelledRepairChangesNothing();
@@ -70,7 +71,7 @@ void VolumeRepairToolTest::oneStepMakesItSound() {
 
 void VolumeRepairToolTest::coordinatesAreThoseOfTheFile() {
   HalfEdgeMesh mesh = buildMesh(cubeAndBar()).mesh;
-  volumeRepairChange(0.3, NumberType::Float32).apply(mesh, {});
+  volumeRepairChange(0.3, 0.0, NumberType::Float32).apply(mesh, {});
   QVERIFY(mesh.liveFaceCount() > 24);
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
     QVERIFY(mesh.position(v) == rounded(mesh.position(v), NumberType::Float32));
@@ -91,6 +92,25 @@ void VolumeRepairToolTest::theVoxelOfTheUserStays() {
   QCOMPARE(settingOf(tool, "voxel"), 1.0);
 }
 
+// Two plates of 10 × 10 × 2 mm, 1 mm apart: a ball of 0.5 mm gets in between, one of 1 mm does not.
+void VolumeRepairToolTest::gapsAreFilledOnRequest() {
+  TriangleSoup plates;
+  for (const double z : {0.0, 3.0}) {
+    TriangleSoup plate = test::cube(10.0);
+    for (Vec3& p : plate.points) p.z() = z + 0.2 * p.z();
+    test::append(plates, plate);
+  }
+  for (const auto& [radius, pieces] : {std::pair(0.0, 2), std::pair(0.4, 2), std::pair(1.0, 1)}) {
+    test::Work work(plates);
+    VolumeRepairTool tool(*work.document, work.services());
+    tool.setSetting("voxel", 0.2);
+    tool.setSetting("close_gaps", radius);
+    QCOMPARE(tool.perform("commit"), ToolReply::Used);
+    QCOMPARE(work.document->defects().components.size(), std::size_t(pieces));
+    QCOMPARE(work.check(1), std::string());
+  }
+}
+
 void VolumeRepairToolTest::noTriangles() {
   const auto document = test::meshDocument(TriangleSoup());
   const VolumeRepairTool tool(*document, immediateServices(*document));
@@ -101,7 +121,7 @@ void VolumeRepairToolTest::noTriangles() {
 void VolumeRepairToolTest::aSheetStaysWithTheReason() {
   const auto document = test::meshDocument({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}});
   const HalfEdgeMesh before = document->mesh();
-  const MeshChange change = volumeRepairChange(0.0, NumberType::Float64);
+  const MeshChange change = volumeRepairChange(0.0, 0.0, NumberType::Float64);
   QVERIFY(!commitChange(*document, change));
   QVERIFY2(std::string(reasonOf(change)).find("encloses nothing") != std::string::npos, reasonOf(change));
   QVERIFY(test::sameMesh(document->mesh(), before));
@@ -112,7 +132,7 @@ void VolumeRepairToolTest::aCancelledRepairChangesNothing() {
   const HalfEdgeMesh before = document->mesh();
   JobState state;
   state.cancelled = true;
-  QVERIFY(!commitChange(*document, volumeRepairChange(0.2, NumberType::Float64), Progress(state)));
+  QVERIFY(!commitChange(*document, volumeRepairChange(0.2, 0.0, NumberType::Float64), Progress(state)));
   QVERIFY(test::sameMesh(document->mesh(), before));
 }
 
