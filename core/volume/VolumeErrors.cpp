@@ -21,11 +21,8 @@ const ErrorDescription VolumeErrors::TooLargeToSave{
 
 const ErrorDescription VolumeErrors::ImageTooLarge{
     .id = "ImageTooLarge",
-    .sentences = {translatable("ErrorText",
-                               "the image takes %1 MB, what is made of it %2 MB, and a document holds %3 MB")},
-    .advice = {translatable("ErrorText",
-                            "Choose larger voxels; or make the volume with 'handwheel segment', which keeps no "
-                            "image.")}};
+    .sentences = {translatable("ErrorText", "an image of %1 MB with %2 MB of voxels is too large: %3 MB is the most")},
+    .advice = {translatable("ErrorText", "Choose larger voxels; 'handwheel segment' keeps no image.")}};
 
 const ErrorDescription VolumeErrors::NoVoxelInside{
     .id = "NoVoxelInside",
