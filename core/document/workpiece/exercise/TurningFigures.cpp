@@ -159,14 +159,28 @@ bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
   return true;
 }
 
+// As it was before it was cut.
+TurnedProfile barOf(const WorkpieceSnapshot& workpiece, std::size_t samples) {
+  return TurnedProfile::fromRadii(std::vector<double>(samples, 0.5 * workpiece.stock.diameter), workpiece.stock.length);
+}
+
+std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review) {
+  const WorkMaterial* material = WorkMaterials::standard().find(task.material);
+  return material ? cutLoads(review, *material) : std::vector<CutLoad>();
+}
+
 }  // namespace
 
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
-                                                   Progress progress) {
-  const MeasuredPart part(task, workpiece, progress);
-  if (!part.review()) return std::nullopt;
+                                                   const TurnedPart* before, Progress progress) {
+  const TurnedPart& now = *workpiece.part;
+  const TurnedProfile from = before ? before->profile : barOf(workpiece, now.profile.size());
+  std::vector<TurningPasses::Pass> passes;
+  for (std::size_t i = before ? before->passes.size() : 0; i < now.passes.size(); ++i) passes.push_back(now.passes[i]);
+  const auto review = TurningReview::make(from, passes, task.lathe, progress);
+  if (!review) return std::nullopt;
   std::pair<double, double> peaks(0.0, 0.0);
-  for (const MeasuredPart::Load& load : part.loads())
+  for (const CutLoad& load : loadsOf(task, *review))
     peaks = {std::max(peaks.first, load.force), std::max(peaks.second, load.power)};
   return peaks;
 }
@@ -234,9 +248,7 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
     m_threads = workpiece.part->threads();
     m_finish = workpiece.part->finish;
   }
-  const TurnedProfile bar = TurnedProfile::fromRadii(
-      std::vector<double>(m_profile.size(), 0.5 * workpiece.stock.diameter), workpiece.stock.length);
-  m_review = TurningReview::make(bar, m_passes, task.lathe, progress);
+  m_review = TurningReview::make(barOf(workpiece, m_profile.size()), m_passes, task.lathe, progress);
   if (m_review && m_profile.isBored()) m_finish = withDrilledAsRepeated(std::move(m_finish), m_review->finish());
   m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
 }
@@ -284,9 +296,7 @@ std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
 }
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
-  const WorkMaterials& kMaterials = WorkMaterials::standard();
-  const WorkMaterial* material = kMaterials.find(m_task.material);
-  return material && m_review ? cutLoads(*m_review, *material) : std::vector<Load>();
+  return m_review ? loadsOf(m_task, *m_review) : std::vector<Load>();
 }
 
 Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const {
