@@ -65,6 +65,15 @@ class ExerciseSubject {
   // {criterion, what is wrong}: the tolerance is not known for this figure and nominal value.
   virtual Status applyTolerance(MarkingCriterion& criterion) const = 0;
 
+  // Z of the zero of the drawing and of programs, mm, where places count from another one; none: there is no drawing.
+  virtual std::optional<double> drawingZero(const ExerciseTask& task) const {
+    (void)task;
+    return std::nullopt;
+  }
+
+  // The limit above which a figure is wrong as long as the teacher sets no other; none: it has none.
+  virtual std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const = 0;
+
   // Why a criterion cannot be measured at its arguments, whatever the work is: English, context "Property". Empty: it
   // can, as far as one can know.
   virtual std::string placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const = 0;
