@@ -23,7 +23,7 @@
 namespace handwheel {
 
 ExerciseUi::ExerciseUi(const WindowContext& window)
-    : RigidPartsUi(window, {}, StandardView::Lathe),  // of the one kind of work that there is
+    : RigidPartsUi(window, {}, StandardView::Lathe),
       m_pages(new QStackedWidget(window.window)),
       m_editor(new ExerciseEditor(m_pages)),
       m_student(new ExerciseLesson(m_pages)),
@@ -111,6 +111,10 @@ DisplayModel ExerciseUi::displayed(const Document& document) const {
     m_displayedWork = exercise.work;
   }
   return m_displayed;
+}
+
+bool ExerciseUi::isOfLathe() const {
+  return current() && current()->exercise().subject->isTurned();
 }
 
 void ExerciseUi::refresh() {

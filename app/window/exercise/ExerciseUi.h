@@ -41,6 +41,7 @@ class ExerciseUi : public RigidPartsUi {
 
  protected:
   DisplayModel displayed(const Document& document) const override;
+  bool isOfLathe() const override;
 
  private:
   ExerciseDocument* current() const;

@@ -93,6 +93,8 @@ class ExerciseSubject {
   virtual std::vector<ExerciseText> conditions(const ExerciseTask& task) const = 0;
   // What a student begins with.
   virtual SnapshotPointer start(const ExerciseTask& task) const = 0;
+  // Whether the work turns about z in a lathe: so it is looked at.
+  virtual bool isTurned() const { return false; }
   // Whether start() takes longer than a person waits for a click.
   virtual bool startsSlowly() const { return false; }
   // Whether a document can be work on this task: of the same stock. Error: ExerciseError::OtherWork {reason}.

@@ -13,6 +13,7 @@ class TurningSubject : public ExerciseSubject {
   std::string id() const override { return "turning"; }
   std::string title() const override;
   const DocumentKind& kind() const override { return m_kind; }
+  bool isTurned() const override { return true; }
   std::vector<FigureType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
