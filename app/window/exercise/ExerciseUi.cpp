@@ -18,6 +18,7 @@
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/RunningAttempt.h"
 
+#include <QLocale>
 #include <QStackedWidget>
 
 namespace handwheel {
@@ -190,11 +191,12 @@ NextStep ExerciseUi::nextStep() {
             title,
             tr("%n step(s)", nullptr, static_cast<int>(exercise.exercise.steps.size())),
             {m_begin}};
-  return {panelIcon(),
-          accent,
-          title.isEmpty() ? tr("New exercise") : title,
-          tr("%1 points. Students get a copy without the answers.").arg(exercise.exercise.points()),
-          {m_begin, m_preview}};
+  return {
+      panelIcon(),
+      accent,
+      title.isEmpty() ? tr("New exercise") : title,
+      tr("Points: %1. Students get a copy without the answers.").arg(QLocale().toString(exercise.exercise.points())),
+      {m_begin, m_preview}};
 }
 
 QString ExerciseUi::openedText(const DocumentTab& opened) const {

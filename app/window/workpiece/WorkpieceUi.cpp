@@ -201,10 +201,12 @@ void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
   const std::size_t passes = part ? part->passes.size() : 0;
   if (std::exchange(m_passes, passes) >= passes || !tool.tooFast()) return;
   const QLocale locale;
-  emit message({Message::Weight::Warning, tr("Too fast"),
-                tr("The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.")
-                    .arg(locale.toString(*tool.tooFast(), 'f', 1), locale.toString(tool.largestFeed())),
-                tr("Undo it, and drag more slowly: f at the pointer is the feed.")});
+  Message fast{Message::Weight::Warning, tr("Too fast"),
+               tr("The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.")
+                   .arg(locale.toString(*tool.tooFast(), 'f', 1), locale.toString(tool.largestFeed())),
+               tr("Undo it, and drag more slowly: f at the pointer is the feed.")};
+  fast.about = &document()->document;
+  emit message(fast);
 }
 
 // What new passes ask of the lathe of the exercise, by the law that marks them; on a worker after each.

@@ -111,8 +111,9 @@ class ExerciseSubject {
   virtual std::vector<std::string> targetEndings() const = 0;
   struct ImportedTask {
     TaskPointer task;
-    std::vector<Note> notes;  // what the teacher should know of it
-    std::string place = {};   // group of the properties that say where it lies, to be confirmed; empty: none
+    std::vector<Note> notes;        // what the teacher should know of it
+    std::string place = {};         // group of the properties that say where it lies, to be confirmed; empty: none
+    std::optional<Note> lies = {};  // the same as a sentence, as long as none of them is changed
   };
   // A task whose target is in a file: a drawing, a solid, a mesh or a document of our own. Blocks. Errors: those of the
   // readers, FormatUnknown, ValueOutOfRange; the subject is the path. facing: mm of the stock that are left at its free

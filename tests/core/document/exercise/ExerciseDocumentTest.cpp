@@ -142,6 +142,13 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(sets("criterion.d.tolerance", "h7") && isNear(limits("d"), 29.979, 30.0));
     QVERIFY(sets("criterion.d.nominal", "40") && isNear(limits("d"), 39.975, 40.0));
     QVERIFY(sets("criterion.d.tolerance", "±0.2") && isNear(limits("d"), 39.8, 40.2));
+    // As keyboards have it; the drawing gets the sign.
+    for (const char* const typed : {"+-0.3", "+/-0.3", "+- 0.3"}) {
+      QVERIFY(sets("criterion.d.tolerance", typed) && isNear(limits("d"), 39.7, 40.3));
+      QCOMPARE(std::get<std::string>(document->property("criterion.d.tolerance")->value), std::string("±0.3"));
+      QVERIFY(sets("criterion.d.tolerance", "±0.2"));
+    }
+    QVERIFY(!sets("criterion.d.tolerance", "+-x") && !sets("criterion.d.tolerance", "+-"));
     QVERIFY(!sets("criterion.d.tolerance", "K7") && !sets("criterion.d.tolerance", "N7") &&
             !sets("criterion.d.tolerance", "h13") && isNear(limits("d"), 39.8, 40.2));
     // With the size in front, as on the drawing, where that is the nominal size: h7 of 40 mm is 25 µm.
