@@ -123,6 +123,7 @@ void CellPaths::connectActions() {
     m_checks.verifyAll();
   });
   connect(&m_checks, &PathChecks::verified, this, &CellPaths::reportVerified);
+  connect(&m_checks, &PathChecks::allVerified, this, &CellPaths::reportAllVerified);
   connect(&m_checks, &PathChecks::changed, this, [this] {
     update();
     showPath();

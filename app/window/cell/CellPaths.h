@@ -127,6 +127,7 @@ class CellPaths : public QObject {
   void verify();
   void verifyAgain();
   void reportVerified(const PathResult& result);
+  void reportAllVerified();
   void report(const Error& error, const QString& title = tr("This could not be done"));
   void reportUnprepared();
   void followDocument();
