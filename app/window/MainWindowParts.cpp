@@ -77,8 +77,8 @@ void MainWindow::buildCentre() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(m_tabs);
-  column->addWidget(m_messages);
   column->addWidget(m_stack, 1);
+  m_messages->lieOver(m_stack);  // nothing that is looked at or pointed to moves when a message comes or goes
   setCentralWidget(centre);
   m_viewActions = new ViewActions(*m_viewport, this);
   new ViewFocus(*this, *m_viewport, this);

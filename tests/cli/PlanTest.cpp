@@ -112,6 +112,32 @@ class PlanTest : public QObject {
     QCOMPARE(cell.run({"process", "c.handwheel", "--part", "block"}).code, 1);
   }
 
+  // The part of a path was moved: the tool would not meet its edge any more. Who wants the program all the same says
+  // so, and it says it, too.
+  void anOutdatedPath() {
+    const PlannedCell cell;
+    cell.run({"configuration", "irb120", "--add", "home", "--joints", "joint_2=0.2,joint_5=0.6", "-o", "c.handwheel"});
+    cell.run({"body", "c.handwheel", "--add", "box:120,200,100", "--at", "420,0,50", "--name", "block", "-o",
+              "c.handwheel"});
+    const Ran planned = cell.run({"process", "c.handwheel", "--part", "block", "--near", "360,0,100", "--free",
+                                  "--standoff", "2", "--name", "deburr", "-o", "c.handwheel"});
+    QVERIFY2(planned.code == 0, planned.err);
+    const QStringList post{"post", "c.handwheel", "deburr", "--controller", "rapid", "-o", "deburr.mod"};
+    QCOMPARE(cell.run(post).code, 0);
+    QVERIFY(!cell.read("deburr.mod").contains("Outdated"));
+    cell.put("deburr.mod", "before");
+    cell.run({"set", "c.handwheel", "body.block.x=430", "-o", "c.handwheel"});
+    const Ran refused = cell.run(post);
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains("block") && refused.err.contains("--outdated"), refused.err);
+    QCOMPARE(cell.read("deburr.mod"), QByteArray("before"));
+    const Ran written = cell.run(post + QStringList{"--outdated", "--json"});
+    QVERIFY2(written.code == 0, written.err);
+    QVERIFY2(written.err.contains("block"), written.err);
+    QVERIFY(jsonOf(written.out)["outdated"].get<bool>());
+    QVERIFY2(cell.read("deburr.mod").contains("! Outdated: the part block has moved"), cell.read("deburr.mod"));
+  }
+
   // On the top of a block, with a bend, 5 mm above it.
   void alongADrawnCurve() {
     const PlannedCell cell;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controls/PropertyList.h"
 
+#include "controls/FoldButton.h"
 #include "controls/PropertyRow.h"
 
 #include <QCoreApplication>
 #include <QLabel>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -165,20 +165,10 @@ QWidget* PropertyList::makeHeading(const std::string& group, const QString& text
     label->setWordWrap(true);  // else a long one widens the page beyond the panel
     return label;
   }
-  auto* button = new QToolButton(m_page);
+  auto* button = new FoldButton(text, m_isOpen[group], m_page);
   button->setObjectName(QStringLiteral("propertyGroup/") + QString::fromStdString(group));
-  button->setText(text);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::StrongFocus);
-  const auto show = [button](bool isOpen) {
-    button->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-    button->setToolTip(isOpen ? tr("Hide the fields of %1").arg(button->text())
-                              : tr("Show the fields of %1").arg(button->text()));
-  };
-  show(m_isOpen[group]);
-  connect(button, &QToolButton::clicked, this, [this, group, show] {
-    show(m_isOpen[group] = !m_isOpen[group]);
+  connect(button, &FoldButton::toggledOpen, this, [this, group](bool isOpen) {
+    m_isOpen[group] = isOpen;
     foldRows();
   });
   return button;

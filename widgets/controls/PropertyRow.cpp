@@ -30,6 +30,9 @@ PropertyRow* PropertyRow::make(const Property& property, LengthUnit unit, QWidge
     case Kind::Text:
       row = new TextRow(parent);
       break;
+    case Kind::LongText:
+      row = new LongTextRow(parent);
+      break;
     case Kind::Colour:
       row = new ColourRow(parent);
       break;
@@ -86,6 +89,8 @@ PropertyRow::Kind PropertyRow::kindOf(const Property& property) {
   if (!property.choices.empty()) return property.continuous ? Kind::List : Kind::Choice;
   if (std::holds_alternative<bool>(property.value)) return Kind::Switch;
   if (!std::holds_alternative<std::string>(property.value)) return Kind::Number;
+  // What people write sentences into.
+  if (property.id == "text" || property.id.ends_with(".text")) return Kind::LongText;
   return property.id.ends_with(".colour") ? Kind::Colour : Kind::Text;
 }
 

@@ -30,7 +30,7 @@ class PropertyRow : public QWidget {
   void edited(const PropertyValue& value, bool stillDragging);
 
  protected:
-  enum class Kind { Number, Switch, Text, Colour, Choice, List, ReadOnly };
+  enum class Kind { Number, Switch, Text, LongText, Colour, Choice, List, ReadOnly };
   static Kind kindOf(const Property& property);
   static QString translated(const std::string& english);
 

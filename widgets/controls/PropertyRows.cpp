@@ -15,10 +15,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -221,6 +223,70 @@ bool TextRow::eventFilter(QObject* watched, QEvent* event) {
   forgetRefusal();
   m_line->setText(m_value);
   m_line->selectAll();
+  return true;
+}
+
+LongTextRow::LongTextRow(QWidget* parent)
+    : PropertyRow(parent), m_heading(new QLabel(this)), m_field(new QPlainTextEdit(this)) {
+  constexpr int kLines = 5;  // that are seen at once
+  m_field->setObjectName(QStringLiteral("propertyLongText"));
+  m_field->setTabChangesFocus(true);
+  m_field->setFixedHeight(kLines * m_field->fontMetrics().lineSpacing() + 12);
+  m_field->setToolTip(tr("Ctrl+Return, or leaving the field, takes the text; Esc gives it back as it was."));
+  m_field->installEventFilter(this);
+  m_heading->setBuddy(m_field);
+  auto* both = new QWidget(this);
+  auto* column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(m_heading);
+  column->addWidget(m_field);
+  arrange(both, false);
+}
+
+void LongTextRow::showValue(const Property& property, LengthUnit) {
+  m_value = plainText(property);
+  if (m_field->document()->isModified() || m_field->toPlainText() == m_value) return;
+  restore();
+}
+
+void LongTextRow::setLabel(const QString& label) {
+  m_heading->setText(label);
+  m_field->setAccessibleName(label);
+}
+
+bool LongTextRow::keep(const PropertyValue& entered) {
+  m_field->setPlainText(QString::fromStdString(std::get<std::string>(entered)));
+  m_field->document()->setModified(true);
+  return true;
+}
+
+void LongTextRow::take() {
+  if (!m_field->document()->isModified()) return;
+  m_field->document()->setModified(false);
+  forgetRefusal();
+  emit edited(m_field->toPlainText().toStdString(), false);
+}
+
+void LongTextRow::restore() {
+  m_field->setPlainText(m_value);
+  m_field->document()->setModified(false);
+}
+
+bool LongTextRow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusOut) take();
+  const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (!isKey) return PropertyRow::eventFilter(watched, event);
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  const bool isReturn = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+  const bool isTaken = isReturn && key.modifiers().testFlag(Qt::ControlModifier);
+  const bool isGivenBack = key.key() == Qt::Key_Escape && m_field->document()->isModified();
+  if (!isTaken && !isGivenBack) return PropertyRow::eventFilter(watched, event);
+  event->accept();
+  if (event->type() == QEvent::ShortcutOverride) return true;
+  if (isTaken) return take(), true;
+  forgetRefusal();
+  restore();
   return true;
 }
 

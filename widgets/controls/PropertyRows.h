@@ -11,6 +11,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QPlainTextEdit;
 class QSlider;
 class QToolButton;
 
@@ -80,6 +81,28 @@ class TextRow : public PropertyRow {
   QLineEdit* m_line;
   QString m_value;           // as it is shown
   bool m_isNumbers = false;  // with the decimal separator of the user
+};
+
+// A row for a text of several lines, below its label. It is taken when the field is left, or by Ctrl+Return.
+class LongTextRow : public PropertyRow {
+  Q_OBJECT
+
+ public:
+  explicit LongTextRow(QWidget* parent);
+
+ protected:
+  void showValue(const Property& property, LengthUnit unit) override;
+  void setLabel(const QString& label) override;
+  bool keep(const PropertyValue& entered) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;  // Esc restores the value
+
+ private:
+  void take();
+  void restore();
+
+  QLabel* m_heading;
+  QPlainTextEdit* m_field;
+  QString m_value;
 };
 
 // A row for a colour, "#rrggbb": a line edit, and a button that opens the dialog for colours.

@@ -86,6 +86,33 @@ MessageBar::MessageBar(QWidget* parent)
   hide();
 }
 
+void MessageBar::lieOver(QWidget* area) {
+  m_area = area;
+  setAutoFillBackground(true);
+  area->installEventFilter(this);
+  raise();
+  place();
+}
+
+void MessageBar::place() {
+  constexpr int kCorner = 136;  // pixels: of the view cube with its margin
+  if (!m_area) return;
+  const int width = std::max(m_area->width() - kCorner, m_area->width() / 2);
+  const int height = std::max(sizeHint().height(), heightForWidth(width));
+  setGeometry(m_area->x(), m_area->y(), width, std::min(height, m_area->height()));
+}
+
+bool MessageBar::event(QEvent* event) {
+  const bool isDone = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show) place();
+  return isDone;
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_area && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) place();
+  return QFrame::eventFilter(watched, event);
+}
+
 void MessageBar::showMessage(const Message& message) {
   std::erase_if(m_messages, [&message, text = textOf(message)](const Entry& earlier) {
     const bool isOver = earlier.message.isOver && earlier.message.isOver();

@@ -31,16 +31,18 @@ struct Message {
   std::function<bool()> isOver = {};  // asked after its changes and before new messages; true: removed
 };
 
-// Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message
-// about a document is visible while that document is current, and also over the one that was current when it arrived,
-// so that errors in the background are noticed; it is removed with its document. A message about no document is removed
-// when another document becomes current and there was time to read it.
+// Shows messages over the upper edge of the viewport, which stays as it is; the latest first. They are not modal. Each
+// stays until it is closed. A message about a document is visible while that document is current, and also over the one
+// that was current when it arrived, so that errors in the background are noticed; it is removed with its document. A
+// message about no document is removed when another document becomes current and there was time to read it.
 class MessageBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit MessageBar(QWidget* parent = nullptr);
 
+  // Lies over the upper edge of a sibling from now on, but for its corner on the right, where a view has its cube.
+  void lieOver(QWidget* area);
   void showMessage(const Message& message);
   // Sets the current document; null: none.
   void setDocument(const Document* document);
@@ -52,6 +54,8 @@ class MessageBar : public QFrame {
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Entry {
@@ -69,10 +73,12 @@ class MessageBar : public QFrame {
   void showLatest();
   void showNext();
   void drawIcon();
+  void place();
 
   std::vector<Entry> m_messages;         // the latest is the last
   const Document* m_document = nullptr;  // the current one
   int m_readingTime = 5000;              // ms
+  QWidget* m_area = nullptr;             // that it lies over; null: it stands where its layout puts it
   QLabel* m_icon;
   QLabel* m_text;
   QPushButton* m_more;  // the number of further messages; shows the next

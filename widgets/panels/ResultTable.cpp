@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QMenu>
+#include <QScrollBar>
 #include <QShortcut>
 #include <algorithm>
 #include <utility>
@@ -25,7 +26,8 @@ QString forSpreadsheet(const QModelIndex& cell, bool isNumber) {
 
 }  // namespace
 
-ResultTable::ResultTable(QWidget* parent) : QTreeView(parent), m_model(new ResultModel(this)) {
+ResultTable::ResultTable(QWidget* parent)
+    : QTreeView(parent), m_model(new ResultModel(this)), m_first(new QTreeView(this)) {
   setObjectName(QStringLiteral("resultTable"));
   setAccessibleName(tr("Results"));
   setModel(m_model);
@@ -38,13 +40,71 @@ ResultTable::ResultTable(QWidget* parent) : QTreeView(parent), m_model(new Resul
   header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   auto* key = new QShortcut(QKeySequence::Copy, this, nullptr, nullptr, Qt::WidgetShortcut);
   connect(key, &QShortcut::activated, this, &ResultTable::copy);
-  connect(this, &QTreeView::activated, this,
-          [this](const QModelIndex& index) { emit rowActivated(m_model->source(index.row())); });
+  for (QTreeView* view : {static_cast<QTreeView*>(this), m_first})
+    connect(view, &QTreeView::activated, this,
+            [this](const QModelIndex& index) { emit rowActivated(m_model->source(index.row())); });
+  keepFirstColumn();
+}
+
+// A second view of the same rows, which scrolls up and down with this one and shows nothing else.
+void ResultTable::keepFirstColumn() {
+  setVerticalScrollMode(ScrollPerPixel);
+  m_first->setObjectName(QStringLiteral("firstColumn"));
+  m_first->setAccessibleName(tr("First column of the results"));
+  m_first->setModel(m_model);
+  m_first->setSelectionModel(selectionModel());
+  m_first->setFocusPolicy(Qt::NoFocus);  // keys are this one's
+  m_first->setContextMenuPolicy(Qt::NoContextMenu);
+  m_first->setFrameShape(QFrame::NoFrame);
+  m_first->setRootIsDecorated(false);
+  m_first->setUniformRowHeights(true);
+  m_first->setSelectionMode(ExtendedSelection);
+  m_first->setVerticalScrollMode(ScrollPerPixel);
+  m_first->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_first->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_first->header()->setStretchLastSection(true);
+  m_first->header()->setSectionResizeMode(QHeaderView::Fixed);
+  m_first->header()->setDefaultAlignment(header()->defaultAlignment());
+  m_first->header()->setSectionsClickable(true);
+  m_first->header()->setSortIndicatorShown(true);
+  m_first->header()->setSortIndicatorClearable(true);
+  m_first->header()->setSortIndicator(-1, Qt::AscendingOrder);
+  const auto follow = [](QHeaderView* from, QHeaderView* to) {
+    connect(from, &QHeaderView::sortIndicatorChanged, to, [to](int section, Qt::SortOrder order) {
+      if (to->sortIndicatorSection() != section || to->sortIndicatorOrder() != order)
+        to->setSortIndicator(section, order);
+    });
+  };
+  follow(header(), m_first->header());
+  follow(m_first->header(), header());
+  connect(verticalScrollBar(), &QScrollBar::valueChanged, m_first->verticalScrollBar(), &QScrollBar::setValue);
+  connect(m_first->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(), &QScrollBar::setValue);
+  connect(header(), &QHeaderView::sectionResized, this, [this](int section) {
+    if (section == 0) placeFirstColumn();
+  });
+  connect(header(), &QHeaderView::geometriesChanged, this, &ResultTable::placeFirstColumn);
+}
+
+// It takes no more than half of the room.
+void ResultTable::placeFirstColumn() {
+  const int width = std::min(columnWidth(0), viewport()->width() / 2);
+  m_first->setGeometry(frameWidth(), frameWidth(), width, header()->height() + viewport()->height());
+  m_first->header()->setFixedHeight(header()->height());
+  m_first->setVisible(width > 0);
+}
+
+void ResultTable::resizeEvent(QResizeEvent* event) {
+  QTreeView::resizeEvent(event);
+  placeFirstColumn();
 }
 
 void ResultTable::setTable(QStringList headings, std::vector<ResultModel::Row> rows) {
   m_model->setTable(std::move(headings), std::move(rows));
-  for (int column = 0; column < m_model->columnCount(); ++column) resizeColumnToContents(column);
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    resizeColumnToContents(column);
+    m_first->setColumnHidden(column, column > 0);
+  }
+  placeFirstColumn();
 }
 
 void ResultTable::copy() {

@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// A table of results, such as the marks of a class. A click on a heading sorts, or the menu of the table; Ctrl+C copies
+// A table of results, such as the marks of a class. The first column, whose results they are, stays in sight while the
+// others scroll. A click on a heading sorts, or the menu of the table; Ctrl+C copies
 // the selected rows with the headings, separated by tabs, as a spreadsheet takes them.
 class ResultTable : public QTreeView {
   Q_OBJECT
@@ -25,12 +26,16 @@ class ResultTable : public QTreeView {
   void rowActivated(std::size_t row);  // of the table that was set
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   void copy();
+  void keepFirstColumn();
+  void placeFirstColumn();
 
   ResultModel* m_model;
+  QTreeView* m_first;  // the first column, over the others
 };
 
 }  // namespace handwheel

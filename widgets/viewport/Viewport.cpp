@@ -44,7 +44,7 @@ void Viewport::Private::layerChanged(const ViewLayer& layer, LayerChange change)
 
 void Viewport::Private::moveTo(const CameraState& state) {
   camera = state;
-  cube->setOrientation(camera.orientation);
+  cube->setOrientation(inViewFrame(camera.orientation));
   q->update();
   emit q->cameraChanged();
 }
@@ -103,8 +103,13 @@ void Viewport::setDarkTheme(bool dark) {
   update();
 }
 
+void Viewport::setViewFrame(const Eigen::Quaterniond& frame) {
+  d->viewFrame = frame;
+  d->cube->setOrientation(d->inViewFrame(d->camera.orientation));
+}
+
 void Viewport::setStandardView(StandardView view) {
-  d->fitFrom(orientationOf(view));
+  d->fitFrom(view == StandardView::Lathe ? orientationOf(view) : d->viewFrame * orientationOf(view));
 }
 
 void Viewport::fit() {

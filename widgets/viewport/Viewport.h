@@ -58,6 +58,8 @@ class Viewport : public QOpenGLWidget {
   void setDisplayUnit(LengthUnit unit);
   void setViewCubeVisible(bool visible);
 
+  // Sets which sides standard views and the view cube mean: rotates those of the coordinate axes. Identity at first.
+  void setViewFrame(const Eigen::Quaterniond& frame);
   void setStandardView(StandardView view);  // whole model from this side, animated
   void fit();                               // whole model from the present side, animated
   // Sets the number of pixels at the lower edge that are covered: fitting avoids them. A model that was fitted and not

@@ -27,6 +27,9 @@ class Viewport::Private {
   void flyTo(const CameraState& goal);
   void fitFrom(const Eigen::Quaterniond& orientation);
   void lookFrom(const CubeRegion& region);
+  Eigen::Quaterniond inViewFrame(const Eigen::Quaterniond& orientation) const {
+    return viewFrame.conjugate() * orientation;
+  }
   const CameraState& goal() const { return flight.isUnderWay() ? flight.goal() : camera; }
 
   // Drawing
@@ -58,6 +61,7 @@ class Viewport::Private {
   Scene scene;
   GlWindow glWindow;
   CameraState camera;
+  Eigen::Quaterniond viewFrame = Eigen::Quaterniond::Identity();  // setViewFrame()
   int fittedFor = 0;                  // pixels at the lower edge that were covered when `fitted` was chosen
   std::optional<CameraState> fitted;  // where the camera was last sent to see the whole model
   CameraFlight flight;

@@ -107,8 +107,9 @@ void Viewport::setViewCubeVisible(bool visible) {
 
 void Viewport::Private::connectCube() {
   connect(cube, &ViewCube::chosen, q, [this](const CubeRegion& region) { lookFrom(region); });
-  connect(cube, &ViewCube::stepped, q,
-          [this](int around, int up) { lookFrom(steppedFrom(regionFacing(goal().orientation), around, up)); });
+  connect(cube, &ViewCube::stepped, q, [this](int around, int up) {
+    lookFrom(steppedFrom(regionFacing(inViewFrame(goal().orientation)), around, up));
+  });
   connect(cube, &ViewCube::entered, q, [this] { hover({}); });
   connect(cube, &ViewCube::dragStarted, q, [this] {
     flight.stop();
@@ -123,7 +124,7 @@ void Viewport::Private::connectCube() {
 
 // What is in the middle of the view stays there, in its size.
 void Viewport::Private::lookFrom(const CubeRegion& region) {
-  flyTo(turnedAbout(goal(), orbitPivot({}), uprightTowards(region.cast<double>())));
+  flyTo(turnedAbout(goal(), orbitPivot({}), viewFrame * uprightTowards(region.cast<double>())));
 }
 
 }  // namespace handwheel

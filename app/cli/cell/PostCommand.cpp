@@ -42,13 +42,17 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!checked) return fail(checked.error());
   warnOfShapes(*scene);
   const std::string output = arguments.valueOf("output");
-  const Result<WrittenProgram> written = writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output);
+  const Result<WrittenProgram> written =
+      writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output,
+                   arguments.has("outdated") ? OutdatedPath::Write : OutdatedPath::Refuse);
   if (!written) return fail(written.error());
   const PostCheck& readBack = written->check;
   if (!written->otherRobot.empty()) {
     complain(std::string("warning: ") + post->title() + " is not the language of the controller of this robot, " +
              written->otherRobot);
   }
+  if (!checked->partMoved.empty())
+    complain("warning: the part " + checked->partMoved + " has moved since the path was planned along it");
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", readBack.motions},
@@ -56,6 +60,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                          {"error_deg", readBack.angle},
                          {"exact_stops", written->exactStops},
                          {"other_robot", !written->otherRobot.empty()},
+                         {"outdated", !checked->partMoved.empty()},
                          {"certified", true}}));
   }
   std::string text = output + ": " + post->title() + ", " + std::to_string(readBack.motions) +
@@ -79,6 +84,9 @@ Command postCommand() {
   spec.options.push_back({"controller", 0, "NAME", "The language: " + controllers()});
   spec.options.push_back(armOption());
   spec.options.push_back(resolutionOption());
+  spec.options.push_back({"outdated", 0, "",
+                          "Write it even if the part that it was planned along stands elsewhere now; a comment of the "
+                          "program says so"});
   spec.options.push_back({"output", 'o', "OUT", "The file to write"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

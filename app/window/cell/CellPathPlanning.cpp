@@ -56,6 +56,29 @@ void CellPaths::reportVerified(const PathResult& result) {
   emit message(said);
 }
 
+// What came out of all of them: how many are proven, and what hinders the first that is not.
+void CellPaths::reportAllVerified() {
+  int proven = 0;
+  QStringList others;
+  for (const RobotPath& each : plans().paths) {
+    const PathRemark remark = remarkOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
+    if (remark.isFree)
+      ++proven;
+    else
+      others += tr("%1: %2").arg(QString::fromStdString(each.name), remark.summary);
+  }
+  const auto failed = static_cast<int>(others.size());
+  QString title = tr("%Ln path(s) proven", nullptr, proven);
+  if (failed > 0) title += QStringLiteral(", ") + tr("%Ln not", nullptr, failed);
+  m_parts.log.add(title + QStringLiteral(". ") + others.join(QStringLiteral("; ")), {},
+                  failed == 0 ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
+  Message said{failed == 0 ? Message::Weight::Info : Message::Weight::Warning, title};
+  if (failed > 0) said.detail = others.front();
+  if (failed > 1) said.advice = tr("The list has what is known of the others.");
+  said.about = &m_document->document;
+  emit message(said);
+}
+
 void CellPaths::plan(const OperationValues& values) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();

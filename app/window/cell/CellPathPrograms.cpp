@@ -6,9 +6,9 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "robot/program/PathFile.h"
-#include "tools/cell/PathExport.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
+#include "window/cell/PathRemark.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
 
@@ -49,7 +49,44 @@ QString withEnding(const QString& file, const Post& post) {
 
 }  // namespace
 
-void CellPaths::askForProgram() {
+// A path that was not verified as it is now, or that leads past its part, is first said to be so.
+void CellPaths::requestProgram() {
+  const RobotPath* const present = path();
+  if (!present) return;
+  const QString name = QString::fromStdString(present->name);
+  const auto known = checked();
+  Message asked{.weight = Message::Weight::Warning, .title = tr("%1 is outdated").arg(name)};
+  asked.about = &m_document->document;
+  // About that path, whichever is selected when it is answered.
+  const auto answer = [this, document = m_document,
+                       row = PlanTree::Entry{PlanTree::Entry::Kind::Path, present->name}](std::function<void()> what) {
+    return [this, document, row, what = std::move(what)] {
+      if (document != m_document) return;
+      m_tree->select(row);
+      what();
+    };
+  };
+  if (!known) {
+    const PathRemark remark = remarkOf(m_checks.stateOf(*present), *present, cell().displayUnit(), QLocale());
+    asked.title = tr("%1 is not proven as it is now").arg(name);
+    asked.detail = remark.text;
+    asked.advice = tr("Only what is proven free of collisions is exported.");
+    asked.actionText = m_verify.text();
+    asked.action = answer([this] { m_verify.trigger(); });
+  } else if (!known->partMoved.empty()) {
+    asked.detail = tr("It leads along the curve where %1 was when it was planned: the tool does not meet it any more.")
+                       .arg(QString::fromStdString(known->partMoved));
+    asked.actionText = tr("Plan it again");
+    asked.action = answer([this] { m_again.trigger(); });
+    asked.otherText = tr("Export it as it is");
+    asked.other = answer([this] { askForProgram(OutdatedPath::Write); });
+  } else {
+    return askForProgram(OutdatedPath::Refuse);
+  }
+  emit message(asked);
+}
+
+void CellPaths::askForProgram(OutdatedPath outdated) {
   const auto prepared = scene();
   if (!checked() || !prepared) return;
   QStringList filters;
@@ -70,25 +107,25 @@ void CellPaths::askForProgram() {
     const QStringList files = dialog->selectedFiles();
     if (!files.isEmpty()) dialog->selectFile(withEnding(QFileInfo(files.front()).fileName(), post));
   });
-  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& file) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, outdated](const QString& file) {
     rememberFolder(file);
-    exportAs(file, postOf(dialog->selectedNameFilter()));
+    exportAs(file, postOf(dialog->selectedNameFilter()), outdated);
   });
   dialog->open();
 }
 
 // The ending of the file tells the language; only a name without one gets that of the chosen type.
-void CellPaths::exportAs(const QString& file, const Post& chosen) {
-  if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file);
+void CellPaths::exportAs(const QString& file, const Post& chosen, OutdatedPath outdated) {
+  if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, outdated);
   const QString whole = withEnding(file, chosen);
-  if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole);
+  if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole, outdated);
   emit message({Message::Weight::Warning,  // the dialog has asked about another name
                 tr("%1 is there already").arg(QFileInfo(whole).fileName()),
                 tr("The name had no ending of a language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
                 {},
                 tr("Replace it"),
-                [this, whole, &chosen, document = m_document] {
-                  if (document == m_document) exportProgram(chosen, whole);
+                [this, whole, &chosen, outdated, document = m_document] {
+                  if (document == m_document) exportProgram(chosen, whole, outdated);
                 },
                 {},
                 {},
@@ -96,7 +133,7 @@ void CellPaths::exportAs(const QString& file, const Post& chosen) {
 }
 
 // Checking and reading back takes long for long paths.
-void CellPaths::exportProgram(const Post& post, const QString& file) {
+void CellPaths::exportProgram(const Post& post, const QString& file, OutdatedPath outdated) {
   const auto scene = m_collisions.scene();
   const auto known = checked();
   if (!scene || !known || !path()) return;
@@ -104,8 +141,9 @@ void CellPaths::exportProgram(const Post& post, const QString& file) {
   job.name = tr("Writing %1").arg(QFileInfo(file).fileName());
   job.owner = this;
   job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, known, plans = cell().plans(), path = *path(), &post, file](Progress) -> Job::Finish {
-    auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString());
+  job.work = [this, scene, known, plans = cell().plans(), path = *path(), &post, file,
+              outdated](Progress) -> Job::Finish {
+    auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated);
     return [this, &post, file, partMoved = known->partMoved, written = std::move(written)] {
       if (!m_document) return;
       if (!written) return report(written.error());
@@ -131,7 +169,8 @@ void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, c
   }
   if (!partMoved.isEmpty()) {
     detail += QLatin1Char(' ') +
-              tr("It leads along the curve where %1 was when it was planned: plan the path again.").arg(partMoved);
+              tr("It leads along the curve where %1 was when it was planned: a comment of the program says so.")
+                  .arg(partMoved);
   }
   emit message({isOther || !partMoved.isEmpty() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),

@@ -123,11 +123,12 @@ void CellPaths::connectActions() {
     m_checks.verifyAll();
   });
   connect(&m_checks, &PathChecks::verified, this, &CellPaths::reportVerified);
+  connect(&m_checks, &PathChecks::allVerified, this, &CellPaths::reportAllVerified);
   connect(&m_checks, &PathChecks::changed, this, [this] {
     update();
     showPath();
   });
-  connect(&m_export, &QAction::triggered, this, &CellPaths::askForProgram);
+  connect(&m_export, &QAction::triggered, this, &CellPaths::requestProgram);
   connect(&m_import, &QAction::triggered, this, [this] {
     QFileDialog* const dialog =
         openingDialog(m_parts.window, m_document->document, tr("Open a robot program"),
@@ -305,8 +306,12 @@ void CellPaths::offerActions() {
   offer(m_verify, present && present->places.size() >= 2, noPath);
   offer(m_verifyAll, !plans().paths.empty(), isCell ? tr("The cell has no path yet.") : noCell);
   const auto known = checked();
-  offer(m_export, known && known->isCertified(),
-        present ? tr("Only a path that is proven free of collisions is exported.") : noPath);
+  const bool isUnderWay = present && m_checks.stateOf(*present).isUnderWay;
+  // What is not known is verified first, which it asks about.
+  offer(m_export, known ? known->isCertified() : present && !isUnderWay && present->places.size() >= 2,
+        !present     ? noPath
+        : isUnderWay ? tr("The path is being verified.")
+                     : tr("Only a path that is proven free of collisions is exported."));
   offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
   offer(m_rename, entry.kind == Kind::Configuration || entry.kind == Kind::Path || isTarget,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "panels/MessageBar.h"
+#include "tools/cell/PathExport.h"
 #include "tools/cell/PlanOperation.h"
 #include "tools/cell/ProcessOperation.h"
 #include "window/cell/PathChecks.h"
@@ -19,10 +20,8 @@ namespace handwheel {
 class CellRobots;
 struct OptimisedPath;
 class PathLayer;
-class Post;
 struct RobotSemantics;
 class RobotCellDocument;
-struct WrittenProgram;
 
 // The list of what is planned in a robot cell and its actions: stores configurations and targets, plans paths through
 // them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one,
@@ -119,14 +118,16 @@ class CellPaths : public QObject {
   void showDetail();
   void readSemantics(const QString& file);
   void reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot);
-  void askForProgram();
-  void exportAs(const QString& file, const Post& chosen);
-  void exportProgram(const Post& post, const QString& file);
+  void requestProgram();
+  void askForProgram(OutdatedPath outdated);
+  void exportAs(const QString& file, const Post& chosen, OutdatedPath outdated);
+  void exportProgram(const Post& post, const QString& file, OutdatedPath outdated);
   void reportWritten(const WrittenProgram& written, const Post& post, const QString& file, const QString& partMoved);
   void importProgram(const QString& file);
   void verify();
   void verifyAgain();
   void reportVerified(const PathResult& result);
+  void reportAllVerified();
   void report(const Error& error, const QString& title = tr("This could not be done"));
   void reportUnprepared();
   void followDocument();

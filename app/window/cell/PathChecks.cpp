@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -39,6 +40,7 @@ PathChecks::~PathChecks() {
 void PathChecks::setDocument(DocumentTab* document) {
   m_run.reset();
   m_waiting.clear();
+  m_isAllAsked = false;
   m_parts.jobs.cancelOf(this);
   m_parts.jobs.cancelOf(&m_results);
   m_digests.reset();
@@ -140,6 +142,7 @@ void PathChecks::verify(const RobotPath& path, Wish wish) {
     if (!m_run || m_run->number != run) return;
     m_run.reset();
     m_waiting.clear();
+    m_isAllAsked = false;
     if (m_document) emit changed();
   };
   job.work = [this, run, scene, path, settings, now, former = m_digests](Progress progress) -> Job::Finish {
@@ -206,6 +209,7 @@ void PathChecks::verifyAll() {
   for (const RobotPath& path : content()->plans->paths) {
     if (path.places.size() >= 2) m_waiting.push_back(path.name);
   }
+  m_isAllAsked = true;
   goOn();
 }
 
@@ -223,6 +227,7 @@ void PathChecks::goOn() {
     m_waiting.pop_front();
     if (path && path->places.size() >= 2) verify(*path, Wish::OfAll);
   }
+  if (!m_run && std::exchange(m_isAllAsked, false)) emit allVerified();
 }
 
 }  // namespace handwheel

@@ -54,7 +54,7 @@ class PathChecks : public QObject {
   // Begins to verify a path, unless its result is known. What is under way for another path or another state of it
   // ends. Nothing happens where the cell is not prepared for its robot.
   void verify(const RobotPath& path, Wish wish = Wish::Known);
-  // All paths of all robots whose results are not known, one after the other.
+  // All paths of all robots whose results are not known, one after the other; allVerified() follows.
   void verifyAll();
   // To be called when a path got another name: what is stored of it goes along.
   void renamed(const std::string& from, const std::string& to);
@@ -65,6 +65,7 @@ class PathChecks : public QObject {
  signals:
   void changed();
   void verified(const handwheel::PathResult& result);
+  void allVerified();
 
  private:
   struct Run {
@@ -97,6 +98,7 @@ class PathChecks : public QObject {
   std::optional<Run> m_run;
   std::uint64_t m_runs = 0;                      // that were begun
   std::deque<std::string> m_waiting;             // names of paths that are to be verified, too
+  bool m_isAllAsked = false;                     // verifyAll() was called, and they are not done
   std::shared_ptr<const PathDigests> m_digests;  // the last that were made of the document
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/RobotCellUi.h"
 
+#include "controls/ScrolledPanel.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellDisplay.h"
@@ -127,7 +128,12 @@ QWidget* RobotCellUi::makePanel() {
   plansColumn->setContentsMargins(0, 0, 0, 0);
   plansColumn->addLayout(plansLine);
   plansColumn->addWidget(m_paths.tree(), 1);
-  plansColumn->addWidget(m_paths.detail());
+  // As high whatever is known of the selected row, so that the rows above stay where they are.
+  auto* known = new ScrolledPanel(m_paths.detail(), ScrolledPanel::Ways::Vertical, plans);
+  known->setObjectName(QStringLiteral("planDetailArea"));
+  constexpr int kLines = 3;
+  known->setFixedHeight(kLines * plans->fontMetrics().lineSpacing() + 12);
+  plansColumn->addWidget(known);
   auto* panel = new QSplitter(Qt::Vertical, parts().window);
   panel->setObjectName(QStringLiteral("cellPanel"));
   panel->setChildrenCollapsible(false);

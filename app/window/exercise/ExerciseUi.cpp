@@ -20,6 +20,7 @@
 #include "window/exercise/RunningAttempt.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStackedWidget>
 
 namespace handwheel {
@@ -34,7 +35,7 @@ QString newExercise(const ExerciseSubject& subject) {
 }  // namespace
 
 ExerciseUi::ExerciseUi(const WindowContext& window)
-    : RigidPartsUi(window, {}, StandardView::Lathe),  // of the one kind of work that there is
+    : RigidPartsUi(window, {}, StandardView::Lathe),
       m_pages(new QStackedWidget(window.window)),
       m_editor(new ExerciseEditor(m_pages)),
       m_student(new ExerciseLesson(m_pages)),
@@ -122,6 +123,10 @@ DisplayModel ExerciseUi::displayed(const Document& document) const {
     m_displayedWork = exercise.work;
   }
   return m_displayed;
+}
+
+bool ExerciseUi::isOfLathe() const {
+  return current() && current()->exercise().subject->isTurned();
 }
 
 void ExerciseUi::refresh() {
@@ -220,11 +225,12 @@ NextStep ExerciseUi::nextStep() {
             title,
             tr("%n step(s)", nullptr, static_cast<int>(exercise.exercise.steps.size())),
             {m_begin}};
-  return {panelIcon(),
-          accent,
-          title.isEmpty() ? tr("New exercise") : title,
-          tr("%1 points. Students get a copy without the answers.").arg(exercise.exercise.points()),
-          {m_begin, m_preview}};
+  return {
+      panelIcon(),
+      accent,
+      title.isEmpty() ? tr("New exercise") : title,
+      tr("Points: %1. Students get a copy without the answers.").arg(QLocale().toString(exercise.exercise.points())),
+      {m_begin, m_preview}};
 }
 
 QString ExerciseUi::openedText(const DocumentTab& opened) const {

@@ -42,6 +42,7 @@ class ExerciseUi : public RigidPartsUi {
 
  protected:
   DisplayModel displayed(const Document& document) const override;
+  bool isOfLathe() const override;
 
  private:
   ExerciseDocument* current() const;
@@ -61,6 +62,7 @@ class ExerciseUi : public RigidPartsUi {
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);
+  void reportMarked(const ClassReport& report);
   // name: that is suggested, without its ending.
   void chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);

@@ -20,6 +20,8 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -60,9 +62,41 @@ void ExerciseUi::mark(const QStringList& paths) {
       if (owner != document()) return;
       m_editor->classView()->setReport(m_classes[owner].report);
       m_editor->setCurrentWidget(m_editor->classView());
+      if (!parts().isPanelVisible()) parts().showPanel->trigger();
+      reportMarked(m_classes[owner].report);
     });
   };
   parts().jobs.start(std::move(job));
+}
+
+// What came out in short: the table is in the panel.
+void ExerciseUi::reportMarked(const ClassReport& report) {
+  const QLocale locale;
+  std::vector<const ReportedWork*> marked;
+  for (const ReportedWork& work : report.works) {
+    if (work.row.problem.empty()) marked.push_back(&work);
+  }
+  const auto count = static_cast<int>(marked.size()), failed = static_cast<int>(report.works.size()) - count;
+  QStringList details;
+  if (count == 1) {
+    const ClassRow& row = marked.front()->row;
+    details += tr("%1: %2 of %3.")
+                   .arg(QString::fromStdString(row.attempt.student), locale.toString(row.marking.points),
+                        locale.toString(row.marking.of));
+  } else if (count > 1) {
+    const auto byPoints = [](const ReportedWork* a, const ReportedWork* b) {
+      return a->row.marking.points < b->row.marking.points;
+    };
+    const auto [least, most] = std::minmax_element(marked.begin(), marked.end(), byPoints);
+    details += tr("From %1 to %2 of %3.")
+                   .arg(locale.toString((*least)->row.marking.points), locale.toString((*most)->row.marking.points),
+                        locale.toString((*most)->row.marking.of));
+  }
+  if (failed > 0) details += tr("%Ln file(s) could not be marked; the table says why.", nullptr, failed);
+  Message done{failed > 0 ? Message::Weight::Warning : Message::Weight::Info, tr("%Ln work(s) marked", nullptr, count),
+               details.join(QLatin1Char(' '))};
+  done.about = &document()->document;
+  emit message(done);
 }
 
 void ExerciseUi::chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,

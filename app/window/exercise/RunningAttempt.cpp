@@ -306,7 +306,7 @@ void RunningAttempt::writeSubmission(const QString& path) {
   job.lane = Job::Lane::Saving;
   const auto failed = [this](const Error& error) { fail(tr("It could not be handed in"), error); };
   job.failed = failed;
-  job.work = [this, path, failed, exercise = work->exercise, content = work->tab->document.snapshot(),
+  job.work = [this, path, failed, tab = work->tab, exercise = work->exercise, content = work->tab->document.snapshot(),
               attempt = work->attempt, kind = m_parts.kinds.withId("exercise"),
               recordings = work->tab->document.file().recordings](Progress progress) -> Job::Finish {
     const Result<ExerciseSnapshot> made = handedIn(*exercise, content, attempt);
@@ -316,10 +316,13 @@ void RunningAttempt::writeSubmission(const QString& path) {
     const Result<WrittenFile> written =
         made ? saveDocument(*kind, opened.file, *made, file, progress) : Result<WrittenFile>(made.error());
     if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path, student = QString::fromStdString(attempt.student)] {
-      emit message({Message::Weight::Info, tr("Handed in by %1").arg(student),
-                    tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
-                    tr("Give that file to your teacher.")});
+    return [this, path, tab, student = QString::fromStdString(attempt.student)] {
+      Message handed{Message::Weight::Info, tr("Handed in by %1").arg(student),
+                     tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
+                     tr("Give that file to your teacher.")};
+      // The student's: not before the eyes of who looks at the exercise by then.
+      if (m_parts.tabs.contains(tab)) handed.about = &tab->document;
+      emit message(handed);
     };
   };
   m_parts.jobs.start(std::move(job));

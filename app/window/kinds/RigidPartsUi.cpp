@@ -4,6 +4,7 @@
 
 #include "tools/MeasureTool.h"
 #include "viewport/Viewport.h"
+#include "viewport/camera/CameraNavigation.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/documents/DocumentTab.h"
@@ -50,6 +51,7 @@ void RigidPartsUi::setDocument(DocumentTab* document) {
     m_model.reset();
   }
   m_document = document;
+  m_parts.viewport.setViewFrame(document && isOfLathe() ? latheFrame() : Eigen::Quaterniond::Identity());
   if (!document) return feelParts();
   connect(&document->document, &Document::changed, this, &RigidPartsUi::show);
   m_layer->setVisible(document->visible);
@@ -57,7 +59,8 @@ void RigidPartsUi::setDocument(DocumentTab* document) {
   if (document->camera) {
     m_parts.viewport.setCamera(*document->camera);
   } else {
-    m_parts.viewport.setStandardView(m_firstView);
+    m_parts.viewport.setStandardView(m_firstView == StandardView::Lathe && !isOfLathe() ? StandardView::Isometric
+                                                                                        : m_firstView);
   }
 }
 

@@ -46,6 +46,8 @@ class RigidPartsUi : public KindUi {
     (void)document;
     return {};
   }
+  // Whether the document is of work in a lathe, whose axis is level in all standard views.
+  virtual bool isOfLathe() const { return m_firstView == StandardView::Lathe; }
   // Takes an edit in that panel that is none of the document; false: it is.
   virtual bool takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
     (void)id, (void)value, (void)stillDragging;

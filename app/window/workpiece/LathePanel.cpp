@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/LathePanel.h"
 
+#include "controls/FoldButton.h"
 #include "controls/NumberField.h"
 #include "window/workpiece/LatheEvents.h"
 #include "window/workpiece/LatheFigures.h"
@@ -14,6 +15,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
@@ -67,9 +69,10 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lathePanel"));
   auto* levers = new QVBoxLayout;
   levers->setSpacing(4);
-  for (QWidget* row :
-       {makeReadout(), makeTouchingOff(), makeSpindle(), makeSurfaceSpeed(), makeFeed(), makeThreadAndRapid()})
-    levers->addWidget(row);
+  QWidget* const touching = makeTouchingOff();
+  QWidget* const surface = makeSurfaceSpeed();
+  QWidget* const thread = makeThreadAndRapid();
+  for (QWidget* row : {makeReadout(), touching, makeSpindle(), surface, makeFeed(), thread}) levers->addWidget(row);
   levers->addStretch();
   m_wheels = new LatheWheels;
   connect(m_wheels, &LatheWheels::turned, this, [this](LatheAxis axis, double mm) {
@@ -85,7 +88,25 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(8, 4, 8, 4);
   all->setSpacing(4);
   all->addWidget(m_figures);
+  all->addWidget(rowOf({section(tr("Touching off"), "touchingOff", *touching, true),
+                        section(tr("Constant surface speed"), "surfaceSpeed", *surface, false),
+                        section(tr("Thread and rapid traverse"), "thread", *thread, true),
+                        section(tr("Handwheels"), "wheels", *m_wheels, true)}));
   all->addLayout(below);
+}
+
+// A heading that folds what is not needed now away; it stays as it was left.
+QWidget* LathePanel::section(const QString& title, const char* name, QWidget& content, bool isOpenAtFirst) {
+  const QString key = QStringLiteral("lathePanel/") + QLatin1String(name);
+  auto* const heading = new FoldButton(title, QSettings().value(key, isOpenAtFirst).toBool());
+  heading->setObjectName(QStringLiteral("latheSection/") + QLatin1String(name));
+  if (!heading->isOpen()) content.hide();
+  connect(heading, &FoldButton::toggledOpen, this, [this, key, &content](bool isOpen) {
+    content.setVisible(isOpen);
+    QSettings().setValue(key, isOpen);
+    emit folded();
+  });
+  return heading;
 }
 
 QPushButton* LathePanel::button(const QString& text, const char* name, const QString& tip) {

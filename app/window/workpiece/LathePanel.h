@@ -19,8 +19,8 @@ class LatheWheels;
 class NumberField;
 class ToolPostRow;
 
-// The levers and handwheels of a manual lathe, its read-out, the figures of the cut, its crashes and warnings. What is
-// done comes out as commands; what the lathe does is shown by show(). Window thread.
+// The levers and handwheels of a manual lathe, in sections that fold, its read-out, the figures of the cut, its crashes
+// and warnings. What is done comes out as commands; what the lathe does is shown by show(). Window thread.
 class LathePanel : public QWidget {
   Q_OBJECT
 
@@ -35,9 +35,11 @@ class LathePanel : public QWidget {
  signals:
   void commanded(const handwheel::LatheCommand& command);
   void touchOffRequested(bool isX, double value);  // mm, X as it is shown
+  void folded();                                   // it needs more or less room than before
   void mountRequested(const QString& tool);        // id, on the side of the post in use; empty: none
 
  private:
+  QWidget* section(const QString& title, const char* name, QWidget& content, bool isOpenAtFirst);
   QWidget* makeReadout();
   QWidget* makeTouchingOff();
   QWidget* makeSpindle();

@@ -105,9 +105,20 @@ void LatheView::makeDock() {
   connect(m_panel, &LathePanel::touchOffRequested, this,
           [this](bool isX, double value) { touchOff(isX, value, false); });
   connect(m_panel, &LathePanel::mountRequested, this, &LatheView::mount);
+  connect(m_panel, &LathePanel::folded, this, &LatheView::giveRoom);
+  giveRoom();
   for (QWidget* each : m_panel->findChildren<QWidget*>()) {
     if (qobject_cast<HandwheelDial*>(each) || qobject_cast<QComboBox*>(each)) each->installEventFilter(this);
   }
+}
+
+// As much as the sections that are open need, up to half of the window; the view has the rest. Once they are laid out.
+void LatheView::giveRoom() {
+  QTimer::singleShot(0, m_dock, [this] {
+    auto* const window = qobject_cast<QMainWindow*>(m_window.window);
+    const int title = m_dock->height() - m_dock->widget()->height();
+    window->resizeDocks({m_dock}, {std::min(m_panel->sizeHint().height() + title, window->height() / 2)}, Qt::Vertical);
+  });
 }
 
 // The view has the keys of the slides: who turns a wheel or chooses a tool with the mouse goes on there. A rapid

@@ -45,6 +45,7 @@ class LatheView : public QObject {
   void refresh();
   void feel();
   void makeDock();
+  void giveRoom();
   void showDock(bool isShown);
   void face(const ManualLatheTool& lathe);
   void sound();

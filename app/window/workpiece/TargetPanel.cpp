@@ -35,7 +35,7 @@ QPixmap legendPicture(const ColourScale& scale) {
 
 }  // namespace
 
-QString dimensionText(const ProfileFeature& f, LengthUnit unit, const QLocale& locale) {
+QString dimensionText(const ProfileFeature& f, double zero, LengthUnit unit, const QLocale& locale) {
   const auto length = [&](double mm) { return lengthText(mm, unit, locale); };
   QString text;
   if (f.kind == ProfileFeature::Kind::Cylinder) text = QStringLiteral("⌀ %1").arg(length(f.value));
@@ -46,19 +46,20 @@ QString dimensionText(const ProfileFeature& f, LengthUnit unit, const QLocale& l
                     length(2.0 * f.low.x()), length(2.0 * f.high.x()));
   if (f.kind == ProfileFeature::Kind::FlatFace)
     return QStringLiteral("⟂ ⌀ %1 … %2  ·  Z %3")
-        .arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()), length(f.low.y()));
+        .arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()), length(f.low.y() - zero));
   if (f.isInner) text = TargetPanel::tr("Bore %1").arg(text);
   return QStringLiteral("%1  ·  Z %2 … %3  ·  ↔ %4")
-      .arg(text, length(f.low.y()), length(f.high.y()), length(f.length()));
+      .arg(text, length(f.low.y() - zero), length(f.high.y() - zero), length(f.length()));
 }
 
 namespace {
 
 // One size a line; of a curved target the first ones.
-QString sizesText(const std::vector<ProfileFeature>& wanted, LengthUnit unit, const QLocale& locale) {
+QString sizesText(const std::vector<ProfileFeature>& wanted, double zero, LengthUnit unit, const QLocale& locale) {
   constexpr std::size_t kMost = 12;
   QStringList lines;
-  for (std::size_t i = 0; i < std::min(wanted.size(), kMost); ++i) lines += dimensionText(wanted[i], unit, locale);
+  for (std::size_t i = 0; i < std::min(wanted.size(), kMost); ++i)
+    lines += dimensionText(wanted[i], zero, unit, locale);
   if (wanted.size() > kMost) lines += QStringLiteral("…");
   return lines.join(QLatin1Char('\n'));
 }
@@ -110,14 +111,14 @@ void TargetPanel::show(const PartMeasurement& measurement, const QString& target
   m_target->setText(hasTarget ? target : tr("No target: import one to compare the part with it."));
   for (QLabel* label : {m_wanted, m_over, m_under}) label->setVisible(hasTarget);
   if (hasTarget) {
-    m_wanted->setText(sizesText(measurement.wanted, unit, locale));
+    m_wanted->setText(sizesText(measurement.wanted, measurement.zero, unit, locale));
     const TargetDeviation& d = *measurement.deviation;
     m_over->setText(tr("Too large by up to %1").arg(lengthText(d.largestOver.distance, unit, locale)));
     m_under->setText(tr("Too small by up to %1").arg(lengthText(-d.largestUnder.distance, unit, locale)));
   }
   m_dimensions->clear();
   for (const ProfileFeature& feature : measurement.features)
-    m_dimensions->addItem(dimensionText(feature, unit, locale));
+    m_dimensions->addItem(dimensionText(feature, measurement.zero, unit, locale));
 }
 
 void TargetPanel::setLegend(const std::optional<ColourScale>& scale, const QString& ends) {

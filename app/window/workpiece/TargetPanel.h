@@ -25,6 +25,7 @@ struct PartMeasurement {
   std::vector<ProfileFeature> features;
   std::vector<ProfileFeature> wanted = {};   // of the target
   std::optional<TargetDeviation> deviation;  // none without a target
+  double zero = 0.0;                         // mm, Z that places are shown from: that of drawing, programs and read-out
 };
 
 // The panel with the measured dimensions of a part, its deviation from the target and the legend of its colours.
@@ -51,7 +52,7 @@ class TargetPanel : public QWidget {
   QListWidget* m_dimensions;
 };
 
-// A dimension in a few signs: "⌀ 40 mm · Z 0 mm … 30 mm".
-QString dimensionText(const ProfileFeature& feature, LengthUnit unit, const QLocale& locale);
+// A dimension in a few signs: "⌀ 40 mm · Z 0 mm … 30 mm"; Z from zero, mm.
+QString dimensionText(const ProfileFeature& feature, double zero, LengthUnit unit, const QLocale& locale);
 
 }  // namespace handwheel

@@ -32,6 +32,7 @@ namespace {
 // What is measured of a workpiece; on a worker.
 PartMeasurement measure(const WorkpieceSnapshot& workpiece, Progress progress) {
   PartMeasurement found;
+  found.zero = programZero(workpiece);
   if (const Result<TargetProfile> section = sectionOf(workpiece))
     found.features = featuresOf(*section, workpiece.chord);
   if (workpiece.target) found.wanted = featuresOf(workpiece.target->profile, workpiece.chord);

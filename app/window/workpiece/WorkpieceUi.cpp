@@ -118,8 +118,6 @@ void WorkpieceUi::forget(DocumentTab* document) {
   if (m_loaded == document) {
     m_loaded = nullptr;
     m_loadedPart.reset();
-    m_peaks = {};
-    m_arePeaksPending = false;
   }
   m_program.forget(document);
 }
@@ -203,55 +201,59 @@ void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
   const std::size_t passes = part ? part->passes.size() : 0;
   if (std::exchange(m_passes, passes) >= passes || !tool.tooFast()) return;
   const QLocale locale;
-  emit message({Message::Weight::Warning, tr("Too fast"),
-                tr("The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.")
-                    .arg(locale.toString(*tool.tooFast(), 'f', 1), locale.toString(tool.largestFeed())),
-                tr("Undo it, and drag more slowly: f at the pointer is the feed.")});
+  Message fast{Message::Weight::Warning, tr("Too fast"),
+               tr("The feed of this pass was up to %1 mm per revolution; at most %2 is allowed.")
+                   .arg(locale.toString(*tool.tooFast(), 'f', 1), locale.toString(tool.largestFeed())),
+               tr("Undo it, and drag more slowly: f at the pointer is the feed.")};
+  fast.about = &document()->document;
+  emit message(fast);
 }
 
-// What the passes ask of the lathe of the exercise, by the law that marks them; on a worker after each pass.
+// What new passes ask of the lathe of the exercise, by the law that marks them; on a worker after each.
 void WorkpieceUi::watchLoads() {
   if (!document()) return;
   const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(document()->document).workpiece();
   const bool isOther = std::exchange(m_loaded, document()) != document();
-  const bool isSame = std::exchange(m_loadedPart, workpiece.part) == workpiece.part && !isOther;
-  const auto task = isSame || !workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
-  if (isOther) {
-    m_loads.cancelAll();
-    m_peaks = {};
-    m_arePeaksPending = task != nullptr;
-  }
+  if (isOther) m_loads.cancelAll();
+  const auto passesOf = [](const TurnedPart* part) { return part ? part->passes.size() : 0; };
+  // After undo, and of what was there when the document was shown, nothing is new.
+  if (isOther || passesOf(workpiece.part.get()) <= passesOf(m_loadedPart.get())) m_loadedPart = workpiece.part;
+  const auto task = m_loadedPart == workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
   if (!task) return;
   Job job;
   job.name = tr("Checking force and power");
   job.owner = document();
-  job.work = [this, task, workpiece, document = document()](Progress progress) -> Job::Finish {
-    const auto peaks = peakLoads(*task, workpiece, progress);
+  job.work = [this, task, workpiece, before = m_loadedPart, document = document()](Progress progress) -> Job::Finish {
+    const auto peaks = peakLoads(*task, workpiece, before.get(), progress);
     if (!peaks) return {};
-    return [this, task, document, found = *peaks] {
+    return [this, task, document, part = workpiece.part, found = *peaks] {
       if (document != m_loaded) return;
-      if (std::exchange(m_arePeaksPending, false)) m_peaks = found;  // the passes that were there
+      m_loadedPart = part;
       warnOfLoads(document, *task, found.first, found.second);
     };
   };
   m_loads.start(std::move(job));
 }
 
-// Once for each pass that asks for more than any before: it counts when the work is marked.
-void WorkpieceUi::warnOfLoads(const DocumentTab* loaded, const TurningTask& task, double force, double power) {
+// Once for each pass; it goes with the next one, or when it is undone.
+void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, double force, double power) {
   if (loaded != document()) return;
-  const auto before = std::exchange(m_peaks, std::pair(force, power));
   const QLocale locale;
   QStringList lines;
-  if (force > std::max(task.forceLimit, before.first))
+  if (force > task.forceLimit)
     lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.")
                  .arg(locale.toString(force, 'f', 0), locale.toString(task.forceLimit, 'f', 0));
-  if (power > std::max(task.powerLimit, before.second))
+  if (power > task.powerLimit)
     lines << tr("The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
                  .arg(locale.toString(power, 'f', 2), locale.toString(task.powerLimit, 'f', 2));
   if (lines.isEmpty()) return;
-  emit message({Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
-                tr("It is marked. Undo it, and take less depth or feed.")});
+  Message heavy{Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
+                tr("It is in the report, and lowers marks for force and power. Undo it, and take less depth or feed.")};
+  heavy.about = &loaded->document;
+  heavy.isOver = [loaded, of = m_loadedPart] {
+    return static_cast<const WorkpieceDocument&>(loaded->document).workpiece().part != of;
+  };
+  emit message(heavy);
 }
 
 // What was seen whole stays so in another size. Else the camera is the user's.

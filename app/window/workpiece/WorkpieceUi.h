@@ -65,7 +65,7 @@ class WorkpieceUi : public RigidPartsUi, public BesideFiles {
   void followTool();
   void warnOfFeed(const TurnTool& tool);
   void watchLoads();
-  void warnOfLoads(const DocumentTab* document, const TurningTask& task, double force, double power);
+  void warnOfLoads(DocumentTab* loaded, const TurningTask& task, double force, double power);
   void followSize();
   void explainLocks();
 
@@ -76,14 +76,12 @@ class WorkpieceUi : public RigidPartsUi, public BesideFiles {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
-  JobRunner m_loads;                  // what the passes of an exercise ask of its lathe
-  std::pair<double, double> m_peaks;  // N, kW, of m_loaded, as they were told last
-  bool m_arePeaksPending = false;     // those of m_loaded are still being found: no pass is compared with them
+  JobRunner m_loads;  // what the passes of an exercise ask of its lathe
   const DocumentTab* m_loaded = nullptr;
-  std::shared_ptr<const TurnedPart> m_loadedPart;
-  std::size_t m_passes = 0;                // of the current document, as the tool was followed last
-  bool m_isLathe = false;                  // its tool runs
-  std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
+  std::shared_ptr<const TurnedPart> m_loadedPart;  // of m_loaded, as far as its passes have been looked at
+  std::size_t m_passes = 0;                        // of the current document, as the tool was followed last
+  bool m_isLathe = false;                          // its tool runs
+  std::shared_ptr<TurningChannel> m_felt;          // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;
   double m_feltBase = 0.0;  // mm, TurnTool::base()
   const DocumentTab* m_sized = nullptr;

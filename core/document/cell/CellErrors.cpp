@@ -63,6 +63,11 @@ const ErrorDescription CellError::PathCollides{
     .sentences = {translatable("ErrorText", "the path '%1' collides in %2 places, first %3 with %4")},
     .advice = {translatable("ErrorText", "Plan it again, or see all of them with 'verify'.")}};
 
+const ErrorDescription CellError::PathOutdated{
+    .id = "PathOutdated",
+    .sentences = {translatable("ErrorText", "the path '%1' leads along the curve where '%2' was when it was planned")},
+    .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
+
 const ErrorDescription CellError::LineCollides{
     .id = "LineCollides",
     .sentences = {translatable("ErrorText", "on the straight line to %1 the robot collides: %2 with %3")},

@@ -114,9 +114,19 @@ std::optional<std::size_t> argumentOf(const std::string& field) {
   return std::nullopt;
 }
 
+// "From Z (on the drawing −20)": so a height counts on the drawing, in programs and on the read-out.
+std::string labelOnDrawing(const std::string& label, double place) {
+  constexpr double kShown = 1e6;  // parts of a mm: what is below is rounding
+  return QCoreApplication::translate("Property", QT_TRANSLATE_NOOP("Property", "%1 (on the drawing %2)"))
+      .arg(QCoreApplication::translate("Property", label.c_str()),
+           QString::fromStdString(shortestText(std::round(place * kShown) / kShown + 0.0)))
+      .toStdString();
+}
+
 // Where a criterion is measured: a length for each argument of its figure; what is wrong with them stands at the last.
 std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
                                       const FigureType& type) {
+  const std::optional<double> zero = exercise.subject->drawingZero(*exercise.task);
   std::vector<Property> all;
   for (std::size_t i = 0; i < type.arguments.size(); ++i) {
     const double at = i < c.arguments.size() ? c.arguments[i] : 0.0;
@@ -124,6 +134,9 @@ std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const Ma
     all.back().quantity = Quantity::Length;
     all.back().least = -Exercise::kLargestFigure;
     all.back().largest = Exercise::kLargestFigure;
+    if (!zero || !type.arguments[i].ends_with('Z')) continue;
+    all.back().label = labelOnDrawing(type.arguments[i], at - *zero);
+    all.back().translated = false;
   }
   if (!all.empty()) all.back().problem = exercise.subject->placeProblem(c, *exercise.task);
   return all;

@@ -23,6 +23,7 @@ ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& f
   c.figure = figure.id;
   c.arguments.assign(figure.arguments.size(), 0.0);
   c.points = 1.0;
+  c.upper = exercise.subject->usualLimit(figure.id, *exercise.task);
   if (exercise.exercise.criteria.size() < Exercise::kMostCriteria) exercise.exercise.criteria.push_back(std::move(c));
   return exercise;
 }

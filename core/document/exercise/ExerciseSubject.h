@@ -65,6 +65,15 @@ class ExerciseSubject {
   // {criterion, what is wrong}: the tolerance is not known for this figure and nominal value.
   virtual Status applyTolerance(MarkingCriterion& criterion) const = 0;
 
+  // Z of the zero of the drawing and of programs, mm, where places count from another one; none: there is no drawing.
+  virtual std::optional<double> drawingZero(const ExerciseTask& task) const {
+    (void)task;
+    return std::nullopt;
+  }
+
+  // The limit above which a figure is wrong as long as the teacher sets no other; none: it has none.
+  virtual std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const = 0;
+
   // Why a criterion cannot be measured at its arguments, whatever the work is: English, context "Property". Empty: it
   // can, as far as one can know.
   virtual std::string placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const = 0;
@@ -84,6 +93,8 @@ class ExerciseSubject {
   virtual std::vector<ExerciseText> conditions(const ExerciseTask& task) const = 0;
   // What a student begins with.
   virtual SnapshotPointer start(const ExerciseTask& task) const = 0;
+  // Whether the work turns about z in a lathe: so it is looked at.
+  virtual bool isTurned() const { return false; }
   // Whether start() takes longer than a person waits for a click.
   virtual bool startsSlowly() const { return false; }
   // Whether a document can be work on this task: of the same stock. Error: ExerciseError::OtherWork {reason}.
@@ -100,8 +111,9 @@ class ExerciseSubject {
   virtual std::vector<std::string> targetEndings() const = 0;
   struct ImportedTask {
     TaskPointer task;
-    std::vector<Note> notes;  // what the teacher should know of it
-    std::string place = {};   // group of the properties that say where it lies, to be confirmed; empty: none
+    std::vector<Note> notes;        // what the teacher should know of it
+    std::string place = {};         // group of the properties that say where it lies, to be confirmed; empty: none
+    std::optional<Note> lies = {};  // the same as a sentence, as long as none of them is changed
   };
   // A task whose target is in a file: a drawing, a solid, a mesh or a document of our own. Blocks. Errors: those of the
   // readers, FormatUnknown, ValueOutOfRange; the subject is the path. facing: mm of the stock that are left at its free

@@ -73,10 +73,28 @@ std::string fanucSpeed(const ProgramMotion& motion) {
   return (tenths.ends_with(".0") ? tenths.substr(0, tenths.size() - 2) : tenths) + "mm/sec";
 }
 
-// What stands before the motions. Remarks are short, as teach pendants cut them.
+// A sentence as remarks that are short, as teach pendants cut them.
+void addRemark(std::string_view sentence, std::vector<std::string>& lines) {
+  constexpr std::size_t kLongest = 25;  // with its sign
+  std::string line = "!";
+  while (!sentence.empty()) {
+    const std::string_view word = sentence.substr(0, sentence.find(' '));
+    sentence.remove_prefix(std::min(word.size() + 1, sentence.size()));
+    if (line.size() > 1 && line.size() + 1 + word.size() > kLongest) {
+      lines.push_back(line);
+      line = "!";
+    }
+    line += (line.size() > 1 ? " " : "") + std::string(word);
+    for (; line.size() > kLongest; line = "!" + line.substr(kLongest)) lines.push_back(line.substr(0, kLongest));
+  }
+  if (line.size() > 1) lines.push_back(line);
+}
+
+// What stands before the motions.
 std::vector<std::string> headLines(const RobotProgram& program) {
   std::vector<std::string> lines;
   if (program.hasPlainShapes) lines = {"!Collisions were checked", "!with simplified shapes", "!of the robot"};
+  for (const std::string& remark : program.remarks) addRemark(remark, lines);
   if (needsControllersBase(program)) lines.insert(lines.end(), {"!Lines: test whether the", "!base is the robot foot"});
   const Vec3 at = program.tool.translation(), turn = zyxAngles(program.tool.linear()) / kRadiansPerDegree;
   const auto pair = [](const char* first, double a, const char* second, double b) {

@@ -32,7 +32,7 @@ std::string lowerCase(std::string text);  // of ASCII
 Vec3 zyxAngles(const Eigen::Matrix3d& turn);
 Eigen::Matrix3d fromZyx(const Vec3& angles);
 
-// What is said of a program in comments at its head: the robot, and what was assumed.
+// What is said of a program in comments at its head: the robot, what was assumed, and what was not proven.
 std::vector<std::string> headRemarks(const RobotProgram& program);
 
 // Whether there are lines by poses, and the base may not be the one that the controller counts from.

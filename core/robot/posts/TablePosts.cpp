@@ -43,6 +43,7 @@ class CsvPost : public Post {
       text += ",q" + std::to_string(i + 1) + (isSlide ? "_mm" : "_deg");
     }
     text += ",x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+    for (const std::string& remark : program.remarks) text += "# " + remark + "\n";
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
       const ProgramMotion& motion = program.motions[i];
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
@@ -105,6 +106,7 @@ class JsonPost : public Post {
                                    {"frame", poseNumbers(program.frame)},
                                    {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"},
                                    {"motions", nlohmann::ordered_json::array()}};
+    if (!program.remarks.empty()) json["remarks"] = program.remarks;
     for (const ProgramMotion& motion : program.motions) {
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
       json["motions"].push_back({{"kind", wordFor(motion.kind)},

@@ -36,6 +36,8 @@ struct RobotProgram {
   bool isBaseOfController = false;
   // Collisions were checked against plain shapes in place of the robot's own.
   bool hasPlainShapes = false;
+  // What was not proven of the path, or does not hold any more: sentences in ASCII, which programs have as comments.
+  std::vector<std::string> remarks = {};
   std::vector<ProgramMotion> motions;
 
   Pose tipOf(const ProgramMotion& motion) const { return arm.tipPose(motion.joints) * tool; }  // in the base

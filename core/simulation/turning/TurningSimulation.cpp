@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace handwheel {
 
 namespace {
 
-ProfilePoint toolAt(const SimulationInput& input, double base) {
-  return {std::hypot(input.proxy.x(), input.proxy.y()), input.proxy.z() - base};
+// Where a straight way comes nearer to the axis than both of its ends, as a share of it; none: nowhere.
+std::optional<double> nearestToAxis(const Vec3& from, const Vec3& to) {
+  const Eigen::Vector2d way = (to - from).head<2>();
+  const double share = -from.head<2>().dot(way) / way.squaredNorm();
+  return share > 0.0 && share < 1.0 ? std::optional(share) : std::nullopt;  // NaN: it goes along the axis
 }
 
 }  // namespace
@@ -67,15 +71,30 @@ bool TurningSimulation::isDeep(const TurnedProfile& before, const TurnedProfile:
   return false;
 }
 
+// Places of a hand that passes the axis are on both sides of it: what is cut goes through it, not from radius to
+// radius.
 TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {
-  if (input.gesture == 0 || isFull()) return {};
-  const ProfilePoint place = toolAt(input, m_base);
-  const ProfilePoint from = m_pass.path.empty() ? place : m_pass.path.back();
-  if (m_pass.path.empty()) m_begin = input.tip.time;
-  m_pass.times.push_back(std::max(input.tip.time - m_begin, m_pass.times.empty() ? 0.0 : m_pass.times.back()));
-  m_pass.path.push_back(place);
+  if (input.gesture == 0) return {};
+  const Vec3 to = input.proxy;
+  const double time = input.tip.time;
+  TurnedProfile::Range changed;
+  if (const auto share = m_pass.path.empty() ? std::nullopt : nearestToAxis(m_place, to))
+    changed = add(m_place + *share * (to - m_place), m_time + *share * (time - m_time));
+  changed.extend(add(to, time));
+  m_place = to;
+  m_time = time;
+  return changed;
+}
+
+TurnedProfile::Range TurningSimulation::add(const Vec3& place, double time) {
+  if (isFull()) return {};
+  const ProfilePoint tool(place.head<2>().norm(), place.z() - m_base);
+  const ProfilePoint from = m_pass.path.empty() ? tool : m_pass.path.back();
+  if (m_pass.path.empty()) m_begin = time;
+  m_pass.times.push_back(std::max(time - m_begin, m_pass.times.empty() ? 0.0 : m_pass.times.back()));
+  m_pass.path.push_back(tool);
   if (m_speed > 0.0) m_pass.speeds.push_back(m_speed);
-  const TurnedProfile::Range changed = cut(m_profile, m_pass, from, place);
+  const TurnedProfile::Range changed = cut(m_profile, m_pass, from, tool);
   m_finish.add(m_pass, m_pass.path.size() - 1, m_passNumber, m_profile, changed);
   return changed;
 }

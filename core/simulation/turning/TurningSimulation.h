@@ -44,6 +44,7 @@ class TurningSimulation : public Simulation {
 
  private:
   TurnedProfile::Range take(const SimulationInput& input);
+  TurnedProfile::Range add(const Vec3& place, double time);
   bool isDeep(const TurnedProfile& before, const TurnedProfile::Range& changed) const;
   bool isFull() const { return m_pass.path.size() >= m_mostPoints; }
 
@@ -54,10 +55,12 @@ class TurningSimulation : public Simulation {
   std::shared_ptr<TurningChannel> m_channel;
   std::size_t m_mostPoints;
   FinishMeter m_finish;
-  std::uint32_t m_passNumber;  // in the part
-  double m_speed;              // r/min; 0: not known
-  std::uint32_t m_number;      // in the channel
-  double m_begin = 0.0;        // s, of the first point of the pass
+  std::uint32_t m_passNumber;   // in the part
+  double m_speed;               // r/min; 0: not known
+  std::uint32_t m_number;       // in the channel
+  double m_begin = 0.0;         // s, of the first point of the pass
+  Vec3 m_place = Vec3::Zero();  // mm, s: of the last input that was taken
+  double m_time = 0.0;
 };
 
 }  // namespace handwheel

@@ -70,18 +70,29 @@ ToolReply CellTool::perform(std::string_view action) {
 // A gesture moves the joint or the body, after what it begins on.
 std::vector<ToolAction> CellTool::actions() const {
   if (m_bodies.isDragging()) return m_bodies.actions();
-  if (m_joints.isDragging() || m_document.bodies().empty()) return m_joints.actions();
+  if (m_joints.isDragging()) return m_joints.actions();
+  if (m_document.bodies().empty()) return withPlacing(m_joints.actions());
   const bool isSelected = !m_selection.empty();
-  return {
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the joint or the body")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"),
-       QT_TRANSLATE_NOOP("Tool", "pull the whole arm, or move the body up and down")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move the body without snapping")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body")},
-      actionOf(keys(), "delete", isSelected),
-      actionOf(keys(), "commit"),
-      actionOf(keys(), "revert", true,
-               isSelected ? QT_TRANSLATE_NOOP("Tool", "deselect the body") : QT_TRANSLATE_NOOP("Tool", "done"))};
+  return withPlacing(
+      {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the joint or the body")},
+       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"),
+        QT_TRANSLATE_NOOP("Tool", "pull the whole arm, or move the body up and down")},
+       {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move the body without snapping")},
+       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body")},
+       actionOf(keys(), "delete", isSelected),
+       actionOf(keys(), "commit"),
+       actionOf(keys(), "revert", true,
+                isSelected ? QT_TRANSLATE_NOOP("Tool", "deselect the body") : QT_TRANSLATE_NOOP("Tool", "done"))});
+}
+
+// Links that are dragged move joints, also where there are robots whose bases can be moved: another tool does that,
+// which is said first.
+std::vector<ToolAction> CellTool::withPlacing(std::vector<ToolAction> actions) const {
+  if (m_document.robot().arms.size() < 2) return actions;
+  ToolAction place{"", "Shift+W", QT_TRANSLATE_NOOP("Tool", "move a robot by its base")};
+  place.command = "placeTool";
+  actions.insert(actions.begin() + 1, std::move(place));
+  return actions;
 }
 
 // The cell as it would be, in place of the one that is: what collides is seen while something moves.

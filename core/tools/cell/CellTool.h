@@ -30,6 +30,8 @@ class CellTool : public Tool {
   std::vector<std::string> needs() const override { return m_joints.needs(); }
 
  private:
+  std::vector<ToolAction> withPlacing(std::vector<ToolAction> actions) const;
+
   const RobotCellDocument& m_document;
   JointDragTool::Pick m_pick;
   Mark m_mark;

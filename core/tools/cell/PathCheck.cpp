@@ -6,6 +6,7 @@
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
 #include "robot/dh/DhTable.h"
+#include "robot/posts/PostText.h"
 #include "tools/cell/PathBlends.h"
 #include "tools/cell/ProcessOperation.h"
 
@@ -121,6 +122,25 @@ TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath&
   return TimedPath(scene.scene, way.joints, {}, paces);
 }
 
+namespace {
+
+std::vector<std::string> remarksOn(const CellScene& scene, const CheckedPath& checked) {
+  constexpr std::size_t kLongestName = 60;
+  std::vector<std::string> remarks;
+  if (!checked.partMoved.empty())
+    remarks.push_back("Outdated: the part " + identifierOf(checked.partMoved, kLongestName) +
+                      " has moved since the path was planned along it.");
+  for (const std::string& robot : checked.robotsMoved)
+    remarks.push_back("Proven with the robot " + identifierOf(robot, kLongestName) +
+                      " where it stood at export: it has moved since the path was made.");
+  for (const std::uint32_t link : scene.shapeless)
+    remarks.push_back("Not proven of the link " + identifierOf(scene.robot->model.links[link].name, kLongestName) +
+                      ": its mesh is missing.");
+  return remarks;
+}
+
+}  // namespace
+
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                        const CheckedPath& checked) {
   RobotProgram program;
@@ -130,6 +150,7 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.tool = plans.tool;
   program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
+  program.remarks = remarksOn(scene, checked);
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const PathPlace& place = path.places[i];
     ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};

@@ -93,8 +93,11 @@ const Post& usualPost(const RobotArm& arm) {
 }
 
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output) {
+                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output,
+                                    OutdatedPath outdated) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
+  if (!checked.partMoved.empty() && outdated == OutdatedPath::Refuse)
+    return Error{CellError::PathOutdated, {path.name, checked.partMoved}, {}, {}};
   const RobotProgram program = programOf(scene, plans, path, checked);
   if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
   const std::string text = post.write(program);

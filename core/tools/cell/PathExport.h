@@ -17,11 +17,15 @@ struct WrittenProgram {
   std::string otherRobot = {};
 };
 
-// Writes a certified path as a program. What the controller cannot do is an error before anything is written; so is a
-// text that does not read back as the path (1e-3 mm, 1e-3°). Errors: PathCollides, LineUnreachable, those of
-// Post::refusals() and of writing.
+// What becomes of a path that is free, but leads along a curve of a part that stands elsewhere now.
+enum class OutdatedPath { Refuse, Write };
+
+// Writes a certified path as a program, with remarks of what was not proven or does not hold any more. What the
+// controller cannot do is an error before anything is written; so is a text that does not read back as the path (1e-3
+// mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, those of Post::refusals() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output);
+                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output,
+                                    OutdatedPath outdated = OutdatedPath::Refuse);
 
 // The post for the controller of a robot, by its maker; one for any controller where that is not known.
 const Post& usualPost(const RobotArm& arm);

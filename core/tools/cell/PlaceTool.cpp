@@ -142,21 +142,21 @@ ToolReply PlaceTool::pointer(const PointerEvent& given) {
   return ToolReply::Ignored;
 }
 
-// A body, or a robot; false: neither.
-bool PlaceTool::selectUnder(const PointerEvent& event) {
+// Where a body, or a robot, is under the pointer; none: neither.
+std::optional<Vec3> PlaceTool::selectUnder(const PointerEvent& event) {
   const auto hit = m_services.pick(event.ray);
-  if (!hit) return false;
+  if (!hit) return std::nullopt;
   if (const auto id = bodyOfPart(hit->part)) {
     m_selection.select(*id);
-    return true;
+    return hit->point;
   }
   const CellRobot& robots = m_document.robot();
   const std::uint32_t link = linkOfPart(robots, hit->part);
-  if (link == kNone || !m_services.selectRobot) return false;
+  if (link == kNone || !m_services.selectRobot) return std::nullopt;
   const std::uint32_t robot = armsOfLinks(robots.model, robots.arms)[link];
-  if (robot == kNone) return false;
+  if (robot == kNone) return std::nullopt;
   m_services.selectRobot(robot);
-  return true;
+  return hit->point;
 }
 
 // A handle of what is placed, or a body or robot, which is selected; a device holds it.
@@ -171,11 +171,14 @@ ToolReply PlaceTool::press(const PointerEvent& event) {
   else if (at)
     handle = at->under(event.pickRay(), kGripPixels);
   m_moveBy = m_turnBy = Vec3::Zero();
+  std::optional<Vec3> held;  // where what is placed was grabbed itself
   if (!handle) {
-    if (!selectUnder(event)) return ToolReply::Ignored;  // the camera's
-    if (!event.device || !handles()) return ToolReply::Used;
+    held = selectUnder(event);
+    if (!held) return ToolReply::Ignored;  // the camera's
+    if (!handles() || !held->allFinite()) return ToolReply::Used;
   }
   Drag drag{handle, *handles(), subject()->pose, Vec3::Zero(), event.device};
+  if (held && !event.device) drag.floor.emplace(*held, drag.start.translation(), event);
   if (handle) {
     // Where the handle is under the pointer: the place of its outline that is nearest to the ray or the tip.
     const Vec3 &centre = drag.handles.centre, axis = drag.handles.axes[static_cast<std::size_t>(handle->axis)];
@@ -237,6 +240,11 @@ void PlaceTool::followFreely(const PointerEvent& event) {
 }
 
 void PlaceTool::follow(const PointerEvent& event) {
+  if (m_drag->floor) {
+    const double unit = millimetresPer(m_document.displayUnit());
+    if (const auto place = m_drag->floor->placeFor(event, m_shown.translation(), unit)) m_shown.translation() = *place;
+    return;
+  }
   if (!m_drag->handle) return followFreely(event);
   const auto way = wayUnder(event);
   if (!way) return;
@@ -295,8 +303,9 @@ ToolReply PlaceTool::perform(std::string_view action) {
 std::vector<ToolAction> PlaceTool::actions() const {
   const bool isTyped = !m_moveBy.isZero(0.0) || !m_turnBy.isZero(0.0);
   std::vector<ToolAction> all{
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body or robot")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move along an arrow, turn by a ring")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
+       QT_TRANSLATE_NOOP("Tool", "move a body or a robot's base over the floor, along an arrow, turn by a ring")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "move it up and down")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move it without snapping")},
       actionOf(kPlaceKeys, "commit", subject() && isTyped),
       actionOf(kPlaceKeys, "revert", true, m_drag || isTyped ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};

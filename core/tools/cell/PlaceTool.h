@@ -5,6 +5,7 @@
 #include "document/cell/RobotCellDocument.h"
 #include "tools/cell/JointDragTool.h"
 #include "tools/scene/BodySelection.h"
+#include "tools/scene/FloorDrag.h"
 #include "tools/scene/PlacingHandles.h"
 
 namespace handwheel {
@@ -22,7 +23,8 @@ struct PlaceServices {
 };
 
 // Tool that places the selected body, or else the selected robot by its base, by handles: arrows along three axes move
-// it, rings about them turn it, by the mouse or a device, in steps unless Ctrl is held. A device that grabs the body
+// it, rings about them turn it, by the mouse or a device, in steps unless Ctrl is held. Dragged by itself, as by any
+// link of the robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body
 // itself moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold
 // when they are committed. Each release or commit is one edit. A body that the robot carries is placed on its carrier.
 // The robot on the root has no handles, as everything is measured from its base.
@@ -51,13 +53,13 @@ class PlaceTool : public Tool {
   enum class Centre { Middle, Origin };
   // From press to release.
   struct Drag {
-    std::optional<PlacingHandles::Handle> handle;  // none: a device holds the body
+    std::optional<PlacingHandles::Handle> handle;  // none: it is dragged by itself, or a device holds it
     PlacingHandles handles;                        // at the press
     Pose start;                                    // of what is placed, in the base
     Vec3 grip;                                     // where it was grabbed
     std::optional<Pose> hand;                      // of a device, at the press
     double way = 0.0;                              // mm, rad
-    bool hasMoved = false;
+    std::optional<FloorDrag> floor = {};           // dragged by itself
   };
 
   // What is placed.
@@ -73,7 +75,7 @@ class PlaceTool : public Tool {
   std::optional<Subject> subject() const;
   Pose carrier() const;  // of the selected body, in the base
   Pose wanted() const;   // of what is placed in the base, as it is shown
-  bool selectUnder(const PointerEvent& event);
+  std::optional<Vec3> selectUnder(const PointerEvent& event);
   std::unique_ptr<Edit> editTo(const Subject& subject, const Pose& pose) const;
   std::shared_ptr<DisplayModel> shownAt(const Subject& subject, const Pose& pose) const;
   ToolReply press(const PointerEvent& event);

@@ -7,11 +7,8 @@
 #include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyProperties.h"
 #include "scene/RigidPose.h"
-#include "tools/AxisDrag.h"
-#include "tools/SnapStep.h"
 
 #include <QCoreApplication>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -23,12 +20,6 @@ constexpr ToolKey kBodyKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "cancel the move")},
     {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "remove the body")},
 };
-
-// Sine of the angle between a ray and the horizontal plane below which a drag on the plane would run away: 15°.
-constexpr double kFlatView = 0.25881904510252074;
-// Of the rays of a drag that began at a larger angle: 3°.
-constexpr double kFlatRay = 0.052335956242943835;
-constexpr double kSnapPixels = 4.0;  // the least distance of two snapped positions in the view
 
 QString called(const Body& body) {
   return QString::fromStdString(body.name);
@@ -65,59 +56,17 @@ ToolReply BodyDragTool::press(const PointerEvent& event) {
   const auto picked = m_pick(event.ray);
   const BodyPointer body = picked && picked->point.allFinite() ? m_owner.bodies().withId(picked->body) : nullptr;
   if (!body) return ToolReply::Ignored;  // the camera's
-  m_drag = Drag{*body, picked->point, event.ray, body->pose.translation()};
-  m_drag->isFlatView = std::abs(event.ray.direction.z()) < kFlatView;
-  m_drag->isUpright = m_drag->isFlatView || event.modifiers.shift;
+  m_drag = Drag{*body, FloorDrag(picked->point, body->pose.translation(), event)};
   m_selection.select(body->id);
   return ToolReply::Used;
 }
 
 void BodyDragTool::follow(const PointerEvent& event) {
-  const Ray& ray = event.ray;
-  if (!ray.isUsable()) return;
-  // A click must not move anything, not even by a rounding error.
-  m_drag->hasMoved |= ray.origin != m_drag->ray.origin || ray.direction != m_drag->ray.direction;
-  if (!m_drag->hasMoved) return;
-  const bool isUpright = m_drag->isFlatView || event.modifiers.shift;
-  if (m_drag->isUpright != isUpright) {  // goes on from where it is now
-    const Vec3 now = m_drag->body.pose.translation();
-    m_drag->grip += now - m_drag->start;
-    m_drag->start = now;
-    m_drag->isUpright = isUpright;
-  }
-  const auto place = placeFor(event);
-  if (!place) return;
   Pose pose = m_drag->body.pose;
+  const auto place = m_drag->way.placeFor(event, pose.translation(), millimetresPer(m_document.displayUnit()));
+  if (!place) return;
   pose.translation() = *place;
   if (isRigid(pose)) m_drag->body.pose = pose;
-}
-
-// Where the body stands under the ray. Coordinates along which the drag does not go keep every bit.
-std::optional<Vec3> BodyDragTool::placeFor(const PointerEvent& event) const {
-  const Ray& ray = event.ray;
-  Vec3 way = Vec3::Zero();
-  if (m_drag->isUpright) {
-    const auto up = translationUnder({m_drag->grip, Vec3::UnitZ(), m_drag->grip}, ray);
-    if (!up) return {};
-    way.z() = *up;
-  } else {
-    const auto place = placeUnder(m_drag->grip, Vec3::UnitZ(), ray);
-    const bool isBehind = event.eye && place && (*place - ray.origin).dot(ray.direction) <= 0.0;
-    if (!place || isBehind || std::abs(ray.direction.z()) < kFlatRay) return {};
-    way.head<2>() = (*place - m_drag->grip).head<2>();
-  }
-  Vec3 place = m_drag->start + way;
-  const double shownUnit = millimetresPer(m_document.displayUnit());
-  const double least = kSnapPixels * event.pickRay().pixelAt(m_drag->grip) / shownUnit;
-  const bool snaps = !event.modifiers.control && std::isfinite(least) && least > 0.0;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const bool isStill = way[axis] == 0.0 || (snaps && std::abs(way[axis]) < 0.5 * least * shownUnit);
-    if (isStill)
-      place[axis] = m_drag->start[axis];
-    else if (snaps)
-      place[axis] = snappedTo(place[axis] / shownUnit, least) * shownUnit;
-  }
-  return place;
 }
 
 ToolReply BodyDragTool::release() {
@@ -175,7 +124,7 @@ std::vector<ToolAction> BodyDragTool::actions() const {
 // The body where it would stand.
 ToolPreview BodyDragTool::preview() const {
   ToolPreview preview;
-  if (m_drag && m_drag->hasMoved)
+  if (m_drag && m_drag->way.hasMoved())
     preview.parts = displayPartsOf(BodySet().with(std::make_shared<const Body>(m_drag->body)));
   return preview;
 }

@@ -5,6 +5,7 @@
 #include "document/scene/BodyOwner.h"
 #include "tools/ToolKey.h"
 #include "tools/scene/BodySelection.h"
+#include "tools/scene/FloorDrag.h"
 
 namespace handwheel {
 
@@ -32,7 +33,7 @@ class BodyDragTool : public Tool {
 
   bool isDragging() const { return m_drag.has_value(); }
   // The body where it is dragged to; null: none, or it has not moved.
-  const Body* moved() const { return m_drag && m_drag->hasMoved ? &m_drag->body : nullptr; }
+  const Body* moved() const { return m_drag && m_drag->way.hasMoved() ? &m_drag->body : nullptr; }
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "bodies"; }
@@ -47,17 +48,11 @@ class BodyDragTool : public Tool {
  private:
   struct Drag {
     Body body;  // where it stands now
-    Vec3 grip;  // where it was grabbed
-    Ray ray;    // the ray at the press
-    Vec3 start;
-    bool isFlatView = false;  // the horizontal plane is seen from the side
-    bool isUpright = false;   // moves along Z
-    bool hasMoved = false;
+    FloorDrag way;
   };
 
   ToolReply press(const PointerEvent& event);
   void follow(const PointerEvent& event);
-  std::optional<Vec3> placeFor(const PointerEvent& event) const;
   ToolReply release();
   ToolReply remove();
 

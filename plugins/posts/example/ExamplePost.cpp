@@ -58,6 +58,7 @@ Result<ReadMotion> lineMotion(LineReader& line) {
 std::string ExamplePost::write(const RobotProgram& program) const {
   constexpr std::size_t kLongestName = 32;
   std::string text = "PROGRAM " + identifierOf(program.name, kLongestName) + "\n";
+  for (const std::string& remark : headRemarks(program)) text += "; " + remark + "\n";
   for (const ProgramMotion& motion : program.motions) {
     if (motion.kind == ProgramMotion::Kind::Joint) {
       text += "JOINT";

@@ -99,6 +99,35 @@ class TurningSimulationTest : public QObject {
     QVERIFY(meter.finish() == state.finish);
   }
 
+  // A hand that faces the bar and passes the axis leaves nothing there, wherever it was seen on both sides of it; also
+  // with a nose that is nearly a point.
+  void facedThroughTheAxis() {
+    const TurnedProfile bar(kBar, 0.1);
+    for (const double beyond : {0.3, 1.0, 3.0}) {
+      TurningPass pointed = blank();
+      pointed.noseRadius = TurningPass::kLeastNose;
+      TurningSimulation simulation(bar, TurnedSurface(bar, 0.05), pointed, kBase, std::make_shared<TurningChannel>());
+      double time = 0.0;
+      for (const double x : {22.0, 10.0, 2.0, 1.0, -beyond}) {
+        SimulationInput input;
+        input.gesture = 1;
+        input.tip.time = time += 0.5;
+        input.proxy = Vec3(x * std::cos(0.4), x * std::sin(0.4), kBase + 95.0);
+        simulation.step(0.004, std::span(&input, 1));
+      }
+      const auto& state = static_cast<const TurningState&>(*simulation.state());
+      const auto faced = static_cast<std::size_t>(std::lround(95.0 / 0.1));  // the sample there
+      QVERIFY(std::abs(bar.z(faced) - 95.0) < 1e-9);
+      QVERIFY2(state.profile.radius(faced) < 1e-9, QByteArray::number(state.profile.radius(faced)));
+      // Who repeats the pass finds the same.
+      TurnedProfile again = bar;
+      const TurningPass& pass = simulation.pass();
+      QCOMPARE(pass.times.size(), pass.path.size());
+      for (std::size_t i = 0; i < pass.path.size(); ++i) cut(again, pass, pass.path[i == 0 ? 0 : i - 1], pass.path[i]);
+      QVERIFY(again == state.profile);
+    }
+  }
+
   // From any side: nothing beside the bar, k times the depth of the hand against it.
   void anUncutBarIsFelt_data() {
     QTest::addColumn<double>("angle");

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -103,6 +104,7 @@ class PropertyListTest : public QObject {
   }
 
   void editsOfEachKind();
+  void longTexts();
   void numbersInTexts();
   void sliderDrags();
   void valuesChangeInPlace();
@@ -170,6 +172,36 @@ void PropertyListTest::numbersInTexts() {
     QTest::keyClicks(note, QLatin1String(typed) + "\r");
     QVERIFY(!bench.edits.empty() && bench.edits.back() == (Edit{"note", std::string("0.25"), false}));
   }
+}
+
+// A text of several lines is typed with its lines, taken by Ctrl+Return or when the field is left, and given back by
+// Esc.
+void PropertyListTest::longTexts() {
+  PropertyListBench bench;
+  std::vector<Property> properties = sampleProperties();
+  named(properties, "note").value = std::string("Turn the\nshaft.");
+  named(properties, "note").id = "step.1.text";
+  bench.list.setProperties(properties);
+  auto* field = bench.find<QPlainTextEdit>("step.1.text", "propertyLongText");
+  QCOMPARE(field->toPlainText(), QString("Turn the\nshaft."));
+  QVERIFY(!field->accessibleName().isEmpty());
+  field->setFocus();
+  field->moveCursor(QTextCursor::End);
+  QTest::keyClick(field, Qt::Key_Return);
+  QTest::keyClicks(field, "Then part it off.");
+  QVERIFY(bench.edits.empty());
+  QTest::keyClick(field, Qt::Key_Return, Qt::ControlModifier);
+  const std::string whole = "Turn the\nshaft.\nThen part it off.";
+  QVERIFY(bench.edits == std::vector<Edit>({{"step.1.text", whole, false}}));
+  named(properties, "step.1.text").value = whole;
+  bench.list.setProperties(properties);
+  QTest::keyClicks(field, "!");
+  QTest::keyClick(field, Qt::Key_Escape);
+  QCOMPARE(field->toPlainText(), QString::fromStdString(whole));
+  QTest::keyClicks(field, "?");
+  bench.find<QLineEdit>("diameter", "numberLine")->setFocus();
+  QCOMPARE(bench.edits.size(), std::size_t{2});
+  QCOMPARE(std::get<std::string>(bench.edits.back().value).size(), whole.size() + 1);
 }
 
 void PropertyListTest::sliderDrags() {

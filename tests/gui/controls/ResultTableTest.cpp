@@ -9,6 +9,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QVBoxLayout>
 #include <limits>
@@ -66,9 +67,43 @@ class ResultTableTest : public QObject {
   void menuSorts();
   void copies();
   void activates();
+  void firstColumnStays();
   void empty();
   void pictures();
 };
+
+// However far the marks are scrolled, whose they are is seen beside them, in the same rows, and can be chosen there.
+void ResultTableTest::firstColumnStays() {
+  ResultBench bench;
+  QStringList headings{"Student"};
+  std::vector<ResultModel::Row> rows;
+  for (int i = 0; i < 30; ++i) headings << QString("Criterion %1").arg(i);
+  for (int row = 0; row < 60; ++row) {
+    rows.push_back({{QString("Student %1").arg(row)}});
+    for (int i = 0; i < 30; ++i) rows.back().push_back({QString::number(i), double(i)});
+  }
+  bench.table.setTable(headings, rows);
+  auto* first = bench.table.findChild<QTreeView*>("firstColumn");
+  QVERIFY(first);
+  bench.table.horizontalScrollBar()->setValue(bench.table.horizontalScrollBar()->maximum());
+  bench.table.verticalScrollBar()->setValue(bench.table.verticalScrollBar()->maximum() / 2);
+  QVERIFY(bench.table.horizontalScrollBar()->value() > 0 && bench.table.verticalScrollBar()->value() > 0);
+  const QPoint place(5, bench.table.viewport()->height() / 2);
+  const QPoint within = first->viewport()->mapFrom(&bench.table, bench.table.viewport()->mapTo(&bench.table, place));
+  const QModelIndex name = first->indexAt(within), beside = bench.table.indexAt(place);
+  QCOMPARE(name.column(), 0);
+  QVERIFY(name.row() > 0);
+  QCOMPARE(name.row(), beside.row());
+  QVERIFY(bench.table.childAt(bench.table.viewport()->mapTo(&bench.table, place)) == first->viewport());
+  QTest::mouseClick(first->viewport(), Qt::LeftButton, {}, within);
+  QVERIFY(bench.table.selectionModel()->isRowSelected(name.row(), {}));
+  // By its heading, too, the rows of both are sorted.
+  QTest::mouseClick(first->header()->viewport(), Qt::LeftButton, {}, QPoint(10, 5));
+  QCOMPARE(bench.table.header()->sortIndicatorSection(), 0);
+  QCOMPARE(bench.table.model()->index(1, 0).data().toString(), QString("Student 1"));
+  QTest::mouseClick(first->header()->viewport(), Qt::LeftButton, {}, QPoint(10, 5));
+  QCOMPARE(bench.table.model()->index(0, 0).data().toString(), QString("Student 59"));
+}
 
 // Numbers by value, "2" before "10" in texts, what is empty last.
 void ResultTableTest::sorts() {

@@ -100,6 +100,24 @@ class CameraNavigationTest : public QObject {
     QVERIFY((lathe.conjugate() * Vec3::UnitX()).z() > 0.5);
   }
 
+  // As a turner stands before it: the chuck on the left in front and from above, the tool nearer to the viewer in front
+  // and below the work from above, the end of the bar to be seen from the right.
+  void aLatheFromItsSides() {
+    const auto see = [](StandardView v, const Vec3& way) -> Vec3 {
+      return (latheFrame() * orientationOf(v)).conjugate() * way;  // on the screen: right, up, to the viewer
+    };
+    const Vec3 axis = Vec3::UnitZ(), tool = Vec3::UnitX();
+    QVERIFY((see(StandardView::Front, axis) - Vec3::UnitX()).norm() < 1e-12);
+    QVERIFY((see(StandardView::Front, tool) - Vec3::UnitZ()).norm() < 1e-12);
+    QVERIFY((see(StandardView::Top, axis) - Vec3::UnitX()).norm() < 1e-12);
+    QVERIFY((see(StandardView::Top, tool) + Vec3::UnitY()).norm() < 1e-12);
+    QVERIFY((see(StandardView::Right, axis) - Vec3::UnitZ()).norm() < 1e-12);
+    QVERIFY((see(StandardView::Right, tool) + Vec3::UnitX()).norm() < 1e-12);
+    QVERIFY(see(StandardView::Isometric, axis).x() > 0.5 && see(StandardView::Isometric, tool).z() > 0.0);
+    // Above is the same side as in the view that a workpiece is shown in first.
+    QVERIFY((orientationOf(StandardView::Lathe).conjugate() * (latheFrame() * Vec3::UnitZ())).y() > 0.5);
+  }
+
   void fromScreenInvertsToScreen() {
     QVERIFY(rc::check([] {
       const CameraNavigation view(anyCameraOfBoth(), kCameraNavigationSize);

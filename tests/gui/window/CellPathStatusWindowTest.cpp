@@ -61,6 +61,48 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.becomes(0, "free"));
   }
 
+  // Verified all together: how many are proven is said, also where that was known, and why the first other one is not.
+  void allAreVerified() {
+    TwoPaths driver;
+    driver.choose("verifyAllPaths");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 path(s) proven"), kPatienceMs);
+    driver.choose("add-box");  // in the way of both
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "300");
+    driver.edit("body.1.y", "0");
+    driver.edit("body.1.z", "400");
+    driver.edit("body.1.size_z", "800");
+    QVERIFY(driver.settle());
+    driver.choose("verifyAllPaths");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 not"), kPatienceMs);
+    QVERIFY(driver.text("messageText").contains(driver.paths()->child(0)->text(0) + ": "));
+    QVERIFY(driver.text("messageText").contains("collision"));
+  }
+
+  // The rows stay where they are, whatever is known of the selected one.
+  void theListKeepsItsSize() {
+    TwoPaths driver;
+    driver.tree()->setCurrentItem(driver.configurations()->child(0));
+    QApplication::processEvents();
+    const QSize before = driver.tree()->size();
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QApplication::processEvents();
+    QVERIFY(driver.find<QLabel>("planDetail")->isVisible());
+    QCOMPARE(driver.tree()->size(), before);
+  }
+
+  // A banner comes and goes over the view: what is seen there stays.
+  void bannersMoveNothing() {
+    TwoPaths driver;
+    driver.choose("verifyPath");
+    auto* bar = driver.find<QWidget>("messageBar");
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), kPatienceMs);
+    const QRect with(driver.view()->mapToGlobal(QPoint()), driver.view()->size());
+    while (bar->isVisible()) driver.click("messageClose");
+    QApplication::processEvents();
+    QCOMPARE(QRect(driver.view()->mapToGlobal(QPoint()), driver.view()->size()), with);
+  }
+
   // By another name it is the same path.
   void renamed() {
     TwoPaths driver;

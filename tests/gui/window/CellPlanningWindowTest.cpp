@@ -9,6 +9,26 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
+namespace {
+
+// The robot above a block, with the tool for paths along curves, and a place in the view where the block is seen.
+QPoint beforeABlock(PlanningWindow& driver) {
+  driver.edit("joint.joint_2", "28.6");
+  driver.edit("joint.joint_3", "45.8");
+  driver.choose("add-box");
+  if (!driver.settle()) return {};
+  driver.edit("body.1.x", "500");
+  driver.edit("body.1.y", "0");
+  driver.edit("body.1.z", "150");
+  driver.choose("processTool");
+  if (!driver.settle()) return {};
+  driver.view()->setStandardView(StandardView::Front);
+  driver.showAll();
+  return driver.placeOf("body.1");
+}
+
+}  // namespace
+
 // A planner's work in the window: configurations are stored, a path is planned, verified, edited and played.
 class CellPlanningWindowTest : public QObject {
   Q_OBJECT
@@ -111,18 +131,7 @@ class CellPlanningWindowTest : public QObject {
   // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.
   void alongAnEdge() {
     PlanningWindow driver;
-    driver.edit("joint.joint_2", "28.6");
-    driver.edit("joint.joint_3", "45.8");
-    driver.choose("add-box");
-    QVERIFY(driver.settle());
-    driver.edit("body.1.x", "500");
-    driver.edit("body.1.y", "0");
-    driver.edit("body.1.z", "150");
-    driver.choose("processTool");
-    QVERIFY(driver.settle());
-    driver.view()->setStandardView(StandardView::Front);
-    driver.showAll();
-    const QPoint middle = driver.placeOf("body.1");
+    const QPoint middle = beforeABlock(driver);
     QVERIFY(!middle.isNull());
     const auto settings = [&](const char* id) {
       return driver.find<QDockWidget>("toolDock")->findChild<QWidget*>(QStringLiteral("property/") + QLatin1String(id));
@@ -171,6 +180,48 @@ class CellPlanningWindowTest : public QObject {
     driver.choose("planPathAgain");
     QVERIFY(driver.settle());
     QCOMPARE(driver.paths()->child(0)->childCount(), 3);
+  }
+
+  // The part of a path was moved: who exports it is asked before, and may plan it again, or write it as it is; then the
+  // program says it.
+  void anOutdatedPathIsAskedAbout() {
+    PlanningWindow driver;
+    const QPoint middle = beforeABlock(driver);
+    QVERIFY(!middle.isNull());
+    driver.move(middle);
+    QTest::mouseMove(driver.view(), middle);
+    QVERIFY(driver.settle());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
+    auto* plan = driver.find<QAbstractButton>("toolAction/commit");
+    QTRY_VERIFY(plan->isEnabled());
+    QTest::mouseClick(plan, Qt::LeftButton);
+    const auto remark = [&] {
+      return driver.paths()->childCount() > 0 ? driver.paths()->child(0)->text(1) : QString();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains("free"), kPatienceMs);
+    driver.choose("jointTool");
+    driver.clickRow(0);
+    driver.edit("body.1.x", "510");
+    driver.clickItem(driver.paths()->child(0));
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains("plan again"), kPatienceMs);
+    const auto dialog = [&] { return driver.window().findChild<QFileDialog*>(QStringLiteral("exportProgramDialog")); };
+    driver.choose("exportProgram");
+    QVERIFY(!dialog());
+    QVERIFY(driver.text("messageText").contains("outdated"));
+    QVERIFY(driver.text("messageText").contains("box"));
+    driver.click("messageOther");  // as it is
+    QTemporaryDir folder;
+    QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.mod")));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.mod was written"), kPatienceMs);
+    QFile written(folder.filePath("way.mod"));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(written.readAll().contains("! Outdated: the part box has moved"));
+    QTRY_VERIFY(!dialog());
+    driver.choose("exportProgram");
+    driver.click("messageAction");  // planned again
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains("free"), kPatienceMs);
+    driver.choose("exportProgram");
+    QTRY_VERIFY(dialog());
   }
 
   void aPathIsPlayed() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CellWindow.h"
 #include "WindowTestMain.h"
+#include "panels/HintBar.h"
 #include "viewport/camera/CameraNavigation.h"
 
 #include <QComboBox>
@@ -193,6 +194,34 @@ class CellRobotsWindowTest : public QObject {
     QCOMPARE(number("robot.ur5.y"), base.y());
     driver.click("quickActions/undo");
     QCOMPARE(number("robot.ur5.x"), base.x());
+  }
+
+  // Where links are dragged the hint says what moves a base; with that tool any link does, and no joint moves.
+  void draggedByALink() {
+    TwoRobotsWindow driver;
+    const auto hint = [&] { return driver.find<HintBar>("hintBar")->accessibleName(); };
+    QVERIFY(!hint().contains("by its base"));
+    driver.addBuiltIn();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(hint().contains("Shift+W: move a robot by its base"));
+    driver.choose("placeTool");
+    driver.view()->setStandardView(StandardView::Top);
+    driver.showAll();
+    QVERIFY(driver.settle());
+    const QPoint link = driver.placeOf("ur5_link_2/0");
+    QVERIFY(!link.isNull());
+    driver.tree()->setCurrentItem(driver.robot(1));
+    const auto number = [&](const char* field) { return driver.field(field).split(' ').front().toDouble(); };
+    const double x = number("robot.ur5.x"), y = number("robot.ur5.y");
+    driver.tree()->setCurrentItem(driver.robot(0));  // pressing chooses the other one
+    QTest::mousePress(driver.view(), Qt::LeftButton, {}, link);
+    driver.move(link + QPoint(20, 0));
+    driver.move(link + QPoint(60, 0));
+    QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, link + QPoint(60, 0));
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Move ur5"));
+    QVERIFY(number("robot.ur5.x") > x + 1.0);
+    QCOMPARE(number("robot.ur5.y"), y);
   }
 
   // The description of the other robot's pairs and states is read for that one.

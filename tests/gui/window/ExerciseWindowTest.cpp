@@ -192,11 +192,15 @@ class ExerciseWindowTest : public QObject {
 
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
     QVERIFY(driver.settle());
+    QVERIFY(!driver.find<QWidget>("messageBar")->isVisible());  // the student's is over the student's work only
     driver.choose("markExercise");
     QVERIFY(driver.enterFileName("markDialog", path));
     QVERIFY(driver.settle());
     auto* rows = driver.find<QAbstractItemView>("classRows");
     QTRY_COMPARE(rows->model()->rowCount(), 1);
+    QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
+    QVERIFY(driver.text("messageText").contains("1 work(s) marked"));
+    QVERIFY(driver.text("messageText").contains("Ada: "));
     QCOMPARE(rows->model()->index(0, 0).data().toString(), QStringLiteral("Ada"));
     QVERIFY(rows->isVisible());
     // Another document for a moment, and the class is there still.
@@ -401,7 +405,11 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
     auto* dialog = driver.find<QDialog>("targetPlaceDialog");
     QTRY_VERIFY(dialog->isVisible());
-    QVERIFY(labelsOf(dialog).contains("at Z 99 mm"));
+    const auto face = [&] { return dialog->findChild<QWidget*>("property/target_face")->findChildren<QLabel*>(); };
+    const auto faceIs = [&](const char* place) {
+      return std::any_of(face().begin(), face().end(), [&](const QLabel* each) { return each->text() == place; });
+    };
+    QVERIFY(faceIs("99 mm"));
     dialog->reject();
     QTRY_VERIFY(!driver.window().findChild<QDialog*>("targetPlaceDialog"));
     QVERIFY(exercise.exercise().task == before);
@@ -415,6 +423,8 @@ class ExerciseWindowTest : public QObject {
     facing->selectAll();
     QTest::keyClicks(facing, "2.5");
     QTest::keyClick(facing, Qt::Key_Tab);
+    QVERIFY(faceIs("97.5 mm"));  // nothing in the dialog tells another place
+    QVERIFY(!labelsOf(dialog).contains("behind the free end of the bar"));
     dialog->findChild<QPushButton*>("propertiesAccept")->click();
     QVERIFY(driver.settle());
     const auto& task = static_cast<const TurningTask&>(*exercise.exercise().task);

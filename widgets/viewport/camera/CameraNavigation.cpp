@@ -181,6 +181,12 @@ Eigen::Quaterniond orientationOf(StandardView view) {
   return looking(x - y + z, z);
 }
 
+Eigen::Quaterniond latheFrame() {
+  Eigen::Matrix3d frame;
+  frame << Vec3::UnitZ(), -Vec3::UnitX(), -Vec3::UnitY();  // of right, back and top
+  return Eigen::Quaterniond(frame);
+}
+
 Eigen::Quaterniond uprightTowards(const Vec3& outward) {
   if (!(outward.squaredNorm() > 0) || !outward.allFinite()) return orientationOf(StandardView::Isometric);
   const Vec3 z = outward.normalized();

@@ -72,6 +72,9 @@ class CameraNavigation {
 std::array<Vec3, 8> cornersOf(const Box& box);
 // The orientation of a standard view.
 Eigen::Quaterniond orientationOf(StandardView view);
+// The rotation that takes the sides of standard views to those of a lathe, as its operator sees them: right is along
+// the axis, z, away from the chuck, front is the side of the tool, x, and top is against y.
+Eigen::Quaterniond latheFrame();
 // The upright orientation that looks against outward, with z up. From straight above or below it is as in StandardView.
 // outward need not be of unit length; zero, or a vector that is not finite, gives the isometric view.
 Eigen::Quaterniond uprightTowards(const Vec3& outward);

@@ -49,8 +49,8 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
 std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnapshot work, const ProgramTrial& trial,
                                           Progress progress) {
   std::vector<ProgramFinding> findings;
-  work.part = trial.part();
-  const auto peaks = work.part ? peakLoads(task, work, progress) : std::nullopt;
+  const auto before = std::exchange(work.part, trial.part());
+  const auto peaks = work.part ? peakLoads(task, work, before.get(), progress) : std::nullopt;
   if (!peaks) return findings;
   const auto add = [&](double value, double limit, const QString& text) {
     const QLocale locale;
@@ -59,9 +59,11 @@ std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnap
                           text.arg(locale.toString(value, 'g', 3), locale.toString(limit, 'g', 3)), std::nullopt});
   };
   add(peaks->first, task.forceLimit,
-      ProgramSession::tr("force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked."));
+      ProgramSession::tr(
+          "force: up to %1 N, where the lathe of the exercise takes %2 N. It is in the report of the exercise."));
   add(peaks->second, task.powerLimit,
-      ProgramSession::tr("power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked."));
+      ProgramSession::tr(
+          "power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise."));
   return findings;
 }
 

@@ -17,6 +17,10 @@ class DrillingSubject : public ExerciseSubject {
   std::vector<FigureType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
+  // None of the forbidden region is touched.
+  std::optional<double> usualLimit(const std::string& figure, const ExerciseTask&) const override {
+    return figure == "forbidden" ? std::optional(0.0) : std::nullopt;
+  }
   std::string placeProblem(const MarkingCriterion&, const ExerciseTask&) const override { return {}; }
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;

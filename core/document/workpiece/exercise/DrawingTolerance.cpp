@@ -26,14 +26,20 @@ bool isOneOf(std::span<const std::string_view> figures, const MarkingCriterion& 
   return std::find(figures.begin(), figures.end(), c.figure) != figures.end();
 }
 
-// "±0.2": as much on both sides of the nominal value. None for other texts.
-std::optional<double> symmetricTolerance(const std::string& text) {
-  constexpr std::string_view kSign = "±";
-  if (!text.starts_with(kSign)) return std::nullopt;
-  double half = 0.0;
-  ErrorCode why;
-  if (!parseDecimal(text.substr(kSign.size()), half, why) || !std::isfinite(half) || half < 0.0) return std::nullopt;
-  return half;
+// "±0.2": as much on both sides of the nominal value; also as keyboards without the sign have it, "+-0.2" and "+/-0.2",
+// which becomes that. None for other texts.
+std::optional<double> symmetricTolerance(std::string& text) {
+  for (const std::string_view sign : {"±", "+-", "+/-"}) {
+    if (!text.starts_with(sign)) continue;
+    std::string_view number = std::string_view(text).substr(sign.size());
+    while (number.starts_with(' ')) number.remove_prefix(1);
+    double half = 0.0;
+    ErrorCode why;
+    if (!parseDecimal(number, half, why) || !std::isfinite(half) || half < 0.0) return std::nullopt;
+    text = "±" + std::string(number);
+    return half;
+  }
+  return std::nullopt;
 }
 
 // "10": not where the tolerance lies.

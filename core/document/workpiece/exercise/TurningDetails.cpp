@@ -131,8 +131,9 @@ void addDeviations(ReportDetails& details, const TurningTask& task, const Workpi
   add(QT_TRANSLATE_NOOP("Figure", "Cut too deep"), track.deep);
 }
 
-ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe) {
-  std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
+// zero: mm, Z that places are told from.
+ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe, double zero) {
+  std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4), roundedText(2.0 * crash.place.x(), 4)};
   if (crash.what == CrashMoment::What::Chuck)
     return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), place}};
   place.insert(place.end(), {feedText(crash.feed), roundedText(lathe.largestFeed, 3)});
@@ -166,7 +167,7 @@ ReportCurve finishCurve(const MeasuredPart& part) {
 }
 
 // By the judgement of the lathe itself, in the order of the causes.
-ReportEvent eventOf(const LatheCollision& crash) {
+ReportEvent eventOf(const LatheCollision& crash, double zero) {
   static constexpr std::array<const char*, 6> kTexts = {
       QT_TRANSLATE_NOOP("Note", "Parts of the lathe met at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm."),
@@ -174,8 +175,18 @@ ReportEvent eventOf(const LatheCollision& crash) {
       QT_TRANSLATE_NOOP("Note", "The spindle turned the wrong way at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.")};
-  const std::vector<std::string> place = {roundedText(crash.place.y(), 4), roundedText(2.0 * crash.place.x(), 4)};
+  const std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4),
+                                          roundedText(2.0 * crash.place.x(), 4)};
   return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
+}
+
+// The heaviest cut, where the lathe has not what it takes; it is told whether or not a mark is given for it.
+void addOverload(ReportDetails& details, const std::vector<MeasuredPart::Load>& loads,
+                 double MeasuredPart::Load::*which, double limit, const char* text, int digits) {
+  const auto largest =
+      std::max_element(loads.begin(), loads.end(), [&](const auto& a, const auto& b) { return a.*which < b.*which; });
+  if (largest == loads.end() || !((*largest).*which > limit)) return;
+  details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 
 }  // namespace
@@ -192,8 +203,14 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
   details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
   if (task.target) addDeviations(details, task, work, progress);
-  for (const CrashMoment& crash : part.unrecordedCrashes()) details.events.push_back(eventOf(crash, task.lathe));
-  for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash));
+  for (const CrashMoment& crash : part.unrecordedCrashes())
+    details.events.push_back(eventOf(crash, task.lathe, part.zero()));
+  for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash, part.zero()));
+  addOverload(details, loads, &MeasuredPart::Load::force, task.forceLimit,
+              QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N."),
+              4);
+  addOverload(details, loads, &MeasuredPart::Load::power, task.powerLimit,
+              QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a power of %1 kW, where the lathe has %2 kW."), 3);
   details.seconds = part.review()->seconds();
   return details;
 }

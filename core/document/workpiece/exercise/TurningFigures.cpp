@@ -41,22 +41,24 @@ double worse(const MarkingCriterion& c, double least, double largest) {
   return largest - middle >= middle - least ? largest : least;
 }
 
-Figure diameter(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide side) {
+// zero: mm, Z that remarks count from, as the drawing and the read-out do.
+Figure diameter(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide side, double zero) {
   const auto reading = measureDiameter(profile, side, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface along all of the range"));
   const double value = worse(c, reading->least, reading->largest);
   const double at = value == reading->least ? reading->leastAt : reading->largestAt;
-  return {c.id, value, {QT_TRANSLATE_NOOP("Note", "at Z %1 mm"), {measuredText(at, "mm")}}};
+  return {c.id, value, {QT_TRANSLATE_NOOP("Note", "at Z %1 mm"), {measuredText(at - zero, "mm")}}};
 }
 
-Figure distance(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide first) {
+Figure distance(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide first, double zero) {
   const auto from = measureFace(profile, first, c.arguments[0], c.arguments[1], kFaceReach);
   const auto to = measureFace(profile, TurningSide::Outside, c.arguments[2], c.arguments[3], kFaceReach);
   if (!from) return none(c, QT_TRANSLATE_NOOP("Note", "the first face is missing"));
   if (!to) return none(c, QT_TRANSLATE_NOOP("Note", "the second face is missing"));
   return {c.id,
           std::abs(*to - *from),
-          {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"), {measuredText(*from, "mm"), measuredText(*to, "mm")}}};
+          {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"),
+           {measuredText(*from - zero, "mm"), measuredText(*to - zero, "mm")}}};
 }
 
 // Whether the surface of a target bulges away from its axis along a range; none where it does not tell.
@@ -93,7 +95,7 @@ Figure arc(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide 
 }
 
 // A chamfer of 45° is one at both ends of a part: the sign counts for a teacher who gives a negative limit.
-Figure taper(const MarkingCriterion& c, const TurnedProfile& profile) {
+Figure taper(const MarkingCriterion& c, const TurnedProfile& profile, double zero) {
   constexpr double kShown = 1e6;  // parts of a degree: what is below is rounding
   const auto reading = measureTaper(profile, TurningSide::Outside, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface in the range"));
@@ -102,7 +104,7 @@ Figure taper(const MarkingCriterion& c, const TurnedProfile& profile) {
   return {c.id,
           isSigned ? angle : std::abs(angle),
           {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"),
-           {roundedText(reading->range.from, 4), roundedText(reading->range.to, 4)}}};
+           {roundedText(reading->range.from - zero, 4), roundedText(reading->range.to - zero, 4)}}};
 }
 
 double ThreadReading::*threadFigure(const std::string& figure) {
@@ -159,14 +161,28 @@ bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
   return true;
 }
 
+// As it was before it was cut.
+TurnedProfile barOf(const WorkpieceSnapshot& workpiece, std::size_t samples) {
+  return TurnedProfile::fromRadii(std::vector<double>(samples, 0.5 * workpiece.stock.diameter), workpiece.stock.length);
+}
+
+std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review) {
+  const WorkMaterial* material = WorkMaterials::standard().find(task.material);
+  return material ? cutLoads(review, *material) : std::vector<CutLoad>();
+}
+
 }  // namespace
 
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
-                                                   Progress progress) {
-  const MeasuredPart part(task, workpiece, progress);
-  if (!part.review()) return std::nullopt;
+                                                   const TurnedPart* before, Progress progress) {
+  const TurnedPart& now = *workpiece.part;
+  const TurnedProfile from = before ? before->profile : barOf(workpiece, now.profile.size());
+  std::vector<TurningPasses::Pass> passes;
+  for (std::size_t i = before ? before->passes.size() : 0; i < now.passes.size(); ++i) passes.push_back(now.passes[i]);
+  const auto review = TurningReview::make(from, passes, task.lathe, progress);
+  if (!review) return std::nullopt;
   std::pair<double, double> peaks(0.0, 0.0);
-  for (const MeasuredPart::Load& load : part.loads())
+  for (const CutLoad& load : loadsOf(task, *review))
     peaks = {std::max(peaks.first, load.force), std::max(peaks.second, load.power)};
   return peaks;
 }
@@ -234,9 +250,7 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
     m_threads = workpiece.part->threads();
     m_finish = workpiece.part->finish;
   }
-  const TurnedProfile bar = TurnedProfile::fromRadii(
-      std::vector<double>(m_profile.size(), 0.5 * workpiece.stock.diameter), workpiece.stock.length);
-  m_review = TurningReview::make(bar, m_passes, task.lathe, progress);
+  m_review = TurningReview::make(barOf(workpiece, m_profile.size()), m_passes, task.lathe, progress);
   if (m_review && m_profile.isBored()) m_finish = withDrilledAsRepeated(std::move(m_finish), m_review->finish());
   m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
 }
@@ -284,9 +298,7 @@ std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
 }
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
-  const WorkMaterials& kMaterials = WorkMaterials::standard();
-  const WorkMaterial* material = kMaterials.find(m_task.material);
-  return material && m_review ? cutLoads(*m_review, *material) : std::vector<Load>();
+  return m_review ? loadsOf(m_task, *m_review) : std::vector<Load>();
 }
 
 Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const {
@@ -316,7 +328,7 @@ Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   return {c.id,
           reading->roughness,
           {QT_TRANSLATE_NOOP("Note", "up to %1 µm, at Z %2 mm"),
-           {roundedText(reading->largest, 3), roundedText(reading->largestAt, 4)}}};
+           {roundedText(reading->largest, 3), roundedText(reading->largestAt - zero(), 4)}}};
 }
 
 // A feed that no tool survives counts as a collision, and is named as what it is.
@@ -341,13 +353,13 @@ Figure MeasuredPart::collisions(const MarkingCriterion& c) const {
 }
 
 Figure MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const {
-  if (c.figure == "diameter") return diameter(c, m_profile, TurningSide::Outside);
-  if (c.figure == "bore") return diameter(c, m_profile, TurningSide::Bore);
-  if (c.figure == "length") return distance(c, m_profile, TurningSide::Outside);
-  if (c.figure == "depth") return distance(c, m_profile, TurningSide::Bore);
+  if (c.figure == "diameter") return diameter(c, m_profile, TurningSide::Outside, zero());
+  if (c.figure == "bore") return diameter(c, m_profile, TurningSide::Bore, zero());
+  if (c.figure == "length") return distance(c, m_profile, TurningSide::Outside, zero());
+  if (c.figure == "depth") return distance(c, m_profile, TurningSide::Bore, zero());
   if (c.figure == "arc") return arc(c, m_profile, TurningSide::Outside, m_task.target);
   if (c.figure == "bore_arc") return arc(c, m_profile, TurningSide::Bore, m_task.target);
-  if (c.figure == "taper") return taper(c, m_profile);
+  if (c.figure == "taper") return taper(c, m_profile, zero());
   if (threadFigure(c.figure)) return threadReading(c, m_profile, m_threads.get());
   if (!m_task.target) return none(c, QT_TRANSLATE_NOOP("Note", "the exercise has no target"));
   const TargetDeviation deviation = deviationFrom(*m_task.target, m_profile, 0.0, progress, rangeOf(c));
@@ -355,8 +367,8 @@ Figure MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const
   return {c.id,
           deviation.largest(),
           {QT_TRANSLATE_NOOP("Note", "%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm"),
-           {roundedText(over.distance, 3), roundedText(over.at.y(), 4), roundedText(-under.distance, 3),
-            roundedText(under.at.y(), 4)}}};
+           {roundedText(over.distance, 3), roundedText(over.at.y() - zero(), 4), roundedText(-under.distance, 3),
+            roundedText(under.at.y() - zero(), 4)}}};
 }
 
 }  // namespace handwheel

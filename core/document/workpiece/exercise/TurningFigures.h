@@ -16,10 +16,10 @@ const std::vector<FigureType>& turningFigureTypes();
 // As ExerciseSubject::placeProblem(), for parts that are made of this bar.
 std::string placeProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
 
-// The largest force (N) and power (kW) of all passes of a workpiece, as they are marked. None: too much work,
-// cancelled.
+// The largest force (N) and power (kW) of the passes that follow those of `before` in a workpiece that was cut, as they
+// are marked; null: of all. `before` must be that workpiece at an earlier time. None: too much work, cancelled.
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
-                                                   Progress progress = {});
+                                                   const TurnedPart* before, Progress progress = {});
 
 // "1.25"; "∞" while the spindle stood.
 std::string feedText(double feed);
@@ -49,6 +49,8 @@ class MeasuredPart {
   std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
   // The same at a sample.
   FinishMark finishAt(TurningSide side, std::size_t i) const;
+  // mm, Z that remarks count from: the finished face of the target.
+  double zero() const { return m_task.target ? m_task.target->upperEnd() : 0.0; }
 
  private:
   Figure ofPasses(const MarkingCriterion& criterion) const;

@@ -92,6 +92,18 @@ Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
   return applyDrawingTolerance(criterion);
 }
 
+std::optional<double> TurningSubject::drawingZero(const ExerciseTask& task) const {
+  const auto& target = turningOf(task).target;
+  return target ? std::optional(target->upperEnd()) : std::nullopt;
+}
+
+std::optional<double> TurningSubject::usualLimit(const std::string& figure, const ExerciseTask& task) const {
+  if (figure == "crashes") return 0.0;
+  if (figure == "force") return turningOf(task).forceLimit;
+  if (figure == "power") return turningOf(task).powerLimit;
+  return std::nullopt;
+}
+
 std::string TurningSubject::placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const {
   return handwheel::placeProblem(criterion, turningOf(task).stock);
 }

@@ -13,9 +13,14 @@ class TurningSubject : public ExerciseSubject {
   std::string id() const override { return "turning"; }
   std::string title() const override;
   const DocumentKind& kind() const override { return m_kind; }
+  bool isTurned() const override { return true; }
   std::vector<FigureType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
+  // The finished face.
+  std::optional<double> drawingZero(const ExerciseTask& task) const override;
+  // No collision, and the force and power that the lathe has.
+  std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const override;
   std::string placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const override;
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;

@@ -75,8 +75,7 @@ Result<ExerciseSubject::ImportedTask> TurningSubject::withImportedTarget(const E
   const TargetProfile target = placedTarget(*imported, stock, facing)->profile;
   std::vector<Note> notes = notesOnSize(target, stock);
   notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
-  notes.push_back(noteOnPlace(target, stock));
-  return ImportedTask{handwheel::withTarget(task, target), std::move(notes), "Target"};
+  return ImportedTask{handwheel::withTarget(task, target), std::move(notes), "Target", noteOnPlace(target, stock)};
 }
 
 Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,

@@ -142,6 +142,13 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(sets("criterion.d.tolerance", "h7") && isNear(limits("d"), 29.979, 30.0));
     QVERIFY(sets("criterion.d.nominal", "40") && isNear(limits("d"), 39.975, 40.0));
     QVERIFY(sets("criterion.d.tolerance", "±0.2") && isNear(limits("d"), 39.8, 40.2));
+    // As keyboards have it; the drawing gets the sign.
+    for (const char* const typed : {"+-0.3", "+/-0.3", "+- 0.3"}) {
+      QVERIFY(sets("criterion.d.tolerance", typed) && isNear(limits("d"), 39.7, 40.3));
+      QCOMPARE(std::get<std::string>(document->property("criterion.d.tolerance")->value), std::string("±0.3"));
+      QVERIFY(sets("criterion.d.tolerance", "±0.2"));
+    }
+    QVERIFY(!sets("criterion.d.tolerance", "+-x") && !sets("criterion.d.tolerance", "+-"));
     QVERIFY(!sets("criterion.d.tolerance", "K7") && !sets("criterion.d.tolerance", "N7") &&
             !sets("criterion.d.tolerance", "h13") && isNear(limits("d"), 39.8, 40.2));
     // With the size in front, as on the drawing, where that is the nominal size: h7 of 40 mm is 25 µm.
@@ -172,7 +179,7 @@ class ExerciseDocumentTest : public QObject {
   // Where a mark is measured has a field for each number, which say what they take; limits say their unit.
   void fieldsSayWhatTheyTake() {
     const auto document = shoulderDocument();
-    QCOMPARE(document->property("criterion.d.at1")->label, std::string("From Z"));
+    QVERIFY(document->property("criterion.d.at1")->label.starts_with("From Z (on the drawing "));
     QVERIFY(document->property("criterion.d.at1")->quantity == Quantity::Length);
     QVERIFY(document->property("criterion.l.at4") && !document->property("criterion.l.at5"));
     QVERIFY(!document->property("criterion.crash.at1"));

@@ -91,22 +91,6 @@ class TurningExerciseTest : public QObject {
     QVERIFY(!marking.find("l")->remark.inEnglish().empty());
   }
 
-  // The peak is that of Kienzle's law for a groove as wide as the cut.
-  void forceAndPower() {
-    const TurningTask& task = static_cast<const TurningTask&>(*shoulder()->task);
-    const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
-    const auto snapshot = workFrom(*shoulder(), work);
-    const MeasuredPart part(task, static_cast<const WorkpieceSnapshot&>(*snapshot), {});
-    double force = 0.0, power = 0.0;
-    for (const auto& load : part.loads()) force = std::max(force, load.force), power = std::max(power, load.power);
-    // 2 mm deep at 0.3 mm: Fc = 1500 · 2 · 0.3^(1 - 0.22); Pc = Fc v / 60000 at ⌀40 and 600 r/min. The end of the nose
-    // makes the cut up to a fiftieth wider.
-    const double expected = 1500.0 * 2.0 * std::pow(0.3, 0.78), speed = M_PI * 40.0 * 600.0 / 1000.0;
-    QVERIFY2(force > 0.999 * expected && force < 1.05 * expected, QByteArray::number(force));
-    QVERIFY2(power > 0.999 * expected * speed / 60000 && power < 1.05 * expected * speed / 60000,
-             QByteArray::number(power));
-  }
-
   // A file whose part is not what its passes cut is found out.
   void aPartThatWasChangedInTheFile() {
     WorkpieceSnapshot forged = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork(31.0)));

@@ -185,6 +185,37 @@ class PostLanguagesTest : public QObject {
     QVERIFY(text.find("\n  set_payload") == text.npos);  // in a comment: the load of the installation counts
   }
 
+  // What was not proven is said where a person reads it, and moves nothing.
+  void whatWasNotProven_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<QByteArray>("sign");  // that its comments begin with
+    for (const auto& [post, sign] :
+         {std::pair("rapid", "!"), std::pair("krl", ";"), std::pair("fanuc", "!"), std::pair("urscript", "#"),
+          std::pair("csv", "#"), std::pair("json", "\"remarks\"")})
+      QTest::addRow("%s", post) << QByteArray(post) << QByteArray(sign);
+  }
+  void whatWasNotProven() {
+    QFETCH(const QByteArray, post);
+    QFETCH(const QByteArray, sign);
+    RobotProgram program = programOf("lrmate200id");
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 0.0, {}}};
+    program.remarks = {"Outdated: the part a_block_with_a_name_longer_than_pendants_show has moved."};
+    const std::string text = postCalled(post.toStdString())->write(program);
+    // All of it, line by line, whatever breaks the lines.
+    QString said;
+    for (const QString& line : QString::fromStdString(text).split('\n')) {
+      const qsizetype at = line.indexOf(sign);
+      if (at >= 0) said += line.mid(at + sign.size()).remove(' ').remove(';');
+      if (post == "fanuc" && at >= 0) QVERIFY2(line.mid(at).size() <= 25 + 2, qPrintable(line));  // and its end, " ;"
+      if (post == "json") said += line.trimmed().remove(' ').remove('"');
+    }
+    QVERIFY2(said.contains("Outdated:thepart"), text.c_str());
+    QVERIFY2(said.contains("a_block_with_a_name_longer_than_pendants_show"), text.c_str());
+    const auto check = checkWritten(*postCalled(post.toStdString()), program, text);
+    QVERIFY(check.hasValue());
+    QCOMPARE(check->motions, std::size_t{1});
+  }
+
   // Speeds as the manuals of the languages define them.
   void speeds_data() {
     QTest::addColumn<QByteArray>("post");

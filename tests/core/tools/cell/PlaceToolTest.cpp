@@ -131,6 +131,9 @@ class PlaceToolTest : public QObject {
     tool.pointer(down(Kind::Hover, 0, 600));
     QCOMPARE(tool.pointer(down(Kind::Press, 5, 600)), ToolReply::Used);
     QCOMPARE(m_selection.body(), std::optional(other));
+    const int steps = m_cell->steps();
+    tool.pointer(down(Kind::Release, 5, 600));
+    QCOMPARE(m_cell->steps(), steps);
     m_picked.clear();
     QCOMPARE(tool.pointer(down(Kind::Press, -900, -900)), ToolReply::Ignored);
   }
@@ -186,6 +189,37 @@ class PlaceToolTest : public QObject {
     QVERIFY(pose().isApprox(motion * now, 1e-9));
   }
 
+  // Dragged by any of its links another robot goes over the floor as the pointer does, its joints as they are; one
+  // step. The first one stays.
+  void aRobotByALink() {
+    auto changed = withRobotAdded(m_cell->content(),
+                                  {cellOf(*libraryTable("ur5")), "", poseOf({500.0, 100.0, 0.0}, Vec3(0.0, 0.0, 0.5))});
+    m_cell->document().commit("Add", m_cell->document().robotsEdit(std::move(changed).value()));
+    m_selection.clear();
+    const int steps = m_cell->steps();
+    PlaceTool tool = make();
+    const CellRobot& robots = m_cell->document().robot();
+    const auto drag = [&](std::uint32_t link) {
+      m_picked = robots.model.links[link].name + "/0";
+      tool.pointer(down(Kind::Press, 300, 0));
+      tool.pointer(down(Kind::Drag, 310, 0));
+      tool.pointer(down(Kind::Release, 340, -30));
+    };
+    const Pose first = base(0), before = base(1);
+    const JointValues joints = m_cell->document().joints();
+    drag(robots.arms[0].flange);
+    QCOMPARE(m_cell->steps(), steps);
+    drag(robots.arms[1].flange);
+    QCOMPARE(m_cell->steps(), steps + 1);
+    QVERIFY(base(1).isApprox(moved(before, {40, -30, 0}), 1e-9));
+    QVERIFY(base(0).matrix() == first.matrix() && m_cell->document().joints() == joints);
+    drag(robots.model.joints[robots.model.links[robots.arms[1].flange].parentJoint].parent);
+    QVERIFY(base(1).isApprox(moved(before, {80, -60, 0}), 1e-9));
+    m_cell->document().history()->undo();
+    m_cell->document().history()->undo();
+    QVERIFY(base(1).matrix() == before.matrix());
+  }
+
   // The base of another robot, pressed to select it, goes by its arrow and ring; its links are seen there before, and
   // each is one step. The first one, which all is measured from, has no handles.
   void aRobot() {
@@ -202,6 +236,7 @@ class PlaceToolTest : public QObject {
     m_picked = robots.model.links[robots.arms[1].base].name + "/0";
     QCOMPARE(tool.pointer(down(Kind::Press, 500, 100)), ToolReply::Used);
     QVERIFY(m_robot == std::size_t(1) && tool.handles());
+    tool.pointer(down(Kind::Release, 500, 100));
     m_picked.clear();
     const Pose before = base(1);
     const Vec3 tip = tipOf(1);

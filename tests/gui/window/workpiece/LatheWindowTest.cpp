@@ -94,6 +94,30 @@ class LatheWindowTest : public QObject {
     QCOMPARE(window.machine().setSpeed, 800.0);
   }
 
+  // What is not needed is folded away, by mouse or key, gives its room to the view, and stays so.
+  void sectionsFold() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    auto* dock = window.driver.find<QDockWidget>("latheDock");
+    auto* wheel = window.driver.find<QWidget>("latheCross");
+    auto* thread = window.driver.find<QWidget>("latheHalfNut");
+    QVERIFY(wheel->isVisible() && thread->isVisible());
+    const int high = dock->height(), view = window.view->height();
+    window.driver.click("latheSection/wheels");
+    window.driver.click("latheSection/thread");
+    QVERIFY(!wheel->isVisible() && !thread->isVisible());
+    QTRY_VERIFY(dock->height() < high - 20);
+    QVERIFY(window.view->height() > view + 20);
+    auto* heading = window.driver.find<QWidget>("latheSection/thread");
+    heading->setFocus();
+    QTest::keyClick(heading, Qt::Key_Space);
+    QVERIFY(thread->isVisible());
+    LatheWindow again;
+    QVERIFY(again.beginLathe());
+    QVERIFY(!again.driver.find<QWidget>("latheCross")->isVisible());
+    QVERIFY(again.driver.find<QWidget>("latheHalfNut")->isVisible());
+  }
+
   // Clockwise is in for the cross slide, away from the chuck for the carriage. The rings begin at zero and count up.
   void wheelsTurnAsOnALathe() {
     LatheWindow window;

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
+#include "TurningExercises.h"
+#include "document/exercise/ExerciseProperties.h"
+#include "document/exercise/ExerciseRows.h"
+#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningTask.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+using Json = nlohmann::json;
+
+namespace {
+
+std::shared_ptr<const ExerciseSnapshot> shoulder() {
+  static const ExerciseKind kKind(turningOnly());
+  static const auto kExercise = exerciseFrom(kKind, shoulderDescription());
+  return kExercise;
+}
+
+}  // namespace
+
+// What work asked of the lathe, what must not happen at it, and where: as it is said of passes, in marks and reports.
+class TurningLoadsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The peak is that of Kienzle's law for a groove as wide as the cut.
+  void forceAndPower() {
+    const TurningTask& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
+    const auto snapshot = workFrom(*shoulder(), work);
+    const MeasuredPart part(task, static_cast<const WorkpieceSnapshot&>(*snapshot), {});
+    double force = 0.0, power = 0.0;
+    for (const auto& load : part.loads()) force = std::max(force, load.force), power = std::max(power, load.power);
+    // 2 mm deep at 0.3 mm: Fc = 1500 · 2 · 0.3^(1 - 0.22); Pc = Fc v / 60000 at ⌀40 and 600 r/min. The end of the nose
+    // makes the cut up to a fiftieth wider.
+    const double expected = 1500.0 * 2.0 * std::pow(0.3, 0.78), speed = M_PI * 40.0 * 600.0 / 1000.0;
+    QVERIFY2(force > 0.999 * expected && force < 1.05 * expected, QByteArray::number(force));
+    QVERIFY2(power > 0.999 * expected * speed / 60000 && power < 1.05 * expected * speed / 60000,
+             QByteArray::number(power));
+  }
+
+  // What is said of a pass, or of a program, is of that alone, whatever was cut before.
+  void loadsOfEachPass() {
+    const TurningTask& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const Json heavy = {{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}};
+    const Json light = {{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{18.3, 100}, {18.3, 70}}}};
+    const auto one = workFrom(*shoulder(), {{"passes", {heavy}}});
+    const auto two = workFrom(*shoulder(), {{"passes", {heavy, light}}});
+    const auto& before = static_cast<const WorkpieceSnapshot&>(*one);
+    const auto& after = static_cast<const WorkpieceSnapshot&>(*two);
+    // As above: 2 mm at 0.3 mm from ⌀40, then 0.5 mm at 0.1 mm from ⌀36.
+    const auto isCut = [](const std::pair<double, double>& peaks, double depth, double feed, double diameter) {
+      const double force = 1500.0 * depth * std::pow(feed, 0.78);
+      const double power = force * M_PI * diameter * 600.0 / 1000.0 / 60000.0;
+      return peaks.first > 0.999 * force && peaks.first < 1.05 * force && peaks.second > 0.999 * power &&
+             peaks.second < 1.05 * power;
+    };
+    const auto all = peakLoads(task, after, nullptr), last = peakLoads(task, after, before.part.get());
+    QVERIFY(all && last);
+    QVERIFY2(isCut(*all, 2.0, 0.3, 40.0), QByteArray::number(all->first));
+    QVERIFY2(isCut(*last, 0.5, 0.1, 36.0), QByteArray::number(last->first));
+    const auto none = peakLoads(task, after, after.part.get());
+    QVERIFY(none && none->first == 0.0 && none->second == 0.0);
+  }
+
+  // Places are told as the drawing and the read-out count: from the finished face, where fields count from the chuck.
+  void placesAreThoseOfTheDrawing() {
+    const auto& task = static_cast<const TurningTask&>(*shoulder()->task);
+    QVERIFY(task.target);
+    const double zero = task.target->upperEnd();
+    ExerciseSnapshot scheme = withNewCriterion(*shoulder(), *figureType(turningFigureTypes(), "diameter"));
+    MarkingCriterion& added = scheme.exercise.criteria.back();
+    added.arguments = {zero - 30.0, zero - 20.0};
+    added.lower = 1.0;
+    const std::string id = added.id;
+    const auto properties = exerciseProperties(scheme);
+    const auto named = [&](const std::string& at) {
+      const auto found = std::find_if(properties.begin(), properties.end(),
+                                      [&](const Property& each) { return each.id == "criterion." + id + "." + at; });
+      return found == properties.end() ? std::string() : found->label;
+    };
+    QCOMPARE(named("at1"), std::string("From Z (on the drawing -30)"));
+    QCOMPARE(named("at2"), std::string("To Z (on the drawing -20)"));
+    const Marking marking = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
+    const auto& remark = marking.find(id)->remark;
+    QVERIFY(!remark.arguments.empty());
+    const double place = std::stod(remark.arguments.front());
+    QVERIFY2(place > -30.1 && place < -19.9, remark.arguments.front().c_str());
+  }
+
+  // A cut beyond what the lathe has is in the report, whether or not there are points for it.
+  void tooHeavyIsReported() {
+    TurningTask task = static_cast<const TurningTask&>(*shoulder()->task);
+    const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
+    const auto snapshot = workFrom(*shoulder(), work);
+    const auto events = [&](double force, double power) {
+      task.forceLimit = force;
+      task.powerLimit = power;
+      std::string all;
+      for (const ReportEvent& each : shoulder()->subject->details(task, *snapshot, {}).events)
+        all += each.text.inEnglish() + "\n";
+      return all;
+    };
+    // The law says 1173 N and 1.47 kW: forceAndPower().
+    QCOMPARE(events(1300.0, 1.6), std::string());
+    QVERIFY(events(1100.0, 1.6).find("where the lathe takes 1100 N") != std::string::npos);
+    QVERIFY(events(1300.0, 1.4).find("where the lathe has 1.4 kW") != std::string::npos);
+  }
+
+  // A new mark for what must not happen has a limit, so that it gives its points to good work, and to that only.
+  void newMarksHaveLimits() {
+    const auto& task = static_cast<const TurningTask&>(*shoulder()->task);
+    for (const auto& [figure, limit] :
+         {std::pair("crashes", 0.0), std::pair("force", task.forceLimit), std::pair("power", task.powerLimit)}) {
+      const FigureType* const type = figureType(turningFigureTypes(), figure);
+      const ExerciseSnapshot scheme = withNewCriterion(*shoulder(), *type);
+      const MarkingCriterion& added = scheme.exercise.criteria.back();
+      QCOMPARE(added.upper, std::optional(limit));
+      const Marking good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
+      QCOMPARE(good.find(added.id)->points, added.points);
+    }
+    const FigureType* const diameter = figureType(turningFigureTypes(), "diameter");
+    QVERIFY(!withNewCriterion(*shoulder(), *diameter).exercise.criteria.back().hasLimit());
+    // However often the tool strikes, no more is lost than the points of the mark.
+    const ExerciseSnapshot scheme = withNewCriterion(*shoulder(), *figureType(turningFigureTypes(), "crashes"));
+    WorkpieceSnapshot struck = static_cast<const WorkpieceSnapshot&>(*workFrom(scheme, shoulderWork()));
+    struck.crashes = std::make_shared<const std::vector<LatheCollision>>(100);
+    const Marking bad = markWork(scheme, struck, {}), good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
+    const std::string& id = scheme.exercise.criteria.back().id;
+    QCOMPARE(bad.find(id)->points, 0.0);
+    double others = 0.0;
+    for (const Mark& mark : good.marks) {
+      if (scheme.exercise.find(mark.criterion)->figure != "crashes") others += mark.points;
+    }
+    QVERIFY(std::abs(bad.points - others) < 1e-9);
+  }
+};
+
+HANDWHEEL_TEST(TurningLoadsTest)
+#include "TurningLoadsTest.moc"

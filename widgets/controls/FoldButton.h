@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QToolButton>
+
+namespace handwheel {
+
+// The heading of fields that can be folded away, with an arrow that says whether they are. By mouse and keyboard.
+class FoldButton : public QToolButton {
+  Q_OBJECT
+
+ public:
+  FoldButton(const QString& text, bool isOpen, QWidget* parent = nullptr);
+
+  bool isOpen() const { return m_isOpen; }
+
+ signals:
+  void toggledOpen(bool isOpen);  // by the user
+
+ private:
+  void setOpen(bool isOpen);
+
+  bool m_isOpen = true;
+};
+
+}  // namespace handwheel
