@@ -17,7 +17,7 @@
 namespace handwheel {
 namespace {
 
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kReshapeKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "apply")},
     {"file", "Shift+F", QT_TRANSLATE_NOOP("Tool", "combine with a file")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
@@ -35,7 +35,7 @@ double roundedOff(double value) {
   return unit * std::round(value / unit);
 }
 
-Property figure(const char* id, const char* label, double value) {
+Property shownFigure(const char* id, const char* label, double value) {
   Property property{.id = id, .group = {}, .label = label, .value = value};
   property.editable = false;
   return property;
@@ -233,16 +233,16 @@ ToolReply ReshapeTool::undo() {
 }
 
 std::span<const ToolKey> ReshapeTool::keys() {
-  return kKeys;
+  return kReshapeKeys;
 }
 
 std::vector<ToolAction> ReshapeTool::actions() const {
   const char* const why = m_isToCommit ? QT_TRANSLATE_NOOP("Tool", "it is being computed") : obstacle();
-  ToolAction commit = actionOf(kKeys, "commit", !why);
+  ToolAction commit = actionOf(kReshapeKeys, "commit", !why);
   if (why) commit.reason = why;
   std::vector<ToolAction> all{commit};
-  if (m_change == Change::Boolean) all.push_back(actionOf(kKeys, "file"));
-  all.push_back(actionOf(kKeys, "revert"));
+  if (m_change == Change::Boolean) all.push_back(actionOf(kReshapeKeys, "file"));
+  all.push_back(actionOf(kReshapeKeys, "revert"));
   return all;
 }
 
@@ -272,15 +272,16 @@ std::vector<Property> ReshapeTool::settings() const {
     below.largest = m_parts && !m_parts->voxels().empty() ? diameterOf(m_parts->voxels().front(), volume.voxel())
                                                           : std::cbrt(2.0 * volume.material());
     if (m_made) {
-      all.push_back(figure("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_made->parts)));
-      all.push_back(figure("gone", QT_TRANSLATE_NOOP("Property", "Parts that go"),
-                           static_cast<double>(m_made->parts - m_made->kept)));
+      all.push_back(shownFigure("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_made->parts)));
+      all.push_back(shownFigure("gone", QT_TRANSLATE_NOOP("Property", "Parts that go"),
+                                static_cast<double>(m_made->parts - m_made->kept)));
     }
   }
   if (m_made) {
     const double after = m_made->shown->state->volume.material();
-    all.push_back(figure("after", QT_TRANSLATE_NOOP("Property", "Material then (mm³)"), after));
-    all.push_back(figure("difference", QT_TRANSLATE_NOOP("Property", "Difference (mm³)"), after - volume.material()));
+    all.push_back(shownFigure("after", QT_TRANSLATE_NOOP("Property", "Material then (mm³)"), after));
+    all.push_back(
+        shownFigure("difference", QT_TRANSLATE_NOOP("Property", "Difference (mm³)"), after - volume.material()));
   }
   return all;
 }
