@@ -195,14 +195,14 @@ class VolumeTest : public QObject {
                                        << QByteArray("MB");
     QTest::newRow("too coarse") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "1e4"}
                                 << QByteArray("Choose smaller voxels.");
-    QTest::newRow("no volume") << QStringList{"remesh", "a.off", "-o", "b.stl"} << QByteArray("it is no volume");
+    QTest::newRow("no volume") << QStringList{"remesh", "a.off", "-o", "b.stl"} << QByteArray("it is not a volume");
     QTest::newRow("no way") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "hand"} << QByteArray("--by");
     QTest::newRow("voxel 0") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0"}
                              << QByteArray("above 0");
     QTest::newRow("both ways") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--rims", "fill"}
                                << QByteArray("no meaning");
     QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
-                          << QByteArray("encloses nothing");
+                          << QByteArray("encloses no volume");
   }
   void refusals() {
     QFETCH(QStringList, words);

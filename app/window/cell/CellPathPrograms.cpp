@@ -82,17 +82,18 @@ void CellPaths::exportAs(const QString& file, const Post& chosen) {
   if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file);
   const QString whole = withEnding(file, chosen);
   if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole);
-  emit message({Message::Weight::Warning,  // the dialog has asked about another name
-                tr("%1 is there already").arg(QFileInfo(whole).fileName()),
-                tr("The name had no ending of a language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
-                {},
-                tr("Replace it"),
-                [this, whole, &chosen, document = m_document] {
-                  if (document == m_document) exportProgram(chosen, whole);
-                },
-                {},
-                {},
-                &m_document->document});
+  emit message(
+      {Message::Weight::Warning,  // the dialog has asked about another name
+       tr("%1 is there already").arg(QFileInfo(whole).fileName()),
+       tr("The name had no extension of a robot language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
+       {},
+       tr("Replace it"),
+       [this, whole, &chosen, document = m_document] {
+         if (document == m_document) exportProgram(chosen, whole);
+       },
+       {},
+       {},
+       &m_document->document});
 }
 
 // Checking and reading back takes long for long paths.
@@ -130,8 +131,8 @@ void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, c
                                      .arg(QLatin1String(post.title()), QString::fromStdString(written.otherRobot));
   }
   if (!partMoved.isEmpty()) {
-    detail += QLatin1Char(' ') +
-              tr("It leads along the curve where %1 was when it was planned: plan the path again.").arg(partMoved);
+    detail +=
+        QLatin1Char(' ') + tr("It follows the curve at the former position of %1: plan the path again.").arg(partMoved);
   }
   emit message({isOther || !partMoved.isEmpty() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),

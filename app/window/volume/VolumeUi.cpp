@@ -142,7 +142,7 @@ std::vector<StartAction> VolumeUi::startActions() const {
       {QStringLiteral("newVolume"), tr("New &clay"), tr("Start with a ball of clay to be shaped by hand"), panelIcon()},
       {QStringLiteral("newSkull"),
        tr("New &skull"),
-       tr("Start with a skull to be drilled, made of no patient"),
+       tr("Start with a synthetic skull to be drilled, not that of a patient"),
        panelIcon(),
        {},
        {},

@@ -244,14 +244,14 @@ void WorkpieceUi::warnOfLoads(const DocumentTab* loaded, const TurningTask& task
   const QLocale locale;
   QStringList lines;
   if (force > std::max(task.forceLimit, before.first))
-    lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.")
+    lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.")
                  .arg(locale.toString(force, 'f', 0), locale.toString(task.forceLimit, 'f', 0));
   if (power > std::max(task.powerLimit, before.second))
     lines << tr("The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
                  .arg(locale.toString(power, 'f', 2), locale.toString(task.powerLimit, 'f', 2));
   if (lines.isEmpty()) return;
   emit message({Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
-                tr("It is marked. Undo it, and take less depth or feed.")});
+                tr("This affects the mark. Undo it, and use a smaller depth or feed.")});
 }
 
 // What was seen whole stays so in another size. Else the camera is the user's.
@@ -286,7 +286,7 @@ NextStep WorkpieceUi::nextStep() {
           isAssigned
               ? tr("It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.")
           : isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
-                  : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
+                  : tr("Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too."),
           panelActions()};
 }
 
