@@ -8,6 +8,12 @@ namespace handwheel {
 
 namespace {
 
+// Of a text in UTF-8: the bytes that continue no character.
+std::size_t charactersOf(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 const OptionSpec* findOption(const CommandSpec& command, std::string_view word) {
   const bool isLong = word.starts_with("--");
   const auto found = std::find_if(command.options.begin(), command.options.end(), [&](const OptionSpec& o) {
@@ -119,10 +125,11 @@ std::string helpPage(const CommandSpec& command, const std::string& details) {
   for (const OptionSpec& o : command.options) {
     left.push_back((o.letter ? "-" + std::string(1, o.letter) + ", --" : "    --") + std::string(o.name) +
                    (o.value.empty() ? "" : " " + std::string(o.value)));
-    width = std::max(width, left.back().size());
+    width = std::max(width, charactersOf(left.back()));
   }
   for (std::size_t i = 0; i < left.size(); ++i) {
-    page += "  " + left[i] + std::string(width + 2 - left[i].size(), ' ') + std::string(command.options[i].help) + "\n";
+    page += "  " + left[i] + std::string(width + 2 - charactersOf(left[i]), ' ') +
+            std::string(command.options[i].help) + "\n";
   }
   return page;
 }

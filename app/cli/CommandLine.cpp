@@ -115,7 +115,8 @@ std::string inColumn(std::string_view text, std::size_t column) {
 
 std::string overview(const Registered& registered) {
   std::string page =
-      "Handwheel repairs scanned meshes, and prepares workpieces and robot cells.\n\n"
+      "Handwheel repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and\n"
+      "marks exercises.\n\n"
       "Usage: handwheel [--dark] [--screenshot PNG] [FILE...]   opens the window, or draws it and quits\n"
       "       handwheel COMMAND [...]                           works without it\n\n"
       "Commands:\n";
@@ -130,7 +131,9 @@ std::string overview(const Registered& registered) {
   return page +
          "\n"
          "'handwheel help COMMAND' gives details. --version shows the version.\n"
-         "Exit codes: 0 done, 1 error, 2 incomplete or over budget (repair, edit, measure, ik, plan, verify), 130\n"
+         "Exit codes: 0 done; 1 error; 2 incomplete, nothing changed, not reached or over budget (repair, edit, "
+         "decimate,\n"
+         "section, measure, feel, turn, train, mark, configuration, ik, plan, process, optimise-path, verify); 130\n"
          "interrupted.\n";
 }
 

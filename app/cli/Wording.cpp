@@ -80,7 +80,7 @@ std::vector<std::string> patchWarnings(const RepairReport& repair) {
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
     if (!warning.isEmpty())
       lines.push_back(names[i] + " (" + idOf(loop) + counted(loop.edges, "edge", "edges") +
-                      "): look at its patch: " + warning.toStdString() + ".");
+                      "): check its patch: " + warning.toStdString() + ".");
   }
   return lines;
 }

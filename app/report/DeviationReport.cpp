@@ -113,7 +113,7 @@ QImage pictureOf(const SurfaceDeviation& s) {
 template <class Histogram>
 std::string bodyOf(const Comparison& c, Histogram histogram, const std::string& picture) {
   std::string body = "<h1>Deviation</h1>\n<p>Mesh: " + escaped(c.mesh) + "<br/>Scan: " + escaped(c.scan) +
-                     "</p>\n<p>Distances in mm, above zero on the side to which the faces of the other surface look. "
+                     "</p>\n<p>Distances in mm, positive on the side of the normals of the other surface. "
                      "The largest distance found either way is " +
                      number(c.deviation.hausdorff()) + " mm.</p>\n" +
                      "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n"
@@ -178,7 +178,7 @@ Result<QImage> deviationPicture(const HalfEdgeMesh& mesh, const VertexValues& at
 }
 
 std::string readableText(const Comparison& c) {
-  std::string text = "Distances in mm; above zero on the side to which the other's faces look.\n\n";
+  std::string text = "Distances in mm; positive on the side of the normals of the other surface.\n\n";
   std::vector<Row> rows = rowsOf(c.deviation);
   rows.insert(rows.begin(), {"", "Mesh from scan", "Scan from mesh"});
   std::size_t names = 0, values = 0;

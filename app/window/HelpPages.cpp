@@ -121,7 +121,8 @@ void showAbout(QMainWindow& window) {
   const QString html =
       QStringLiteral("<h2>Handwheel %1</h2><p>%2</p><p>%3</p>")
           .arg(QCoreApplication::applicationVersion(),
-               HelpPagesWords::tr("Repairs scanned meshes, prepares workpieces and robot cells."),
+               HelpPagesWords::tr("Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot "
+                                  "cells, and sets and marks exercises."),
                HelpPagesWords::tr("Free software under the GNU General Public Licence, version 3 or later.<br>"
                                   "Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat."));
   showPage(window, "aboutPage", HelpPagesWords::tr("About Handwheel"), html, true);

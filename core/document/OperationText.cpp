@@ -41,10 +41,22 @@ std::optional<PropertyValue> valueIn(const Parameter& parameter, std::string_vie
   return static_cast<double>(known - parameter.words.begin());
 }
 
-// For people: rounded, in the unit of its words.
+// In the unit of its words.
+double inWords(const Parameter& parameter, double value) {
+  return parameter.property.quantity == Quantity::Angle ? value / kRadiansPerDegree : value;
+}
+
+// For people: without an exponent where possible.
 std::string boundText(const Parameter& parameter, double value) {
-  if (parameter.isWhole) return shortestText(value);
-  return roundedText(parameter.property.quantity == Quantity::Angle ? value / kRadiansPerDegree : value);
+  return shownText(inWords(parameter, value));
+}
+
+// To three digits: nobody types more, and what is calculated, such as the root of two, has no last one.
+std::string defaultText(const Parameter& parameter, double value) {
+  const double shown = inWords(parameter, value);
+  if (parameter.isWhole || shown == 0.0) return shownText(shown);
+  const double digit = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - 2.0);
+  return shownText(digit * std::round(shown / digit));
 }
 
 std::string rangeText(const Parameter& parameter) {
@@ -180,7 +192,7 @@ std::string helpOf(const Parameter& parameter) {
   std::string about;
   if (standard && std::abs(p.least) < kNoLimit && std::abs(p.largest) < kNoLimit) about = rangeText(parameter);
   if (standard && parameter.hasDefault)
-    about += (about.empty() ? "default " : ", default ") + boundText(parameter, *standard);
+    about += (about.empty() ? "default " : ", default ") + defaultText(parameter, *standard);
   return about.empty() ? parameter.meaning : parameter.meaning + " (" + about + ")";
 }
 

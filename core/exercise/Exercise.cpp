@@ -86,7 +86,7 @@ Status checkExercise(const Exercise& exercise) {
     const std::string where = "step " + std::to_string(i + 1);
     if (const char* problem = problemOf(exercise.steps[i])) return malformed(where, problem);
     for (const std::string& id : exercise.steps[i].criteria) {
-      if (!ids.contains(id)) return malformed(where, "it names a criterion that there is not");
+      if (!ids.contains(id)) return malformed(where, "it refers to a criterion that does not exist");
     }
   }
   return Done{};

@@ -62,7 +62,7 @@ bool lacksLimit(const MarkingCriterion& c) {
 }
 
 ExerciseText reasonFor(const MarkingCriterion& c, const Mark& mark, const std::string& unit) {
-  if (lacksLimit(c)) return {translatable("Note", "the scheme has no limit for it")};
+  if (lacksLimit(c)) return {translatable("Note", "the marking scheme has no limit for it")};
   if (mark.verdict == Verdict::NotMeasured) return {translatable("Note", "it could not be measured")};
   const std::string value = measuredWithUnit(*mark.value, unit);
   if (mark.verdict == Verdict::Met) return limitsText(c, value, unit);
@@ -162,7 +162,7 @@ Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures
   const MarkingCriterion* const failed = failedBy(exercise, marking);
   for (Mark& mark : marking.marks) {
     if (failed && mark.points > 0.0 && mark.criterion != failed->id)
-      mark.reason = {translatable("Note", "no points, as the work fails by “%1”"), {failed->name}};
+      mark.reason = {translatable("Note", "no points, because “%1” was not met"), {failed->name}};
     if (failed) mark.points = 0.0;
     marking.points = hundredths(marking.points + mark.points);
   }

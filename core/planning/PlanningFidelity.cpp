@@ -18,7 +18,7 @@ FidelitySetting planResolutionSetting() {
   s.largest = 1.0;
   s.standard = MotionCheckSettings().resolution;
   s.presets = {1.0, 0.056, 0.0032};
-  s.error = {translatable("Fidelity", "free motions along obstacles that are refused"), "%"};
+  s.error = {translatable("Fidelity", "collision-free motions near obstacles that are rejected"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to prove a motion free"), "us"};
   return s;
 }
@@ -41,15 +41,15 @@ FidelitySetting planShortcutsSetting() {
 FidelitySetting verifyStepSetting() {
   FidelitySetting s;
   s.id = "verify.step";
-  s.label = translatable("Fidelity", "Step at which motions that are not proven free are looked at");
+  s.label = translatable("Fidelity", "Step of the checks of motions that are not proven free");
   s.unit = "rad";
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-3;
   s.largest = 0.3;
   s.standard = kVerificationStep;
   s.presets = {0.3, 0.072, 0.011};
-  s.error = {translatable("Fidelity", "colliding motions that looks at this step alone take for free"), "%"};
-  s.cost = {translatable("Fidelity", "CPU time to look at a motion"), "us"};
+  s.error = {translatable("Fidelity", "colliding motions that checks at this step alone miss"), "%"};
+  s.cost = {translatable("Fidelity", "CPU time to check a motion"), "us"};
   return s;
 }
 

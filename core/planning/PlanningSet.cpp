@@ -96,7 +96,7 @@ Result<PlanningSet> readPlanningSet(std::string_view text) {
       return malformedSet(element + ".objects", "a list was expected");
     for (const Json& object : *objects) {
       auto piece = obstacleFrom(object);
-      if (!piece) return malformedSet(element + ".objects", "one of them is no box, cylinder or sphere");
+      if (!piece) return malformedSet(element + ".objects", "one of them is not a box, cylinder or sphere");
       problem.obstacles.push_back(std::move(*piece));
     }
     set.problems.push_back(std::move(problem));

@@ -11,12 +11,13 @@ const ErrorDescription VolumeErrors::TooFine{
 
 const ErrorDescription VolumeErrors::TooLarge{
     .id = "TooLarge",
-    .sentences = {translatable("ErrorText", "voxels of %1 mm would take %2 MB, and %3 MB are left")},
+    .sentences = {translatable("ErrorText", "voxels of %1 mm would need %2 MB, and %3 MB are available")},
     .advice = {translatable("ErrorText", "Choose larger voxels, or close other programs.")}};
 
 const ErrorDescription VolumeErrors::TooLargeToSave{
     .id = "TooLargeToSave",
-    .sentences = {translatable("ErrorText", "voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB")},
+    .sentences = {translatable("ErrorText",
+                               "voxels of %1 mm make a volume of %2 MB, and a document can contain %3 MB")},
     .advice = {translatable("ErrorText", "Choose larger voxels, or work on a piece of the part.")}};
 
 const ErrorDescription VolumeErrors::ImageTooLarge{
@@ -26,12 +27,12 @@ const ErrorDescription VolumeErrors::ImageTooLarge{
 
 const ErrorDescription VolumeErrors::NoVoxelInside{
     .id = "NoVoxelInside",
-    .sentences = {translatable("ErrorText", "no voxel of %1 mm lies inside: the part is thinner than they are")},
+    .sentences = {translatable("ErrorText", "no voxel of %1 mm lies inside the part, which is thinner than that")},
     .advice = {translatable("ErrorText", "Choose smaller voxels.")}};
 
 const ErrorDescription VolumeErrors::NothingInside{
     .id = "NothingInside",
-    .sentences = {translatable("ErrorText", "the surface encloses nothing")},
+    .sentences = {translatable("ErrorText", "the surface encloses no volume")},
     .advice = {translatable("ErrorText", "Turn its faces outwards if it is inside out; a flat sheet has no inside.")}};
 
 const ErrorDescription VolumeErrors::NothingLeft{
@@ -57,12 +58,13 @@ const ErrorDescription VolumeErrors::NoSuchDrillMaterial{
 
 const ErrorDescription VolumeErrors::PathTooLong{
     .id = "PathTooLong",
-    .sentences = {translatable("ErrorText", "the path takes %1 s, and %2 s can be drilled at this rate")},
-    .advice = {translatable("ErrorText", "Choose fewer cycles a second, or a part of the path.")}};
+    .sentences = {translatable("ErrorText", "the path takes %1 s, and at most %2 s can be drilled at this rate")},
+    .advice = {translatable("ErrorText", "Choose a lower rate, or a part of the path.")}};
 
 const ErrorDescription VolumeErrors::NothingInRange{
     .id = "NothingInRange",
-    .sentences = {translatable("ErrorText", "nothing has a value from %1 to %2: those of the image go from %3 to %4")},
+    .sentences = {translatable("ErrorText",
+                               "no sample has a value from %1 to %2: the values of the image range from %3 to %4")},
     .advice = {translatable("ErrorText", "Choose another range; bone in a CT begins at about 300.")}};
 
 }  // namespace handwheel

@@ -38,6 +38,15 @@ class Bars {
   // Google Benchmark calls a benchmark several times; the last call counts.
   void atMost(const std::string& what, double bar, double measured) { put({what, bar, measured}); }
 
+  // The same of what was counted or was the largest over so many cases. Without any case nothing was measured, which
+  // breaks the bar.
+  void atMostOver(std::size_t cases, const std::string& what, double bar, double measured) {
+    if (cases > 0)
+      atMost(what, bar, measured);
+    else
+      put({what, bar, std::nan(""), "NO: not measured, there was no case"});
+  }
+
   // What is promised to nobody, and said beside what is.
   void tell(const std::string& what, double measured) {
     atMost(what, std::numeric_limits<double>::infinity(), measured);

@@ -152,7 +152,7 @@ class BodyTest : public QObject {
     };
     QVERIFY(said({"body", "r.urdf"}).contains("--add"));
     QVERIFY(said({"body", "r.urdf", "--add", "sphere:1", "--remove", "a"}).contains("one of"));
-    QVERIFY(said({"body", "r.urdf", "--remove", "a", "--name", "b"}).contains("--name goes with --add"));
+    QVERIFY(said({"body", "r.urdf", "--remove", "a", "--name", "b"}).contains("--name is only possible with --add"));
     QVERIFY(said({"body", "r.urdf", "--add", "sphere:1", "--link"}).contains("--link"));
     QVERIFY(said({"body", "r.urdf", "--add", "box:1,2"}).contains("3 dimension(s)"));
     QVERIFY(said({"body", "r.urdf", "--add", "box:1,2,x"}).contains("x"));

@@ -156,7 +156,7 @@ class PlanTest : public QObject {
       QVERIFY2(table.contains(place), table);
     const Ran broken = cell.run(words + QStringList{"--through", "400,0,100;400,0,0"});
     QCOMPARE(broken.code, 1);
-    QVERIFY2(broken.err.contains("from place 2 of the curve to place 3"), broken.err);
+    QVERIFY2(broken.err.contains("Places 2 and 3 of the curve"), broken.err);
     QVERIFY(cell.run(words + QStringList{"--through", "400,0"}).code != 0);
     QVERIFY(cell.run(words).code != 0);
   }

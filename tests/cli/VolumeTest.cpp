@@ -295,7 +295,7 @@ class VolumeTest : public QObject {
                                        << QByteArray("MB");
     QTest::newRow("too coarse") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "1e4"}
                                 << QByteArray("Choose smaller voxels.");
-    QTest::newRow("no volume") << QStringList{"remesh", "a.off", "-o", "b.stl"} << QByteArray("it is no volume");
+    QTest::newRow("no volume") << QStringList{"remesh", "a.off", "-o", "b.stl"} << QByteArray("it is not a volume");
     QTest::newRow("no way") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "hand"} << QByteArray("--by");
     QTest::newRow("voxel 0") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0"}
                              << QByteArray("above 0");
@@ -316,7 +316,7 @@ class VolumeTest : public QObject {
     QTest::newRow("shrunk away") << QStringList{"offset", "a.off", "-o", "b.stl", "--distance", "-11"}
                                  << QByteArray("nothing is left");
     QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
-                          << QByteArray("encloses nothing");
+                          << QByteArray("encloses no volume");
   }
   void refusals() {
     QFETCH(QStringList, words);

@@ -158,15 +158,16 @@ QStringList outcomeTexts(const LoopCounts& loops) {
   const OutcomeCounts &holes = loops.holes, &edges = loops.sheetEdges;
   if (holes.closed + holes.removed + holes.kept + holes.joined + holes.failed > 0)
     parts << RepairWords::tr("%1 of %n hole(s) filled", nullptr, asInt(holes.all)).arg(holes.closed);
-  add(holes.removed, [](int n) { return RepairWords::tr("%n gone with removed triangles", nullptr, n); });
+  add(holes.removed, [](int n) { return RepairWords::tr("%n removed together with other triangles", nullptr, n); });
   add(holes.kept, [](int n) { return RepairWords::tr("%n kept open", nullptr, n); });
   add(holes.joined, [](int n) { return RepairWords::tr("%n now part of the boundary of an open sheet", nullptr, n); });
   add(holes.failed, [](int n) { return RepairWords::tr("%n could not be filled", nullptr, n); });
   if (loops.pieces) parts << RepairWords::tr("split or joined, %n hole(s) are left", nullptr, asInt(*loops.pieces));
   if (edges.closed > 0)
     parts << RepairWords::tr("%1 of %n outer boundary(ies) closed", nullptr, asInt(edges.all)).arg(edges.closed);
-  add(edges.removed,
-      [](int n) { return RepairWords::tr("%n outer boundary(ies) gone with removed triangles", nullptr, n); });
+  add(edges.removed, [](int n) {
+    return RepairWords::tr("%n outer boundary(ies) removed together with other triangles", nullptr, n);
+  });
   add(loops.newOpenings, [](int n) { return RepairWords::tr("%n new opening(s)", nullptr, n); });
   return parts;
 }

@@ -31,7 +31,7 @@ Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds) {
 }
 
 OptionSpec armOption() {
-  return {"arm", 0, "NAME", "The robot, of a cell with several (default: the one that is planned for)"};
+  return {"arm", 0, "NAME", "Robot of a cell with several (default: the one to plan for)"};
 }
 
 Result<CellFile> openCellForArm(const Arguments& arguments, const DocumentKinds& kinds, const std::string& path) {

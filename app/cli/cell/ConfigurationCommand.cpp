@@ -126,7 +126,7 @@ Command configurationCommand() {
   CommandSpec spec = {
       configurationOperation().id,
       "CELL",
-      "Stores named joint values and targets in a robot cell, which paths are planned between, and moves the robot.\n"
+      "Stores named joint values and targets in a robot cell, between which paths are planned, and moves the robot.\n"
       "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
       {}};
   spec.options = optionsOf(configurationOperation());

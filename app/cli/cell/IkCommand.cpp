@@ -34,24 +34,24 @@ const Operation& ikOperation() {
       .meaning = "Finds joint values for a pose of a robot's flange",
       .parameters = {
           {.property = {.id = "pose", .group = {}, .label = {}, .value = "", .least = -kFurthest, .largest = kFurthest},
-           .meaning = "The pose in the base: a place in mm, and a quaternion with its real part first",
+           .meaning = "Pose in the base frame: position in mm, and quaternion with its real part first",
            .word = "X,Y,Z,QW,QX,QY,QZ",
            .parts = {{"x"}, {"y"}, {"z"}, {"qw"}, {"qx"}, {"qy"}, {"qz"}},
            .hasDefault = false},
           {.property = {.id = "arm", .group = {}, .label = {}, .value = ""},
-           .meaning = "The robot, of a cell with several; the pose is in the frame of the cell",
+           .meaning = "Robot of a cell with several; the pose is in the frame of the cell",
            .word = "NAME",
            .hasDefault = false},
           {.property = {.id = "tip", .group = {}, .label = {}, .value = ""},
-           .meaning = "The link whose pose it is, of a URDF or a cell; without it the last one",
+           .meaning = "Link of a URDF or cell that takes the pose; default: the last one",
            .word = "LINK",
            .hasDefault = false},
           {.property = {.id = "all", .group = {}, .label = {}, .value = false},
-           .meaning = "All ways to reach the pose, where they are known in closed form"},
+           .meaning = "List all solutions, where they are known in closed form"},
           measuredParameter("tolerance", ikToleranceSetting(), "T",
-                            "That the numerical way is to reach, in metres and rad"),
+                            "Tolerance of the iterative solution, in metres and rad"),
           {.property = {.id = "seed", .group = {}, .label = {}, .value = 1.0, .least = 0.0, .largest = 1e9},
-           .meaning = "Of the random starts of the numerical way",
+           .meaning = "Seed of the random starts of the iterative solution",
            .word = "N",
            .isWhole = true}}};
   return kOperation;
@@ -201,7 +201,7 @@ Command ikCommand() {
       "Finds joint values for a pose of a robot's flange, in the frame of its base.\n"
       "ROBOT is a URDF, a table after Denavit and Hartenberg (docs/robots.md), a robot cell, or a built-in\n"
       "name: irb120, irb140, irb1600, irb2400, irb6640, kr6r900, kr6r700, lrmate200id, ur5, ur10, rx160, tx90,\n"
-      "tx40, puma560. Of a cell it is the pose of the tool's centre point. Ends with 2 where the pose cannot be\n"
+      "tx40, puma560. Of a cell it is the pose of the tool's centre point. Exit code 2: the pose cannot be\n"
       "reached within the limits.",
       {}};
   spec.options = optionsOf(ikOperation());

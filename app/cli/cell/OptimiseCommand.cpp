@@ -70,8 +70,8 @@ Command optimiseCommand() {
   CommandSpec spec = {
       optimisationOperation().id,
       "CELL PATH",
-      "Visits the critical places of a path in the order, and reaches them in the configurations, that take the\n"
-      "least time; the first and the last stay. PATH is the name of a path in the cell, or a file.",
+      "Chooses the order of the critical places of a path, and the configurations in which they are reached, "
+      "that\ntake the least time; the first and the last stay. PATH is the name of a path in the cell, or a file.",
       {}};
   spec.options = pathOptions(optimisationOperation());
   return {std::move(spec), runOptimise};

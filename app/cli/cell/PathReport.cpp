@@ -67,7 +67,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
             ": it stops after " + share(checked.way.reached) + "\n";
   }
   for (const std::string& robot : checked.robotsMoved)
-    text += "the robot " + robot + " has moved since the path was made; all this is about where it stands now\n";
+    text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
   if (!checked.partMoved.empty())
     text += "the part " + checked.partMoved + " has moved since the path was planned along it: plan it again\n";
   for (const PathCollision& each : checked.verification.collisions) {
@@ -102,7 +102,8 @@ std::string readProof(const Arguments& arguments, PathCheckSettings& settings) {
 }
 
 OptionSpec resolutionOption() {
-  return {"resolution", 0, "MM", "What comes nearer to the clearance than this counts as a collision; 0.05"};
+  return {"resolution", 0, "MM",
+          "Resolution of the check: what exceeds the clearance by less counts as a collision (default 0.05)"};
 }
 
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {

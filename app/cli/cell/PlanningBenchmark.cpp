@@ -38,7 +38,7 @@ Parameter numberParameter(const char* id, const char* value, double standard, do
 
 Parameter plannerParameter() {
   Parameter parameter = {.property = {.id = "planner", .group = {}, .label = {}, .value = 0.0},
-                         .meaning = "That looks for the paths",
+                         .meaning = "Planner of the paths",
                          .word = "PLANNER"};
   for (const PlannerName& planner : planners()) {
     parameter.property.choices.emplace_back(planner.title);
@@ -56,9 +56,9 @@ const Operation& benchmarkOperation() {
         .parameters = {fileParameter("robot", "URDF", "The robot; its collision shapes count"),
                        fileParameter("srdf", "FILE", "The pairs of its links that may touch"),
                        fileParameter("paths", "DIR", "A folder to write each path to, as JSON"), plannerParameter(),
-                       numberParameter("time", "S", 2.0, 3600.0, "After which a problem is given up"),
-                       numberParameter("clearance", "MM", 0.0, 1e4, "That is kept from everything"),
-                       numberParameter("seed", "N", 1.0, 1e9, "Of the random numbers")}};
+                       numberParameter("time", "S", 2.0, 3600.0, "Time after which a problem is given up, in seconds"),
+                       numberParameter("clearance", "MM", 0.0, 1e4, "Clearance from all obstacles"),
+                       numberParameter("seed", "N", 1.0, 1e9, "Seed of the random numbers")}};
     made.parameters.back().isWhole = true;
     return made;
   }();
@@ -238,7 +238,7 @@ std::string planningText(const nlohmann::ordered_json& report) {
                      std::to_string(report["problems"].get<int>()) + " solved, " +
                      std::to_string(report["certified"].get<int>()) + " certified; median " + ms("seconds_median") +
                      ", 95 % within " + ms("seconds_p95") + "; " + roundedText(report["checks_mean"].get<double>(), 4) +
-                     " points looked at\n";
+                     " points checked\n";
   for (const auto& each : report["results"]) {
     if (each["outcome"] != "solved")
       text += each["name"].get<std::string>() + ": " + each["outcome"].get<std::string>() + "\n";

@@ -50,11 +50,12 @@ int runRobot(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 Command robotCommand() {
-  CommandSpec spec = {robotOperation().id,
-                      "CELL",
-                      "Adds a robot to a cell, removes one, or chooses the one that is planned for.\n"
-                      "Where a further robot stands are properties: handwheel set CELL robot.NAME.x=800 -o OUT.",
-                      {}};
+  CommandSpec spec = {
+      robotOperation().id,
+      "CELL",
+      "Adds a robot to a cell, removes one, or chooses the one to plan for.\n"
+      "The position of a further robot is set by properties: handwheel set CELL robot.NAME.x=800 -o OUT.",
+      {}};
   spec.options = optionsOf(robotOperation());
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel; may be CELL"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});

@@ -124,7 +124,7 @@ nlohmann::ordered_json jsonOf(const TeleopRun& run, bool hasPath) {
 }
 
 std::string sentenceOf(const FollowingFigures& figures) {
-  if (figures.share <= 0.0) return "the tool never came to the begin of the path";
+  if (figures.share <= 0.0) return "the tool did not reach the beginning of the path";
   return roundedText(figures.rms, 3) + " mm from the path (RMS), at most " + roundedText(figures.most, 3) + " mm, in " +
          roundedText(figures.seconds, 4) + " s" +
          (figures.isComplete() ? "" : ", only " + roundedText(100.0 * figures.share, 3) + " % of it");
@@ -241,21 +241,22 @@ Command teleopCommand() {
   CommandSpec spec = {
       "teleop",
       "CELL",
-      "Lets a robot follow the recorded path of a hand, never beyond its limits nor through anything.\n"
+      "Lets a robot follow the recorded path of a hand within its joint limits and without collisions.\n"
       "The hand begins where the tool is; HAND.csv has the columns t_s, x_mm, y_mm, z_mm.\n"
-      "With --follow it says how well the hand led the tool along a path of the cell, from whose begin\n"
-      "it starts; --eyes, --force and --fixture compare three hands in one table.",
+      "With --follow it starts at the beginning of a path of the cell and reports how closely the tool\n"
+      "followed it; --eyes, --force and --fixture compare three hands in one table.",
       {}};
   spec.options.push_back(armOption());
   spec.options.push_back({"path", 0, "HAND.csv", "The path of the hand"});
   spec.options.push_back({"scale", 0, "FACTOR", "mm of the tool to a mm of the hand (default 1)"});
-  spec.options.push_back({"follow", 0, "PATH", "Path of the cell that the hand was to lead the tool along"});
+  spec.options.push_back({"follow", 0, "PATH", "Path of the cell that the tool was to follow"});
   spec.options.push_back(
-      {"snap", 0, "MM", "Virtual fixture: what is nearer to the path is drawn to it (default 10 for --fixture)"});
-  spec.options.push_back({"eyes", 0, "HAND.csv", "A hand that saw the path only"});
-  spec.options.push_back({"force", 0, "HAND.csv", "A hand that felt the robot, too"});
-  spec.options.push_back({"fixture", 0, "HAND.csv", "A hand that felt the robot, and the fixture"});
-  spec.options.push_back({"output", 'o', "OUT.csv", "Where the tool was, the force on the hand, and the joints"});
+      {"snap", 0, "MM",
+       "Virtual fixture: the tool is attracted to the path within this distance (default 10 for --fixture)"});
+  spec.options.push_back({"eyes", 0, "HAND.csv", "Path of a hand that only saw the path"});
+  spec.options.push_back({"force", 0, "HAND.csv", "Path of a hand that also felt the robot"});
+  spec.options.push_back({"fixture", 0, "HAND.csv", "Path of a hand that also felt the robot and the fixture"});
+  spec.options.push_back({"output", 'o', "OUT.csv", "Position of the tool, force on the hand, and joint values"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return {std::move(spec), runTeleop};

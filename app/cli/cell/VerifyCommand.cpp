@@ -43,13 +43,13 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
 Command verifyCommand() {
   CommandSpec spec = {"verify",
                       "CELL PATH",
-                      "Verifies a path of a robot: proves each motion free of collisions, or lists all that collides.\n"
-                      "PATH is the name of a path in the cell, or a file. The program ends with 2 unless all is free.",
+                      "Verifies a path of a robot: proves each motion free of collisions, or lists all collisions.\n"
+                      "PATH is the name of a path in the cell, or a file. Exit code 2: not all of it is free.",
                       {}};
   spec.options.push_back(armOption());
-  spec.options.push_back({"clearance", 0, "MM", "That is to be kept from everything; without it that of the cell"});
+  spec.options.push_back({"clearance", 0, "MM", "Clearance from all obstacles; default: that of the cell"});
   spec.options.push_back(resolutionOption());
-  spec.options.push_back({"step", 0, "RAD", "Between the places at which what is not proven free is looked at; 0.01"});
+  spec.options.push_back({"step", 0, "RAD", "Step of the checks of motions that are not proven free (default 0.01)"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return {std::move(spec), runVerify};

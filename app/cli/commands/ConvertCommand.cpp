@@ -94,9 +94,9 @@ CommandSpec convertSpec() {
 }
 
 std::string convertDetails(const DocumentKinds& kinds) {
-  std::string lines = "Extensions:\n";
+  std::string lines = "Extensions by kind of document:\n";
   for (const auto& kind : kinds.all()) {
-    lines += "  of a " + kind->id() + ":";
+    lines += "  " + kind->id() + ":";
     for (const std::string& ending : writtenEndings(kind->formats())) lines += " " + ending;
     lines += "\n";
   }

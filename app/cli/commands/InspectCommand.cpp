@@ -21,16 +21,16 @@
 namespace handwheel {
 
 CommandSpec inspectSpec() {
-  return {"inspect",
-          "IN",
-          "Lists the contents and the defects of a file.",
-          {
-              {"json", 0, "", "Print the figures as JSON"},
-              {"target", 0, "FILE",
-               "What a workpiece is to become, a target as 'target' reads it: its deviation is listed"},
-              {"partial", 0, "", "Read the undamaged part of a damaged file"},
-              {"help", 'h', "", "Show this help"},
-          }};
+  return {
+      "inspect",
+      "IN",
+      "Lists the contents and the defects of a file.",
+      {
+          {"json", 0, "", "Print the figures as JSON"},
+          {"target", 0, "FILE", "Target shape of a workpiece, in any format of 'target': lists the deviation from it"},
+          {"partial", 0, "", "Read the undamaged part of a damaged file"},
+          {"help", 'h', "", "Show this help"},
+      }};
 }
 
 namespace {
@@ -134,7 +134,7 @@ struct Inspected {
 // The workpiece as if it had this target. Error: Unsupported for other kinds; else those of importTarget().
 Status giveTarget(OpenedFile& opened, const std::string& path, Progress progress) {
   const auto* const given = dynamic_cast<const WorkpieceSnapshot*>(opened.content.get());
-  if (!given) return Error{ErrorCode::Unsupported, {"a target of what is not a workpiece"}, {}, {}};
+  if (!given) return Error{ErrorCode::Unsupported, {"a target of a document other than a workpiece"}, {}, {}};
   const Result<ImportedTarget> imported = importTarget(path, UnturnedFaces::Refuse, progress);
   if (!imported) return imported.error();
   auto workpiece = std::make_shared<WorkpieceSnapshot>(*given);

@@ -68,7 +68,7 @@ const std::vector<OptionSpec> kOptions = {
 }  // namespace
 
 CommandSpec newSpec() {
-  return {"new", "KIND [NAME=VALUE...]", "Makes a document of default size. Properties are given as for 'set'.",
+  return {"new", "KIND [NAME=VALUE...]", "Creates a document of default size. Properties are given as for 'set'.",
           kOptions};
 }
 

@@ -25,6 +25,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kSecondsOfMinute = 60.0;
+constexpr double kMostMinutes = 10'000.0;                                         // within Exercise::kLongestTime
 constexpr const char* kPurposes[] = {"student", "stock", "solution", "hand-in"};  // of which one is given
 
 Parameter flag(const char* id, std::string meaning) {
@@ -189,20 +190,15 @@ const Operation& exerciseOperation() {
   static const Operation kOperation = {
       .id = "exercise",
       .title = QT_TRANSLATE_NOOP("Tool", "Exercise"),
-      .meaning = "Makes an exercise, copies of it for students, and files to hand in",
+      .meaning = "Creates an exercise, copies of it for students, and files to hand in",
       .parameters = {
           flag("student", "Write a copy for students, without marking scheme and model solution"),
           flag("stock", "Write what a student begins with, as a document of its own"),
           flag("solution", "Write the model solution, as a document of its own"),
           word("hand-in", "WORK", "Write a file to hand in, with this work on the exercise"),
           word("name", "NAME", "The student who hands it in"),
-          {.property = {.id = "minutes",
-                        .group = {},
-                        .label = {},
-                        .value = 0.0,
-                        .least = 0.0,
-                        .largest = Exercise::kLongestTime / kSecondsOfMinute},
-           .meaning = "How long the student has worked; without it, what the window has counted in WORK",
+          {.property = {.id = "minutes", .group = {}, .label = {}, .value = 0.0, .least = 0.0, .largest = kMostMinutes},
+           .meaning = "Time that the student has worked; default: the time recorded in WORK",
            .word = "MIN",
            .hasDefault = false},
           word("import-target", "FILE", "Make what is in this DXF, SVG, STEP, mesh or workpiece the target"),
@@ -213,7 +209,7 @@ const Operation& exerciseOperation() {
                         .quantity = Quantity::Length,
                         .least = 0.0,
                         .largest = Exercise::kLargestFigure},
-           .meaning = "With --import-target: what is left for facing at the free end of the bar; 1 without it",
+           .meaning = "With --import-target: allowance for facing at the free end of the bar; default: 1",
            .word = "MM",
            .hasDefault = false},
           withoutDefault(*roundTargetOperation().find("round-target")),
@@ -226,8 +222,8 @@ std::vector<Command> exerciseCommands() {
   CommandSpec spec = {
       exerciseOperation().id,
       "IN",
-      "Makes an exercise from a description in JSON, or one of these from an exercise.\n"
-      "IN is an exercise (.handwheel) or a description (.exercise.json); docs/exercises.md tells what that has.\n"
+      "Creates an exercise from a description in JSON, copies of it for students, and files to hand in.\n"
+      "IN is an exercise (.handwheel) or a description (.exercise.json); docs/exercises.md lists its keys.\n"
       "Without an option the exercise itself is written; to .exercise.json, its description.",
       {}};
   spec.options = optionsOf(exerciseOperation());

@@ -88,7 +88,7 @@ CommandSpec compareSpec() {
   return {
       "compare",
       "FILE SCAN",
-      "Measures how far a mesh is from the scan that it came from, and the scan from the mesh.\n"
+      "Measures the distances of a mesh from the scan that it was made from, and of the scan from the mesh.\n"
       "Distances are taken at all vertices and at samples spread evenly over both surfaces; positive distances are\n"
       "on the side of the normals of the other surface: outside a closed one.",
       {

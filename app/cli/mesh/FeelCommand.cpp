@@ -191,14 +191,14 @@ CommandSpec feelSpec() {
       {
           {"path", 0, "P.csv", "The path of the tip"},
           {"out", 0, "FILE", "Write the state of each tick; - for standard output"},
-          {"stiffness", 0, "N/MM", "Of the surface (default 0.5)"},
-          {"damping", 0, "N·S/MM", "Of the speed along the normal, in contact (default 0)"},
+          {"stiffness", 0, "N/MM", "Stiffness of the surface (default 0.5)"},
+          {"damping", 0, "N·S/MM", "Damping of the speed along the normal, in contact (default 0)"},
           {"friction", 0, "MU", "Coulomb friction coefficient (default 0)"},
           {"snap", 0, "PROFILE",
            "none, spring, triangle, quadratic or gaussian: how open edges and their vertices attract the tip "
            "(default none)"},
           {"snap-method", 0, "METHOD", "proxy: one feature at a time; force: the sum of all (default proxy)"},
-          {"snap-stiffness", 0, "N/MM", "Of the profile (default 0.3)"},
+          {"snap-stiffness", 0, "N/MM", "Stiffness of the snap profile (default 0.3)"},
           {"rate", 0, "HZ", "Ticks per second (default 1000)"},
           {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: proxy.tolerance=1e-6,..."},
           {"device", 0, "NAME", "simulated: stiffness, damping and force limited to those of this device"},

@@ -93,9 +93,9 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
   return request.output.string() + ": " + stateText(done.after).toStdString() + ". Voxels of " +
          roundedText(done.voxel) + " mm; " + std::to_string(done.after.triangles) +
          " triangles; 99 % of the scan's area is within " + roundedText(done.scanTo99, 3) +
-         " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) + " mm, of what bounds material at " +
-         roundedText(done.repair.keptDistance, 3) + " mm." +
-         (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel are gone: choose smaller voxels.\n"
+         " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) +
+         " mm, for surfaces that bound material at " + roundedText(done.repair.keptDistance, 3) + " mm." +
+         (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel were lost: choose smaller voxels.\n"
                                                 : "\n") +
          (request.gaps > 0.0 ? "Gaps filled: " + roundedText(done.repair.filled, 3) + " mm³.\n" : std::string());
 }

@@ -122,10 +122,11 @@ std::string repairPurpose() {
          "format is given by the extension of OUT.\n\n"
          "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a\n"
          "separate process. OUT is then a folder with the same subfolders as the input folders.\n"
-         "Repaired are files of these formats: " +
+         "Files of these formats are repaired: " +
          meshFormatNames() +
-         ", also in subfolders, without hidden files and linked folders. Prints a line for\n"
-         "each and a summary table; exit code 2: defects remain; 1: a file failed. No input is ever replaced.";
+         ", also in\n"
+         "subfolders, without hidden files and linked folders. Prints a line for each and a summary table; exit code "
+         "2: defects remain; 1: a file failed. No input is ever replaced.";
 }
 
 }  // namespace

@@ -153,15 +153,16 @@ std::string textOf(const DrillAnswer& done) {
 }
 
 CommandSpec drillSpec() {
-  CommandSpec spec = {"drill",
-                      "PART",
-                      "Drills a part along the path of a head, and says thrust, torque and work. Only the head removes "
-                      "material; its shank\npoints up, along z. The part may be any document. Work on an exercise is "
-                      "drilled with the exercise's drill,\nalong its planned path, and can be handed in. Exit code 0: "
-                      "done; 1: error.",
-                      {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
-                       {"output", 'o', "OUT", "The part as it is then: a .handwheel, or a mesh"},
-                       {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};
+  CommandSpec spec = {
+      "drill",
+      "PART",
+      "Drills a part along the path of a head and reports thrust, torque and work. Only the head removes "
+      "material; its shank\npoints up, along z. The part may be any document. Work on an exercise is "
+      "drilled with the exercise's drill,\nalong its planned path, and can be handed in. Exit code 0: "
+      "done; 1: error.",
+      {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
+       {"output", 'o', "OUT", "The drilled part: a .handwheel, or a mesh"},
+       {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};
   for (OptionSpec& option : optionsOf(drillOperation())) spec.options.push_back(std::move(option));
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});

@@ -95,12 +95,13 @@ int runSegment(const Arguments& arguments, const DocumentKinds& kinds) {
 }
 
 CommandSpec segmentSpec() {
-  CommandSpec spec = {"segment",
-                      "IMAGE",
-                      "Makes a volume of what has certain values in an image, or its surface: of a file in NRRD, "
-                      "MetaImage, NIfTI, of plain\n"
-                      "samples with a description, or of a folder or file of DICOM. Exit code 0: done; 1: error.",
-                      {{"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"}}};
+  CommandSpec spec = {
+      "segment",
+      "IMAGE",
+      "Creates a volume, or its surface, from the samples of an image with values in a range. The image is a\n"
+      "file in NRRD, MetaImage or NIfTI, plain samples with a description, or a folder or file of DICOM.\n"
+      "Exit code 0: done; 1: error.",
+      {{"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"}}};
   for (OptionSpec& option : optionsOf(segmentOperation())) spec.options.push_back(std::move(option));
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

@@ -109,7 +109,7 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
   Answer done{opened->file, {}, {}, {}};
   const auto volume = volumeIn(*opened);
   if (!volume) {
-    done.refusal = request.input.string() + ": it is no volume. 'handwheel voxelize' makes one of a mesh.";
+    done.refusal = request.input.string() + ": it is not a volume. 'handwheel voxelize' makes one of a mesh.";
     return done;
   }
   const Result<Remeshed> made = remesh(volume->volume, values, progress.part(0.1, 0.8));
@@ -128,13 +128,12 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
 }
 
 CommandSpec voxelizeSpec() {
-  CommandSpec spec = {"voxelize",
-                      "FILE",
-                      "Makes a volume of what the surface of a document encloses. Holes and gaps are closed, bodies "
-                      "that overlap become "
-                      "one, and walls\n"
-                      "within them vanish. Exit code 0: done; 1: error.",
-                      {{"output", 'o', "OUT", "The volume, as .handwheel, .vdb, or .nrrd (distances of all voxels)"}}};
+  CommandSpec spec = {
+      "voxelize",
+      "FILE",
+      "Creates a volume from the surface of a document. Holes and gaps are closed, overlapping bodies are\n"
+      "united, and walls within them vanish. Exit code 0: done; 1: error.",
+      {{"output", 'o', "OUT", "The volume, as .handwheel, .vdb, or .nrrd (distances of all voxels)"}}};
   for (OptionSpec& option : optionsOf(voxelizeOperation())) spec.options.push_back(std::move(option));
   spec.options = withShared(std::move(spec.options));
   return spec;
@@ -143,7 +142,7 @@ CommandSpec voxelizeSpec() {
 CommandSpec remeshSpec() {
   CommandSpec spec = {"remesh",
                       "VOLUME",
-                      "Makes a mesh of the surface of a volume: closed, manifold, oriented and free of "
+                      "Creates a mesh of the surface of a volume: closed, manifold, oriented and free of "
                       "self-intersections.\n"
                       "Exit code 0: done; 1: error.",
                       {{"output", 'o', "OUT", "The mesh, in any format of meshes"}}};

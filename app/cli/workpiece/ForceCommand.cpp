@@ -214,8 +214,8 @@ Command forceCommand() {
       forceOperation().id,
       "",
       "Calculates the forces of a turning cut by Kosilova's and Kienzle's law and by a trained network, with power,\n"
-      "torque and the rules that the cut breaks. Each law says its source; what was not compared with its source says\n"
-      "'unverified'. Sources differ by a quarter. Exit code 0: done; 1: error.",
+      "torque and the rules that the cut breaks. Each law names its source; values that were not compared with their\n"
+      "source are marked 'unverified'. Sources differ by a quarter. Exit code 0: done; 1: error.",
       {},
       "(--material M --depth MM --feed MM --speed M/MIN [--model FILE] [...] | --list) [--json]"};
   spec.options = optionsOf(forceOperation());

@@ -120,14 +120,14 @@ std::string targetText(const TargetOutcome& outcome, bool asJson) {
 }
 
 std::string targetPurpose() {
-  return "Reads what a part is to become: a turned part as a mesh or in STEP, a half section, or a workpiece.\n"
+  return "Reads the target shape of a part: a turned part as a mesh or in STEP, a half section, or a workpiece.\n"
          "The name of IN ends in " +
          choicesText(targetEndings()) +
          ".\n"
          "Lists its dimensions. With --of, measures a workpiece against it. OUT ending in .pdf, .dxf or .svg is a\n"
          "drawing of it; one ending in .handwheel is that workpiece, or else a new bar, with it as its target.\n"
-         "In the bar, what --facing says is left for facing at the free end, 1 mm if the bar has it; a target of a\n"
-         "workpiece stays where it was.\n"
+         "The allowance for facing at the free end of the bar is that of --facing, or else 1 mm if the bar is long\n"
+         "enough; the target of a workpiece keeps its position.\n"
          "In drawings Z is to the right and the axis horizontal: the line on the layer or with the id 'axis', else\n"
          "y = 0 in DXF and the lowest line in SVG.";
 }
@@ -141,7 +141,7 @@ Command targetCommand() {
            purpose,
            {
                {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
-               {"facing", 0, "MM", "What is left for facing at the free end of the bar"},
+               {"facing", 0, "MM", "Allowance for facing at the free end of the bar"},
                {"output", 'o', "OUT", "The drawing or document to write"},
                {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
                {"json", 0, "", "Report as JSON"},

@@ -210,7 +210,7 @@ Command trainCommand() {
       trainOperation().id,
       "DATA [MORE...]",
       "Trains a model of cutting forces on measured cuts: a neural network of depth, feed and speed, with a power law\n"
-      "for what lies outside of them. DATA is a table with a header line: ap (mm), f (mm), v (m/min), Fc (N), or with\n"
+      "outside of the measured range. DATA is a table with a header line: ap (mm), f (mm), v (m/min), Fc (N), or with\n"
       "the columns ap,vc,f,Fx or rpm,f_cal,A_cal,Fz of published measurements; rows of a worn tool are left out.\n"
       "synthetic:MATERIAL stands for rows calculated from the cited tables ('handwheel force --list').\n"
       "To judge the model, each fifth of the conditions is held out once; then it is trained on all.\n"

@@ -175,7 +175,8 @@ std::vector<Command> workpieceCommands() {
         "press\n"
         "of the first button is a pass; or a table with the columns t_s,x_mm,y_mm,z_mm: the centre of the nose, of "
         "one\n"
-        "pass. Forces are Kienzle's. Exit code 0: done; 2: the path does not touch the part and nothing is written, "
+        "pass. Forces follow Kienzle's law. Exit code 0: done; 2: the path does not touch the part and nothing is "
+        "written, "
         "or\n"
         "--replay found a difference; 1: error.",
         {
@@ -183,13 +184,12 @@ std::vector<Command> workpieceCommands() {
             {"recording", 0, "R.csv", "The recorded path of the tool", "path"},
             {"output", 'o', "OUT",
              "The document to write, .handwheel or an export such as .step or .stl; may be STOCK"},
-            {"dialect", 0, "NAME", "Of the program: linuxcnc (default) or fanuc, system A"},
-            {"nose", 0, "MM",
-             "Nose radius, 0.05 to 50; without it the tool of a program is a point, that of a recording has 1",
+            {"dialect", 0, "NAME", "Dialect of the program: linuxcnc (default) or fanuc, system A"},
+            {"nose", 0, "MM", "Nose radius, 0.05 to 50; default: 0, a point, for a program; 1 for a recording",
              "nose-radius"},
             {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
             {"material", 0, "NAME",
-             "Of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
+             "Material of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
             {"spindle", 0, "RPM",
              "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise)"},
             {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},

@@ -38,10 +38,10 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
           tr("Add the shape of another file and link to the file, to read it again when it has changed"));
   prepare(m_rename, "renameBody", nullptr, tr("Give the selected body another name, in the list"));
   prepare(m_unit, "bodyUnit", nullptr,
-          tr("Say in which unit the numbers of its file are: STL, OBJ, PLY and OFF have none, and count as mm"));
+          tr("Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm"));
   prepare(m_mount, "mountBody", nullptr,
-          tr("Let the robot carry the selected body as a tool: its origin comes to the flange"));
-  prepare(m_release, "releaseBody", nullptr, tr("Leave the selected body where the robot holds it"));
+          tr("Attach the selected body to the robot as a tool, with its origin at the flange"));
+  prepare(m_release, "releaseBody", nullptr, tr("Detach the selected body from the robot and leave it where it is"));
   prepare(m_remove, "removeBody", nullptr, tr("Remove the selected bodies from the cell"));
   prepare(m_hide, "hideBody", "eye-off", tr("Hide the selected bodies from view and touch"));
   prepare(m_showAll, "showBodies", "eye", tr("Show all bodies that are hidden"));

@@ -296,7 +296,7 @@ void CellBodies::commit(DocumentTab& tab, const OperationValues& values, Result<
 void CellBodies::report(const Document& document, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return;
   emit message({Message::Weight::Error,
-                tr("The bodies stay as they are"),
+                tr("The bodies were not changed"),
                 errorSentence(error),
                 errorAdvice(error),
                 {},

@@ -66,7 +66,7 @@ void CellPaths::takeOptimised(const OptimisedPath& optimised) {
     detail = tr("No other order or configuration takes less than its %1 s.").arg(seconds(optimised.before));
   }
   emit message({Message::Weight::Info,
-                optimised.isChanged ? tr("%1 was optimised").arg(name) : tr("%1 stays as it is").arg(name),
+                optimised.isChanged ? tr("%1 was optimised").arg(name) : tr("%1 was not changed").arg(name),
                 detail,
                 {},
                 {},

@@ -45,9 +45,9 @@ void CellPaths::reportVerified(const PathResult& result) {
   QStringList details = isFree || !result.found ? QStringList() : collisionsOf(*result.found);
   if (!result.problem.isEmpty()) details += result.problem;
   if (result.checked) {
-    details.prepend(
-        tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.places.size()) - 1) + QStringLiteral(", ") +
-        tr("%Ln point(s) of them looked at.", nullptr, static_cast<int>(result.checked->verification.steps)));
+    details.prepend(tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.places.size()) - 1) +
+                    QStringLiteral(", ") +
+                    tr("%Ln point(s) checked.", nullptr, static_cast<int>(result.checked->verification.steps)));
   }
   m_parts.log.add(title + QStringLiteral(". ") + details.join(QLatin1Char(' ')), {},
                   isFree ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
@@ -123,7 +123,7 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
   const RobotPath* const present = plans().path(request.name);
   const QString name = QString::fromStdString(request.name);
   const QString title =
-      (present ? tr("%1 could not be planned anew, and stays as it is") : tr("%1 could not be planned")).arg(name);
+      (present ? tr("%1 could not be planned again and was not changed") : tr("%1 could not be planned")).arg(name);
   Job job;
   job.name = tr("Planning %1").arg(name);
   job.owner = request.owner ? request.owner : this;
@@ -169,7 +169,7 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
                         tr("It has %Ln place(s), and is selected in the list.", nullptr, count));
   emit message({Message::Weight::Info,
                 tr("%1 was changed while it was planned").arg(QString::fromStdString(wanted)),
-                tr("Your changes stay; what was planned is %1.").arg(name),
+                tr("Your changes were kept; the planned path is %1.").arg(name),
                 {},
                 {},
                 {},
@@ -182,7 +182,7 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
 void CellPaths::reportChanged(const std::string& path, const std::function<void()>& again) {
   emit message({Message::Weight::Warning,
                 tr("The cell was changed while %1 was planned").arg(QString::fromStdString(path)),
-                tr("The result does not hold for the cell as it is now, and was thrown away."),
+                tr("The result is not valid for the cell as it is now, and was discarded."),
                 {},
                 tr("Plan it again"),
                 [this, document = m_document, again] {

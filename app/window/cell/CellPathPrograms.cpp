@@ -119,17 +119,18 @@ void CellPaths::exportAs(const QString& file, const Post& chosen, OutdatedPath o
   if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, outdated);
   const QString whole = withEnding(file, chosen);
   if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole, outdated);
-  emit message({Message::Weight::Warning,  // the dialog has asked about another name
-                tr("%1 is there already").arg(QFileInfo(whole).fileName()),
-                tr("The name had no ending of a language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
-                {},
-                tr("Replace it"),
-                [this, whole, &chosen, outdated, document = m_document] {
-                  if (document == m_document) exportProgram(chosen, whole, outdated);
-                },
-                {},
-                {},
-                &m_document->document});
+  emit message(
+      {Message::Weight::Warning,  // the dialog has asked about another name
+       tr("%1 is there already").arg(QFileInfo(whole).fileName()),
+       tr("The name had no extension of a robot language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
+       {},
+       tr("Replace it"),
+       [this, whole, &chosen, outdated, document = m_document] {
+         if (document == m_document) exportProgram(chosen, whole, outdated);
+       },
+       {},
+       {},
+       &m_document->document});
 }
 
 // Checking and reading back takes long for long paths.
@@ -169,8 +170,7 @@ void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, c
   }
   if (!partMoved.isEmpty()) {
     detail += QLatin1Char(' ') +
-              tr("It leads along the curve where %1 was when it was planned: a comment of the program says so.")
-                  .arg(partMoved);
+              tr("It follows the curve at the former position of %1: a comment of the program says so.").arg(partMoved);
   }
   emit message({isOther || !partMoved.isEmpty() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),

@@ -52,42 +52,42 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_optimise(tr("Optimise the order and &configurations"), this),
       m_choose(tr("Plan for this ro&bot"), this),
       m_menu(new QMenu(parts.window)) {
-  prepare(m_store, "storeConfiguration", "place", tr("Store where the robot stands under a name"));
+  prepare(m_store, "storeConfiguration", "place", tr("Store the current joint values under a name"));
   prepare(m_storeTarget, "storeTarget", "target",
-          tr("Store where the tool is as a target; on the selected body, if one is: it moves with it"));
+          tr("Store the current pose of the tool as a target; on the selected body, if any, with which it moves"));
   prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration, place or target"));
   prepare(m_plan, "planPath", "program", tr("Plan a path between configurations that is proven free of collisions"));
   prepare(m_again, "planPathAgain", nullptr,
           tr("Plan the path again through its critical places; one along a curve follows it where the part is now"));
   prepare(m_insert, "insertPlace", nullptr,
-          tr("Insert where the robot stands behind the selected place as a critical configuration; before the goal, if "
-             "that "
-             "or the path is selected"));
-  prepare(m_here, "setPlaceHere", nullptr, tr("Replace the selected place or target by where the robot stands"));
-  prepare(m_up, "movePlaceUp", nullptr, tr("Let the robot come to the selected place earlier"));
-  prepare(m_down, "movePlaceDown", nullptr, tr("Let the robot come to the selected place later"));
+          tr("Insert the current joint values after the selected place as a critical configuration; before the goal, "
+             "if that or the path is selected"));
+  prepare(m_here, "setPlaceHere", nullptr,
+          tr("Replace the selected place or target by the current position of the robot"));
+  prepare(m_up, "movePlaceUp", nullptr, tr("Move the selected place towards the start of the path"));
+  prepare(m_down, "movePlaceDown", nullptr, tr("Move the selected place towards the end of the path"));
   prepare(m_straight, "straightToPlace", nullptr,
           tr("Move the tool's centre point to the place along a straight line"));
   m_straight.setCheckable(true);
   prepare(m_verify, "verifyPath", "ok",
-          tr("Prove each motion of the selected path free of collisions, or list all that collides; also once more, if "
-             "it is proven already"));
-  prepare(
-      m_verifyAll, "verifyAllPaths", nullptr,
-      tr("Verify the paths of all robots that are not verified as they are now, each with the other robots where they "
-         "stand"));
+          tr("Verify that each motion of the selected path is free of collisions, or list all collisions; also if it "
+             "was verified before"));
+  prepare(m_verifyAll, "verifyAllPaths", nullptr,
+          tr("Verify the paths of all robots that are not verified in their current state, each with the other robots "
+             "where they are"));
   prepare(m_export, "exportProgram", "save-as",
           tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
   prepare(m_semantics, "readSemantics", nullptr,
-          tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that "
-             "is planned for"));
+          tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to "
+             "plan for"));
   prepare(m_rename, "renamePlan", nullptr, tr("Give the selected configuration, path or target another name"));
   prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place, target or robot"));
   prepare(m_optimise, "optimisePath", nullptr,
-          tr("Visit the critical places in the order, and reach them in the configurations, that take the least time"));
+          tr("Choose the order of the critical places, and the configurations in which they are reached, that take the "
+             "least time"));
   prepare(m_choose, "chooseRobot", nullptr,
-          tr("Plan for the selected robot from now on; the others stand where they are"));
+          tr("Plan for the selected robot from now on; the others stay where they are"));
   m_menu->setObjectName(QStringLiteral("planMenu"));
   m_menu->addActions(ofRows() + ofConfigurations() + ofPaths() + ofVerification() + ofPrograms() + QList{&m_choose});
   m_detail->setObjectName(QStringLiteral("planDetail"));
@@ -283,7 +283,7 @@ void CellPaths::offerActions() {
   const RobotPath* const present = path();
   const bool isOfOther = !present && (isPlace || entry.kind == Kind::Path);
   const QString noCell = tr("Open a robot cell first."), noPlace = tr("Select a place of a path first."),
-                noPath = isOfOther ? tr("Choose the robot that the path is of first.") : tr("Select a path first.");
+                noPath = isOfOther ? tr("Choose the robot of the path first.") : tr("Select a path first.");
   offer(m_store, isCell, noCell);
   offer(m_storeTarget, isCell, noCell);
   const bool isAnyPlace = !plans().configurations.empty() || !plans().targets.empty();

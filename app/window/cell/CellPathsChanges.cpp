@@ -314,7 +314,7 @@ void CellPaths::reportSemantics(const RobotSemantics& read, const QString& file,
                 tr("%1 was read for %2").arg(file, robot),
                 detail,
                 read.allowed.empty() && read.states.empty()
-                    ? tr("Select the robot that the file is of, and read it again.")
+                    ? tr("Select the robot that the file describes, and read it again.")
                     : QString(),
                 {},
                 {},

@@ -76,11 +76,10 @@ CellRobots::CellRobots(const WindowContext& parts, std::function<std::string()> 
           tr("Add another robot to the cell, by its URDF or a table after Denavit and Hartenberg"));
   prepare(m_addBuiltIn, "addBuiltInRobot", nullptr, tr("Add another robot to the cell from the library"));
   prepare(m_remove, "removeRobot", nullptr,
-          tr("Remove the robot that is selected, or else the one that is planned for, with its configurations and "
-             "paths"));
+          tr("Remove the selected robot, or else the one to plan for, with its configurations and paths"));
   m_box->setObjectName(QStringLiteral("armBox"));
-  m_box->setAccessibleName(tr("Robot that is planned for"));
-  m_box->setToolTip(tr("The robot that is planned for; the others stand where they are"));
+  m_box->setAccessibleName(tr("Robot to plan for"));
+  m_box->setToolTip(tr("The robot to plan for; the others stay where they are"));
   connect(&m_add, &QAction::triggered, this, &CellRobots::askForFile);
   connect(&m_addBuiltIn, &QAction::triggered, this, &CellRobots::askForBuiltIn);
   connect(&m_remove, &QAction::triggered, this, [this] {
@@ -135,15 +134,16 @@ void CellRobots::remove(const std::string& name) {
   const std::size_t paths = before->paths.size() - changed->plans->paths.size();
   cell().commit(tr("Remove the robot %1").arg(QString::fromStdString(name)),
                 cell().robotsEdit(std::move(changed).value()));
-  emit message({Message::Weight::Info,
-                tr("%1 was removed").arg(QString::fromStdString(name)),
-                tr("With it went %1 configurations and %2 paths. Undo brings all back.").arg(configurations).arg(paths),
-                {},
-                {},
-                {},
-                {},
-                {},
-                &m_document->document});
+  emit message(
+      {Message::Weight::Info,
+       tr("%1 was removed").arg(QString::fromStdString(name)),
+       tr("%1 configurations and %2 paths were removed with it. Undo restores them.").arg(configurations).arg(paths),
+       {},
+       {},
+       {},
+       {},
+       {},
+       &m_document->document});
 }
 
 void CellRobots::askForFile() {
@@ -209,7 +209,7 @@ void CellRobots::addTo(DocumentTab& tab, const std::shared_ptr<const RobotCellSn
 void CellRobots::report(const Document& document, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return;
   emit message({Message::Weight::Error,
-                tr("The robots stay as they are"),
+                tr("The robots were not changed"),
                 errorSentence(error),
                 errorAdvice(error),
                 {},

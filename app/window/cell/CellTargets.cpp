@@ -27,7 +27,7 @@ TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedT
   const std::vector<CellWay> ways = waysTo(scene, plans, *pose, scene.planned(joints));
   const auto count = std::count_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isFree(); });
   const QString remark = ways.empty() ? CellTargets::tr("out of reach")
-                         : count > 0  ? CellTargets::tr("%Ln way(s) there", nullptr, static_cast<int>(count))
+                         : count > 0  ? CellTargets::tr("%Ln configuration(s)", nullptr, static_cast<int>(count))
                                       : problemText(scene, ways.front());
   const BodyPointer body = scene.bodies.withId(target.body);
   return {count > 0, body ? CellTargets::tr("%1 (on %2)").arg(remark, QString::fromStdString(body->name)) : remark};
@@ -92,7 +92,7 @@ void CellTargets::look() {
   emit reachChanged();
   if (!asked.scene || asked.targets.empty()) return;
   Job job;
-  job.name = tr("Looking for ways to the targets");
+  job.name = tr("Searching configurations for the targets");
   job.owner = this;
   job.work = [this, asked, joints = cell().joints()](Progress progress) -> Job::Finish {
     CellPlans plans;

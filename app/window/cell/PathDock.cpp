@@ -23,7 +23,7 @@ namespace handwheel {
 PathDock::PathDock(const WindowContext& parts, CellPaths& paths, QObject* parent)
     : QObject(parent), m_parts(parts), m_paths(paths), m_toggle(tr("Pl&ay the path"), this) {
   handwheel::prepare(m_toggle, "pathDockToggle", "play",
-                     tr("Plays the path on a time line, with its clearance and what collides"));
+                     tr("Plays the path on a time line, with its clearance and its collisions"));
   m_toggle.setCheckable(true);
   connect(&m_toggle, &QAction::triggered, this, &PathDock::open);
   connect(&paths, &CellPaths::pathChanged, this, [this] {

@@ -33,7 +33,7 @@ std::shared_ptr<const GuideCurve> PathGuides::of(const std::string& path,
   m_path = path;
   m_curve.reset();
   Job job;
-  job.name = tr("Finding the way along %1").arg(QString::fromStdString(path));
+  job.name = tr("Finding the curve along %1").arg(QString::fromStdString(path));
   job.owner = this;
   job.failed = [this](const Error&) { forget(); };  // it is found when it is next asked for
   job.work = [this, scene, plans, path](Progress progress) -> Job::Finish {

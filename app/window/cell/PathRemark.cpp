@@ -46,8 +46,8 @@ class Words {
     if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
     if (!found.partMoved.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(found.partMoved));
     const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
-    return moved(
-        found, found.hasShapeless ? tr("free but for links without meshes, %1").arg(known) : tr("free, %1").arg(known));
+    return moved(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
+                                           : tr("free, %1").arg(known));
   }
 
   QString found(const PathResult& result) const {
@@ -57,7 +57,7 @@ class Words {
     if (!found.isCertified) return tr("%1 (%2)").arg(collisions(found), time(result));
     const QString known =
         tr("%1, clearance %2").arg(time(result), clearanceText(found.leastClearance, m_unit, m_locale));
-    return moved(found, found.hasShapeless ? tr("free of collisions but for links without meshes (%1)").arg(known)
+    return moved(found, found.hasShapeless ? tr("free of collisions, except for links without meshes (%1)").arg(known)
                                            : tr("free of collisions (%1)").arg(known));
   }
 
@@ -71,11 +71,11 @@ class Words {
                                      .arg(*found.stopsAt + 1)};
     if (!found.isCertified) return lines + collisionsOf(found);
     if (!found.partMoved.empty()) {
-      lines += tr("It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.")
+      lines += tr("It follows the curve at the former position of %1. Plan it again to follow the part.")
                    .arg(QString::fromStdString(found.partMoved));
     }
     const double kept = found.clearance;
-    lines += kept > 0.0 ? tr("Every motion is proven to keep %1 from everything.")
+    lines += kept > 0.0 ? tr("Every motion is proven to keep a clearance of %1.")
                               .arg(quantityText(kept, Quantity::Length, m_unit, m_locale))
                         : tr("Every motion is proven free of collisions.");
     lines += tr("Least clearance: %1.").arg(clearanceText(found.leastClearance, m_unit, m_locale));

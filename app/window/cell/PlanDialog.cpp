@@ -72,7 +72,7 @@ void PlanDialog::showValues() {
     if (id == "from" || id == "to") {
       property.label = id == "from" ? QT_TRANSLATE_NOOP("Property", "From") : QT_TRANSLATE_NOOP("Property", "To");
       property.choices = m_places;
-      property.choices[0] = QT_TRANSLATE_NOOP("Property", "Where the robot stands");
+      property.choices[0] = QT_TRANSLATE_NOOP("Property", "Current position of the robot");
       const auto chosen = std::find(m_places.begin(), m_places.end(), m_values.text(id));
       property.value = static_cast<double>(chosen - m_places.begin());
     } else if (id == "name") {

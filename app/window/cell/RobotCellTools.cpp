@@ -39,20 +39,21 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                                ProcessTool::keys()};
   const ToolDescriptor lead{QStringLiteral("leadTool"),
                             tr("&Lead the robot by hand"),
-                            tr("Lead the robot's tool; the arm follows, never through anything"),
+                            tr("Lead the robot's tool by hand; the arm follows without collisions"),
                             QStringLiteral("lead"),
                             QKeySequence(Qt::SHIFT | Qt::Key_J),
                             [this] { return leadTool(); },
                             "lead",
                             LeadTool::keys()};
-  const ToolDescriptor ways{QStringLiteral("armWaysTool"),
-                            tr("&Choose the arm's configuration"),
-                            tr("See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
-                            QStringLiteral("arm-ways"),
-                            QKeySequence(Qt::SHIFT | Qt::Key_K),
-                            [this] { return armWaysTool(); },
-                            "ways",
-                            ArmWaysTool::keys()};
+  const ToolDescriptor ways{
+      QStringLiteral("armWaysTool"),
+      tr("&Choose the arm's configuration"),
+      tr("Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
+      QStringLiteral("arm-ways"),
+      QKeySequence(Qt::SHIFT | Qt::Key_K),
+      [this] { return armWaysTool(); },
+      "ways",
+      ArmWaysTool::keys()};
   const ToolDescriptor place{QStringLiteral("placeTool"),
                              tr("Place a body or robot with &handles"),
                              tr("Move and turn the selected body, or the base of the selected robot, along and about "

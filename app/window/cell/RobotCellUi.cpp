@@ -404,7 +404,7 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
 std::vector<StartAction> RobotCellUi::startActions() const {
   return {
       {QStringLiteral("openCellSample"), tr("Open the sample robot &cell"),
-       tr("Open a robot before a block on a table, with a path along its edge"), panelIcon(),
+       tr("Open a robot in front of a block on a table, with a path along its edge"), panelIcon(),
        QStringLiteral("robot-cell.handwheel"),
        StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
                  tr("Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.")}},
@@ -412,7 +412,7 @@ std::vector<StartAction> RobotCellUi::startActions() const {
        QStringLiteral("robot-arm.urdf")},
       {QStringLiteral("newBuiltInCell"),
        tr("&New cell with a built-in robot…"),
-       tr("Begin a cell with a robot of the library, by its makers' tables"),
+       tr("Create a cell with a robot of the library, from its manufacturer's data"),
        panelIcon(),
        {},
        {},

@@ -232,8 +232,9 @@ void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& orph
   const auto count = static_cast<int>(orphans->skipped().size());
   emit message({Message::Weight::Warning,
                 tr("%Ln autosave(s) of a session that ended unexpectedly cannot be read.", nullptr, count),
-                tr("The Log names the files."), tr("Their contents are lost. They are kept until you discard them."),
-                tr("Discard"), [this, orphans, count] {
+                tr("The files are listed in the Log."),
+                tr("Their contents are lost. They are kept until you discard them."), tr("Discard"),
+                [this, orphans, count] {
                   orphans->discardSkipped();
                   m_log.add(tr("Discarded %Ln autosave(s)", nullptr, count));
                 }});

@@ -72,11 +72,11 @@ void ExerciseUi::buildActions() {
   m_preview =
       action("studentCopy", tr("&Student's copy"), tr("Open the exercise as students see it; save it for them"));
   m_solution = action("takeSolution", tr("Take as model s&olution"),
-                      tr("Keep the work that was begun from this exercise as its model solution"));
+                      tr("Keep the work that was started from this exercise as its model solution"));
   m_openSolution = action("openSolution", tr("Op&en the model solution"),
                           tr("Open a copy of the model solution, to look at it or to go on from it"));
   m_import = action("importExerciseTarget", tr("&Import target…"),
-                    tr("Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece"));
+                    tr("Import the shape that students are to make, from DXF, SVG, STEP, a mesh or a workpiece"));
   m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
   m_round = action("roundTargetAction", tr("&Round the target…"),
                    tr("Give the target round sizes and sharp corners, as a drawing has them"));
@@ -174,7 +174,7 @@ std::vector<StartAction> ExerciseUi::startActions() const {
   std::vector<StartAction> all = {
       {QStringLiteral("newExercise"), tr("New e&xercise"), tr("Prepare an exercise for students"), panelIcon()},
       {QStringLiteral("openFirstLesson"), tr("First &lesson at the lathe"),
-       tr("Turn a shoulder step by step, without having turned before"), panelIcon(),
+       tr("Turn a shoulder step by step; no experience is needed"), panelIcon(),
        QStringLiteral("first-lesson.exercise.json"),
        StartTile{QStringLiteral("lessonTile"), panelIcon(), tr("Turn your first shoulder"),
                  tr("A lesson of about five minutes: the program says what to do, and measures the part.")}}};

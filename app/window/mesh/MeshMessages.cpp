@@ -47,15 +47,14 @@ Message changeMessage(const MeshDocument& document, const QString& text, const Q
 
 Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, std::size_t faces,
                              std::function<void()> undo) {
-  return {
-      .weight = Message::Weight::Info,
-      .title = RepairJobs::tr("%Ln whole piece(s) deleted", nullptr, static_cast<int>(pieces)),
-      .detail =
-          RepairJobs::tr("%Ln triangle(s) are gone from %1.", nullptr, static_cast<int>(faces)).arg(document.name()),
-      .actionText = RepairJobs::tr("Undo"),
-      .action = std::move(undo),
-      .about = &document,
-      .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+  return {.weight = Message::Weight::Info,
+          .title = RepairJobs::tr("%Ln whole piece(s) deleted", nullptr, static_cast<int>(pieces)),
+          .detail = RepairJobs::tr("%Ln triangle(s) were removed from %1.", nullptr, static_cast<int>(faces))
+                        .arg(document.name()),
+          .actionText = RepairJobs::tr("Undo"),
+          .action = std::move(undo),
+          .about = &document,
+          .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
 }
 
 Message jobFailedMessage(const Document& document, const QString& job, const Error& error) {

@@ -43,7 +43,7 @@ QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QStr
   for (const LoopResult& loop : report.loops) {
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
     if (loop.id >= 0 && !warning.isEmpty())
-      warnings << RepairJobs::tr("Look at the patch of %1: %2.").arg(names.at(loop.id), warning);
+      warnings << RepairJobs::tr("Check the patch of %1: %2.").arg(names.at(loop.id), warning);
   }
   return warnings;
 }

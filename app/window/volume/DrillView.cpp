@@ -43,7 +43,7 @@ QString lengthText(double mm) {
 
 QString drillVerdict(const DrillState& hole) {
   if (hole.figures.forbidden > 0.0)
-    return DrillView::tr("The forbidden region was entered by %1 mm: this try has failed")
+    return DrillView::tr("The forbidden region was entered by %1 mm: this attempt has failed")
         .arg(lengthText(hole.figures.forbidden));
   if (hole.breakthrough) return DrillView::tr("Breakthrough: stop. %1 mm beyond").arg(lengthText(hole.figures.plunge));
   if (isBesidePath(hole))
@@ -152,16 +152,16 @@ void DrillView::warn(const DrillingTool& tool, const DrillState& hole) {
   m_said.moments = hole.moments.size();
   if (!tool.task()) return;
   if (hole.figures.forbidden > 0.0 && !std::exchange(m_said.forbidden, true))
-    emit message({Message::Weight::Error, tr("The try has failed"), tr("The drill entered the forbidden region."),
+    emit message({Message::Weight::Error, tr("The attempt has failed"), tr("The drill entered the forbidden region."),
                   tr("Undo the hole to try again; stop at the breakthrough.")});
   if (isBesidePath(hole) && !std::exchange(m_said.besidePath, true))
     emit message({Message::Weight::Warning, tr("Beside the planned path"),
                   tr("The drill is more than %1 mm away from it.").arg(lengthText(hole.plan->tolerance)),
-                  tr("Let go, undo the hole, and begin where the green rod meets the surface.")});
+                  tr("Release the button, undo the hole, and begin where the green rod meets the surface.")});
   if (hole.breakthrough && !std::exchange(m_said.breakthrough, true))
     emit message({Message::Weight::Info, tr("Breakthrough"),
                   tr("The drill is through after %1 s.").arg(lengthText(*hole.breakthrough)),
-                  tr("Let go now: each further millimetre counts.")});
+                  tr("Release the button now: each further millimetre counts.")});
 }
 
 // Only while it drills: the sound fades out by itself. The louder the larger the thrust.

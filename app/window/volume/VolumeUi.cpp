@@ -160,7 +160,7 @@ std::vector<StartAction> VolumeUi::startActions() const {
                      tr("Starts with a ball of clay. Add, carve and smooth it by hand.")}},
           {QStringLiteral("newSkull"),
            tr("New &skull"),
-           tr("Start with a skull to be drilled, made of no patient"),
+           tr("Start with a synthetic skull to be drilled, not that of a patient"),
            panelIcon(),
            {},
            {},

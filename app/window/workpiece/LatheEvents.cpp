@@ -42,29 +42,34 @@ QString textOfRule(const CutWarning& warning) {
   const QString value = QLocale().toString(warning.value, 'g', 3), limit = QLocale().toString(warning.limit, 'g', 3);
   switch (warning.rule) {
     case CutWarning::Rule::Power:
-      return LatheEvents::tr("Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.")
+      return LatheEvents::tr("Power: the cut needs %1 kW, and the motor has %2 kW; the spindle slows down.")
           .arg(value, limit);
     case CutWarning::Rule::Torque:
-      return LatheEvents::tr("Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.")
+      return LatheEvents::tr("Torque: the cut needs %1 N·m, and the spindle has %2 N·m; the spindle stalls.")
           .arg(value, limit);
     case CutWarning::Rule::Slenderness:
-      return LatheEvents::tr("L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.")
+      return LatheEvents::tr(
+                 "L/D: the work protrudes by %1 times its diameter; at most %2 times is recommended. Support it.")
           .arg(value, limit);
     case CutWarning::Rule::Deflection:
-      return LatheEvents::tr("Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.")
+      return LatheEvents::tr("Deflection: the work bends away and is left %1 mm thicker here; the limit is %2 mm.")
           .arg(value, limit);
     case CutWarning::Rule::Chatter:
-      return LatheEvents::tr("Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.").arg(value, limit);
+      return LatheEvents::tr("Chatter: the depth of cut is %1 mm; up to %2 mm is stable at any spindle speed.")
+          .arg(value, limit);
     case CutWarning::Rule::Rubbing:
       break;
   }
-  return LatheEvents::tr("Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.").arg(value, limit);
+  return LatheEvents::tr("Rubbing: a chip thickness of %1 mm is too small to be cut; at least %2 mm is needed.")
+      .arg(value, limit);
 }
 
 LatheEvents::LatheEvents(QWidget* parent) : QListWidget(parent) {
   setObjectName(QStringLiteral("latheCrashes"));
   setAccessibleName(tr("Crashes and warnings"));
-  setToolTip(tr("What met what, which rule was broken, and when. A crash stops the spindle."));
+  setToolTip(
+      tr("Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash "
+         "stops the spindle."));
   setMinimumWidth(180);
   setWordWrap(true);
 }

@@ -45,20 +45,22 @@ LatheFigures::LatheFigures(QWidget* parent) : QWidget(parent) {
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(12);
   m_force = cell(*line, tr("Force"), "latheForce", tr("%1 of %2 %3").arg(8888).arg(8888).arg(tr("N")),
-                 tr("Of the cut, of all three components, and what the exercise allows"));
+                 tr("Resultant of the three components of the cutting force, and the limit of the exercise"));
   m_power = cell(*line, tr("Power"), "lathePower", tr("%1 of %2 %3").arg(8.88).arg(88).arg(tr("kW")),
-                 tr("Of the motor, and what it has"));
+                 tr("Power taken from the motor, and its rated power"));
   m_torque = cell(*line, tr("Torque"), "latheTorque", tr("%1 of %2 %3").arg(88.8).arg(888).arg(tr("N·m")),
-                  tr("At the spindle, and what it has"));
+                  tr("Torque at the spindle, and the torque available"));
   m_spindle = cell(*line, tr("Spindle"), "latheTurns", tr("%1 r/min").arg(8888),
-                   tr("Its speed now. A cut beyond power or torque slows it down."));
-  m_speed =
-      cell(*line, tr("Cutting speed"), "latheCuttingSpeed", tr("%1 m/min").arg(8888), tr("At the middle of the cut"));
-  m_depth = cell(*line, tr("Depth"), "latheDepth", tr("%1 mm").arg(88.88), tr("Of the cut, across its way"));
-  m_feed = cell(*line, tr("Feed"), "latheFeedNow", tr("%1 mm/rev").arg(8.888), tr("In a turn of the spindle"));
-  m_roughness = cell(*line, tr("Ra here"), "latheRoughness", tr("%1 µm").arg(88.88),
-                     tr("Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or "
-                        "disk have taken off since"));
+                   tr("Current spindle speed. A cut beyond the available power or torque slows it down."));
+  m_speed = cell(*line, tr("Cutting speed"), "latheCuttingSpeed", tr("%1 m/min").arg(8888),
+                 tr("Surface speed at the middle of the cut"));
+  m_depth = cell(*line, tr("Depth"), "latheDepth", tr("%1 mm").arg(88.88),
+                 tr("Depth of cut, measured across the feed direction"));
+  m_feed =
+      cell(*line, tr("Feed"), "latheFeedNow", tr("%1 mm/rev").arg(8.888), tr("Feed per revolution of the spindle"));
+  m_roughness = cell(
+      *line, tr("Ra here"), "latheRoughness", tr("%1 µm").arg(88.88),
+      tr("Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk"));
   m_law = cell(*line, tr("Law"), "latheLaw", tr("Kosilova"), QString());
   line->addStretch();
 }
@@ -107,7 +109,7 @@ void LatheFigures::show(const ManualLatheTool& tool, double forceLimit) {
   const WorkMaterial& known = WorkMaterials::standard().called(tool.material()->id);
   const QString material = QCoreApplication::translate("Property", known.name.c_str());
   m_law->setToolTip(load.isOutsideModel
-                        ? tr("The law of the cutting force was not made for such a cut of %1.").arg(material)
+                        ? tr("The law of the cutting force is not valid for such a cut of %1.").arg(material)
                         : tr("Law of the cutting force for %1. It is chosen among the settings of speed and "
                              "accuracy; the material is a property of the workpiece.")
                               .arg(material));

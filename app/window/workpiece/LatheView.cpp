@@ -258,7 +258,7 @@ void LatheView::showZero() {
 void LatheView::sayUndone(const ManualLatheTool& lathe) {
   if (std::exchange(m_returns, lathe.returnCount()) >= lathe.returnCount()) return;
   emit message({Message::Weight::Info, tr("The tool was moved"),
-                tr("The material that came back is where it was, so the tool was taken out of it."),
+                tr("The restored material is where the tool was, so the tool was moved out of it."),
                 tr("The spindle turns as before.")});
 }
 

@@ -201,7 +201,7 @@ void ReplayDock::prepare() {
   m_line->setEnabled(false);
   m_compare->setEnabled(false);
   m_compare->setText(tr("&Compare with…"));
-  m_text->setText(part ? QString() : tr("Nothing was cut yet. What you cut can be played here."));
+  m_text->setText(part ? QString() : tr("Nothing has been cut yet. Recorded passes can be played here."));
   if (!part) return;
   Job job;
   job.name = tr("Preparing the replay");
@@ -258,7 +258,7 @@ void ReplayDock::compareWith(const QString& path) {
     const Result<OpenedFile> opened = kinds.open(QFile::encodeName(path).toStdString(), {}, progress.part(0.0, 0.3));
     if (!opened) return [failed, reason = errorSentence(opened.error())] { failed(reason); };
     const auto* const work = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
-    if (!work || !work->part) return [failed] { failed(tr("It is no workpiece that something was cut from.")); };
+    if (!work || !work->part) return [failed] { failed(tr("It is not a workpiece that was cut.")); };
     const Played other{name, *work, trackOf(*work, progress.part(0.3, 1.0))};
     return [this, other, first] {
       if (other.track && m_isOpen && m_played && m_replayed == first) beginOther(other);

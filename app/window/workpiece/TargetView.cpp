@@ -87,7 +87,7 @@ PathLayer::Lines outlineOf(const TargetProfile& target) {
 QString finishLegend() {
   const QLocale locale;
   const double most = std::exp2(kFinishSteps);
-  return TargetView::tr("blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told")
+  return TargetView::tr("blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: unknown")
       .arg(locale.toString(kMiddleRoughness / most), locale.toString(kMiddleRoughness),
            locale.toString(kMiddleRoughness * most));
 }
@@ -118,8 +118,8 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
   m_roughness.setObjectName(QStringLiteral("finishColours"));
   m_roughness.setCheckable(true);
   setActionToolTip(m_roughness, tr("Show how rough the part is, from feed and nose of its last cuts"));
-  setActionToolTip(m_import, tr("Read what the part is to become, from STEP, DXF, SVG or a workpiece"));
-  setActionToolTip(m_remove, tr("Compare the part with nothing"));
+  setActionToolTip(m_import, tr("Import the target shape of the part from STEP, DXF, SVG or a workpiece"));
+  setActionToolTip(m_remove, tr("Do not compare the part with a target"));
   setActionToolTip(m_colours, tr("Show where the part is larger or smaller than the target"));
   connect(&m_import, &QAction::triggered, this, &TargetView::askForFile);
   connect(&m_remove, &QAction::triggered, this,
@@ -232,8 +232,8 @@ void TargetView::importFrom(DocumentTab* document, const QString& path) {
   job.owner = document;
   const auto failed = [this, path](const Error& error) {
     if (error.code == ErrorCode::Cancelled) return;
-    emit message({Message::Weight::Error, tr("%1 is no target").arg(QFileInfo(path).fileName()), errorSentence(error),
-                  errorAdvice(error)});
+    emit message({Message::Weight::Error, tr("%1 cannot be used as a target").arg(QFileInfo(path).fileName()),
+                  errorSentence(error), errorAdvice(error)});
   };
   job.work = [this, document, path, failed](Progress progress) -> Job::Finish {
     const Result<ImportedTarget> imported = importTarget(path.toStdString(), UnturnedFaces::Refuse, progress);

@@ -241,14 +241,15 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
   const QLocale locale;
   QStringList lines;
   if (force > task.forceLimit)
-    lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.")
+    lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.")
                  .arg(locale.toString(force, 'f', 0), locale.toString(task.forceLimit, 'f', 0));
   if (power > task.powerLimit)
     lines << tr("The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
                  .arg(locale.toString(power, 'f', 2), locale.toString(task.powerLimit, 'f', 2));
   if (lines.isEmpty()) return;
-  Message heavy{Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
-                tr("It is in the report, and lowers marks for force and power. Undo it, and take less depth or feed.")};
+  Message heavy{
+      Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
+      tr("It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.")};
   heavy.about = &loaded->document;
   heavy.isOver = [loaded, of = m_loadedPart] {
     return static_cast<const WorkpieceDocument&>(loaded->document).workpiece().part != of;
@@ -288,7 +289,7 @@ NextStep WorkpieceUi::nextStep() {
           isAssigned
               ? tr("It is the bar of the exercise. The panel “Lesson” says what to do; “Turn” and “Lathe” cut it.")
           : isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
-                  : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
+                  : tr("Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too."),
           panelActions()};
 }
 

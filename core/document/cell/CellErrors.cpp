@@ -51,7 +51,7 @@ const ErrorDescription CellError::OthersMoved{
 const ErrorDescription CellError::LineUnreachable{
     .id = "LineUnreachable",
     .sentences = {translatable("ErrorText", "the arm cannot follow the straight line to %1: it stops after %2 %")},
-    .advice = {translatable("ErrorText", "Move to it by the joints, or choose the same configuration at both ends.")}};
+    .advice = {translatable("ErrorText", "Use a joint motion, or choose the same configuration at both ends.")}};
 
 const ErrorDescription CellError::PoseUnreachable{
     .id = "PoseUnreachable",
@@ -71,8 +71,8 @@ const ErrorDescription CellError::PathOutdated{
 const ErrorDescription CellError::LineCollides{
     .id = "LineCollides",
     .sentences = {translatable("ErrorText", "on the straight line to %1 the robot collides: %2 with %3")},
-    .advice = {translatable("ErrorText",
-                            "Move to it by the joints, set it or the place before elsewhere, or allow this pair.")}};
+    .advice = {
+        translatable("ErrorText", "Use a joint motion, change this place or the one before, or allow this pair.")}};
 
 const ErrorDescription CellError::PartCarried{
     .id = "PartCarried",
@@ -86,8 +86,8 @@ const ErrorDescription CellError::TrackMissing{
 
 const ErrorDescription CellError::DrawnCurveBroken{
     .id = "DrawnCurveBroken",
-    .sentences = {translatable("ErrorText", "the surface does not lead from place %1 of the curve to place %2")},
-    .advice = {translatable("ErrorText", "Draw around what is between, or place more points.")}};
+    .sentences = {translatable("ErrorText", "places %1 and %2 of the curve are not connected by the surface")},
+    .advice = {translatable("ErrorText", "Draw around the gap, or place more points.")}};
 
 const ErrorDescription CellError::TrackOutOfReach{
     .id = "TrackOutOfReach",
@@ -99,13 +99,13 @@ const ErrorDescription CellError::TrackBlocked{
     .id = "TrackBlocked",
     .sentences = {translatable("ErrorText",
                                "at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7")},
-    .advice = {translatable("ErrorText", "Lean the tool away, keep a distance from the part, or allow this pair.")}};
+    .advice = {translatable("ErrorText", "Tilt the tool away, keep a distance from the part, or allow this pair.")}};
 
 const ErrorDescription CellError::TrackBroken{
     .id = "TrackBroken",
     .sentences = {translatable(
         "ErrorText",
-        "the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint")},
+        "the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint")},
     .advice = {translatable("ErrorText", "Divide the curve, turn the tool, or let it turn about its own axis.")}};
 
 const ErrorDescription CellError::PlaceNameTaken{
@@ -115,7 +115,7 @@ const ErrorDescription CellError::PlaceNameTaken{
 
 const ErrorDescription CellError::PlansFull{
     .id = "PlansFull",
-    .sentences = {translatable("ErrorText", "the cell would have %2 %1, and it can hold %3")},
+    .sentences = {translatable("ErrorText", "the cell would have %2 %1, and it can contain %3")},
     .advice = {translatable("ErrorText", "Remove what is not needed any more, or plan it in another cell.")}};
 
 const ErrorDescription CellError::TargetStray{
@@ -140,29 +140,30 @@ const ErrorDescription CellError::OnlyRobot{
 
 const ErrorDescription CellError::ArmOnRoot{
     .id = "ArmOnRoot",
-    .sentences = {translatable("ErrorText", "the base of %1 is what all of the cell is measured from")},
+    .sentences = {translatable("ErrorText", "the base of %1 is the origin of the cell")},
     .advice = {translatable("ErrorText", "Move the other robots and the bodies instead.")}};
 
 const ErrorDescription CellError::OfOtherArm{
     .id = "OfOtherArm",
-    .sentences = {translatable("ErrorText", "'%1' is of another robot than the one that is planned for: %2")},
+    .sentences = {translatable("ErrorText", "'%1' belongs to another robot than the one to plan for: %2")},
     .advice = {translatable("ErrorText", "Choose that robot first; on the command line: --arm.")}};
 
 const ErrorDescription CellError::ToolOutOfReach{
     .id = "ToolOutOfReach",
-    .sentences = {translatable("ErrorText", "the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that")},
+    .sentences = {translatable("ErrorText", "the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation")},
     .advice = {translatable("ErrorText", "Choose a nearer place, or turn the tool.")}};
 
 const ErrorDescription CellError::ToolBeyondLimits{
     .id = "ToolBeyondLimits",
     .sentences = {translatable(
-        "ErrorText", "to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits")},
+        "ErrorText",
+        "to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits")},
     .advice = {translatable("ErrorText", "Choose another place, or turn the tool.")}};
 
 const ErrorDescription CellError::ToolBlocked{
     .id = "ToolBlocked",
     .sentences = {translatable(
-        "ErrorText", "with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5")},
+        "ErrorText", "with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5")},
     .advice = {translatable("ErrorText", "Choose another place, turn the tool, or require less clearance.")}};
 
 }  // namespace handwheel

@@ -108,7 +108,7 @@ std::optional<Property> unknownLimits(const RobotModel& robot, const char* id, c
 std::vector<Property> armProperties(const CellRobot& cell, const CellPlans& plans) {
   std::vector<Property> all;
   if (cell.arms.size() > 1) {
-    Property chosen = toRead("arm", kTool, QT_TRANSLATE_NOOP("Property", "Robot that is planned for"),
+    Property chosen = toRead("arm", kTool, QT_TRANSLATE_NOOP("Property", "Robot to plan for"),
                              static_cast<double>(activeArmNumber(cell, plans)), Quantity::Number);
     for (const RobotArm& arm : cell.arms) chosen.choices.push_back(arm.name);
     chosen.least = 0.0;

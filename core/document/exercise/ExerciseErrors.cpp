@@ -7,7 +7,7 @@ namespace handwheel {
 const ErrorDescription ExerciseError::SubjectUnknown{
     .id = "SubjectUnknown",
     .sentences = {translatable("ErrorText", "the exercise is about “%1”, which this program cannot mark"),
-                  translatable("ErrorText", "the exercise does not say what it is about")},
+                  translatable("ErrorText", "the exercise does not specify its subject")},
     .advice = {translatable("ErrorText", "Open it with a newer version of the program.")}};
 
 const ErrorDescription ExerciseError::OtherExercise{
@@ -37,13 +37,13 @@ const ErrorDescription ExerciseError::WithoutTarget{
 
 const ErrorDescription ExerciseError::NothingTurned{
     .id = "NothingTurned",
-    .sentences = {translatable("ErrorText", "nothing was turned in the work that was begun; it is the bar itself")},
+    .sentences = {translatable("ErrorText", "nothing was turned in this work; it is the bar itself")},
     .advice = {translatable("ErrorText", "Turn the part first, or import the target from a drawing.")}};
 
 const ErrorDescription ExerciseError::NothingDrilled{
     .id = "NothingDrilled",
-    .sentences = {translatable("ErrorText", "nothing was drilled in the work that was begun")},
-    .advice = {translatable("ErrorText", "Drill the hole first: its way becomes the planned path.")}};
+    .sentences = {translatable("ErrorText", "nothing was drilled in this work")},
+    .advice = {translatable("ErrorText", "Drill the hole first; it becomes the planned path.")}};
 
 const ErrorDescription ExerciseError::FieldRefused{
     .id = "FieldRefused",

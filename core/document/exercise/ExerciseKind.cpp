@@ -142,11 +142,11 @@ Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::f
   const bool isAsDescribed = exercise.solution && exercise.solution == exercise.madeOfDescription;
   if (isAsDescribed && !json[kSolution].is_null()) json[kSolution] = *exercise.describedSolution;
   if (exercise.solution && json[kSolution].is_null())
-    file.notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                            "A description cannot hold a model solution that was made by hand. "
-                                            "It has none."),
-                          {},
-                          true});
+    file.notes.push_back(
+        {QT_TRANSLATE_NOOP("Note",
+                           "A description cannot contain a model solution that was made by hand; it was left out."),
+         {},
+         true});
   if (exercise.work) file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The work is not in the description."), {}, true});
   const std::string text = json.dump(1) + "\n";
   const Status written = writeFileAtomically(path, text, progress);

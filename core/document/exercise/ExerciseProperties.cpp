@@ -185,12 +185,12 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   points.least = 0.0;
   points.largest = Exercise::kMostPoints;
   if (c.points > 0.0 && !c.hasLimit())
-    points.problem = QT_TRANSLATE_NOOP("Property", "nobody gets them without a limit");
+    points.problem = QT_TRANSLATE_NOOP("Property", "they cannot be scored without a limit");
   Property& slack = addNumber("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack);
   slack.least = 0.0;
   slack.largest = Exercise::kLargestFigure;
   add("hidden", QT_TRANSLATE_NOOP("Property", "Hidden from students"), c.isHidden);
-  add("decisive", QT_TRANSLATE_NOOP("Property", "Without it no points at all"), c.isDecisive);
+  add("decisive", QT_TRANSLATE_NOOP("Property", "No points at all if not met"), c.isDecisive);
   return all;
 }
 

@@ -62,10 +62,11 @@ std::vector<Note> notesOn(const ExportReport& report) {
                      true});
   }
   if (!report.parted.empty()) {
-    notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                       "Vertices moved by the smallest possible amount, so that the file does not weld "
-                                       "them: %1."),
-                     {std::to_string(report.parted.size())}});
+    notes.push_back(
+        {QT_TRANSLATE_NOOP("Note",
+                           "Vertices moved apart in the last digits that the file can hold, so that it does not "
+                           "weld them: %1."),
+         {std::to_string(report.parted.size())}});
   }
   return notes;
 }

@@ -105,7 +105,7 @@ DrilledHoles readHoles(const Container& container, std::vector<Error>& damage) {
     return DrilledHoles();
   };
   if (list.is_null()) return {};
-  if (!list.is_array() || list.size() > kMostHoles) return fail("it is no list of holes");
+  if (!list.is_array() || list.size() > kMostHoles) return fail("it is not a list of holes");
   std::uint64_t count = 0;
   for (const Json& entry : list) {
     const std::uint64_t poses = countAt(entry, kPoses);

@@ -81,33 +81,34 @@ Note noteOn(const ImageRemark& remark) {
   Note note;
   switch (remark.kind) {
     case ImageRemark::Kind::NoSpacing:
-      note.text = QT_TRANSLATE_NOOP("Note", "The file does not say how far its samples are apart: 1 mm is taken.");
+      note.text = QT_TRANSLATE_NOOP("Note", "The file does not give the spacing of its samples: 1 mm is assumed.");
       break;
     case ImageRemark::Kind::NotNumbers:
-      note.text = QT_TRANSLATE_NOOP("Note", "Samples that are no numbers count as the least value (%1).");
+      note.text = QT_TRANSLATE_NOOP("Note", "Samples that are not numbers were replaced by the smallest value (%1).");
       break;
     case ImageRemark::Kind::FirstOfSeveral:
-      note.text = QT_TRANSLATE_NOOP("Note", "Of several values or images (%1) the first is read.");
+      note.text =
+          QT_TRANSLATE_NOOP("Note", "The file contains several values or images (%1); only the first was read.");
       break;
     case ImageRemark::Kind::Tilted:
-      note.text = QT_TRANSLATE_NOOP("Note",
-                                    "The slices are tilted by %1° against the way that they follow each other; "
-                                    "that is corrected.");
+      note.text = QT_TRANSLATE_NOOP(
+          "Note", "The slices are tilted by %1° against their stacking direction; this was corrected.");
       break;
     case ImageRemark::Kind::Uneven:
-      note.text = QT_TRANSLATE_NOOP("Note", "The slices are from %1 to %2 mm apart; even ones were put between them.");
+      note.text = QT_TRANSLATE_NOOP(
+          "Note", "The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.");
       break;
     case ImageRemark::Kind::SlicesMissing:
-      note.text = QT_TRANSLATE_NOOP("Note", "Slices are missing (%1); those beside fill their places.");
+      note.text = QT_TRANSLATE_NOOP("Note", "Slices are missing (%1); they were interpolated from their neighbours.");
       break;
     case ImageRemark::Kind::OtherSeries:
-      note.text = QT_TRANSLATE_NOOP("Note", "Slices of other series are left out (%1).");
+      note.text = QT_TRANSLATE_NOOP("Note", "Slices of other series were ignored (%1).");
       break;
     case ImageRemark::Kind::SamePlace:
-      note.text = QT_TRANSLATE_NOOP("Note", "Slices in the place of another are left out (%1).");
+      note.text = QT_TRANSLATE_NOOP("Note", "Slices at the position of another slice were ignored (%1).");
       break;
     case ImageRemark::Kind::NotReadable:
-      note.text = QT_TRANSLATE_NOOP("Note", "Files that are no images in grey, or damaged, are left out (%1).");
+      note.text = QT_TRANSLATE_NOOP("Note", "Files that are damaged, or are not greyscale images, were ignored (%1).");
       break;
   }
   constexpr int kDigits = 6;

@@ -46,7 +46,7 @@ Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& 
   const nlohmann::json voxel = found->value("voxel", nlohmann::json()),
                        origin = found->value("origin", nlohmann::json());
   if (!voxel.is_number() || !(voxel.get<double>() > 1e-9) || !(voxel.get<double>() < 1e9))
-    return Error{ErrorCode::ElementMalformed, {"document.voxel", "it is no size of a voxel"}, {}, {}};
+    return Error{ErrorCode::ElementMalformed, {"document.voxel", "it is not the size of a voxel"}, {}, {}};
   Vec3 corner = Vec3::Zero();
   bool isPlace = origin.is_array() && origin.size() == 3;
   for (std::size_t k = 0; k < 3 && isPlace; ++k) {
@@ -59,7 +59,7 @@ Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& 
   const nlohmann::json count = found->value("chunks", nlohmann::json());
   const bool isCount = count.is_number_unsigned() && count.get<std::uint64_t>() <= kMostChunks;
   if (!isCount)
-    damage.push_back({ErrorCode::ElementMalformed, {"document.chunks", "it is no number of chunks"}, {}, {}});
+    damage.push_back({ErrorCode::ElementMalformed, {"document.chunks", "it is not a number of chunks"}, {}, {}});
   const std::size_t chunks = isCount ? count.get<std::size_t>() : kMostChunks;
   std::size_t lost = 0, bytes = 0;
   for (std::size_t i = 0; i < chunks; ++i) {
@@ -77,7 +77,7 @@ Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& 
                       {}});
   // As other arrays of a container: at most 64 times its bytes.
   if (!closeOff(volume, 64 * bytes / sizeof(VolumeBlock)))
-    return Error{ErrorCode::ElementMalformed, {"volume", "full and empty blocks have nothing between them"}, {}, {}};
+    return Error{ErrorCode::ElementMalformed, {"volume", "full and empty blocks have no surface between them"}, {}, {}};
   return volume;
 }
 

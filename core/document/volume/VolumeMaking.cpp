@@ -25,8 +25,8 @@ namespace {
 ValueRange usualRange(const ImageHistogram& histogram, std::vector<Note>& notes) {
   const double threshold = otsuThreshold(histogram);
   notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                     "Values from %1 on are taken as material: that parts the image best. The panel "
-                                     "Segmentation and 'handwheel segment' take any other range."),
+                                     "Values from %1 upwards are taken as material (Otsu's threshold). Choose any "
+                                     "other range in the panel Segmentation or with 'handwheel segment'."),
                    {roundedText(threshold, 4)}});
   return {threshold, std::numeric_limits<double>::infinity()};
 }
@@ -37,10 +37,11 @@ Result<SparseVolume> volumeOfVdb(const std::filesystem::path& path, std::vector<
   Result<VdbVolume> read = readVdb(*bytes, progress.part(0.2, 1.0));
   if (!read) return read.error();
   if (read->isFog)
-    notes.push_back({QT_TRANSLATE_NOOP("Note", "The file holds densities: what is denser than a half is material.")});
+    notes.push_back(
+        {QT_TRANSLATE_NOOP("Note", "The file contains densities: densities above 0.5 are taken as material.")});
   if (read->otherGrids > 0)
-    notes.push_back({QT_TRANSLATE_NOOP("Note", "Further grids of the file are left out (%1)."),
-                     {std::to_string(read->otherGrids)}});
+    notes.push_back(
+        {QT_TRANSLATE_NOOP("Note", "Other grids of the file were ignored (%1)."), {std::to_string(read->otherGrids)}});
   return std::move(read->volume);
 }
 

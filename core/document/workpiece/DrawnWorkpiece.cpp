@@ -24,10 +24,10 @@ double wholeAbove(double mm) {
 }
 
 Note noteOn(const StockCylinder& bar) {
-  return {QT_TRANSLATE_NOOP("Note",
-                            "The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at "
-                            "the free end. The panel Stock takes other sizes; for an exercise use Import target… in "
-                            "its panel."),
+  return {QT_TRANSLATE_NOOP(
+              "Note",
+              "The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at "
+              "the free end. Enter another size in the panel Stock; for an exercise use Import target… in its panel."),
           {roundedText(bar.diameter, 6), roundedText(bar.length, 6), roundedText(kUsualAllowance, 6)}};
 }
 

@@ -110,7 +110,8 @@ Result<KosilovaTables> KosilovaTables::fromJson(std::string_view text) {
     return Error{ErrorCode::ElementMalformed, {"the table of forces", problem.what()}, {}, {}};
   }
   if (!std::all_of(tables.m_corrections.begin(), tables.m_corrections.end(), isSound))
-    return Error{ErrorCode::ElementMalformed, {"corrections", "its lists differ in length, or do not ascend"}, {}, {}};
+    return Error{
+        ErrorCode::ElementMalformed, {"corrections", "its lists differ in length, or are not ascending"}, {}, {}};
   return tables;
 }
 

@@ -65,7 +65,7 @@ const char* sentenceOf(CrashCause cause) {
     case CrashCause::TooDeep:
       return translatable("LathePart", "The cut was deeper than the cutting edge is long.");
     case CrashCause::Overload:
-      return translatable("LathePart", "The cut needed more than the motor has.");
+      return translatable("LathePart", "The cut needed more power than the motor has.");
   }
   return "";
 }

@@ -249,7 +249,7 @@ json toJson(const LatheSetup& setup) {
 }
 
 Result<LatheSetup> latheSetupFrom(const json& value) {
-  if (!value.is_object()) return wrong("lathe", "it is no object");
+  if (!value.is_object()) return wrong("lathe", "it is not an object");
   LatheSetup setup;
   takeFields(value, setup);
   visitGroups(setup, [&](const char* key, auto& group) { takeFields(memberOf(value, key), group); });

@@ -56,7 +56,7 @@ double BoreWall::leastRadius() const {
 
 BoreWall boreWallOf(const TargetProfile& target) {
   const Result<TargetSides> sides = sidesOf(target);
-  if (!sides) refuse({}, "target", "its bore cannot be told from its outside", "Choose another target.");
+  if (!sides) refuse({}, "target", "its bore cannot be distinguished from its outside", "Choose another target.");
   const double top = target.upperEnd(), bottom = target.lowerEnd();
   BoreWall bore;
   for (const ProfileSegment& segment : upperBore(*sides, top).segments()) {  // up along the wall, and beyond the ends

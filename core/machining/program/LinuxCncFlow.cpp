@@ -86,7 +86,7 @@ void LinuxCncRun::beginCall(const ProgramOutline::Statement& statement, ProgramS
     arguments.push_back(valueIn(scanner));
   }
   if (scanner.peek() != '\0')
-    refuse(scanner.place(), scanner.token(), "the arguments of a call stand in square brackets", "Write [value].");
+    refuse(scanner.place(), scanner.token(), "the arguments of a call must be in square brackets", "Write [value].");
   call(sub + 1, arguments, 1, true, place);
 }
 

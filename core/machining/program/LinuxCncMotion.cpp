@@ -105,7 +105,7 @@ void LinuxCncRun::runMotion(const ProgramBlock& block) {
   for (const char* axis = kAxes; *axis; ++axis) hasAxis = hasAxis || has(*axis);
   if (isTaken && hasAxis) {
     if (given >= 0 && given != 800)
-      refuse(code(Motion)->place, code(Motion)->text(), "two codes in this line want X and Z", "Divide the line.");
+      refuse(code(Motion)->place, code(Motion)->text(), "two codes in this line use X and Z", "Divide the line.");
     return;
   }
   if (given == 800) {

@@ -85,7 +85,7 @@ ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, Pro
     const ProgramWord word = readWord(scanner, variables, dialect, isVacant);
     if (isVacant || word.letter == 'N') continue;
     if (word.letter != 'G' && word.letter != 'M' && block.has(word.letter))
-      refuse(word.place, word.text(), "this letter stands twice in the line", "Remove one of them.");
+      refuse(word.place, word.text(), "this letter occurs twice in the line", "Remove one of them.");
     block.words.push_back(word);
   }
   for (const Assignment& set : assignments) {

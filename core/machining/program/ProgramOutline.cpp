@@ -106,7 +106,7 @@ void ProgramOutline::split(std::string_view text, ProgramDialect dialect) {
       hasMark = true;
     } else {
       if (dialect == ProgramDialect::Fanuc && hasMarkedEnd(text))
-        refuse(placeOf(size() - 1), "%", "the program begins here, but words stand before it",
+        refuse(placeOf(size() - 1), "%", "the program begins here, but words precede it",
                "Remove the words before the first %, or the %.");
       return;
     }

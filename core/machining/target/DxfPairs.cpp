@@ -52,7 +52,7 @@ Result<bool> DxfPairs::next(DxfPair& pair) {
   if (code.empty() && m_rest.empty()) return false;
   const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), pair.code);
   if (error != std::errc() || end != code.data() + code.size()) {
-    return Error{ErrorCode::ElementMalformed, {"group", "its code is no number"}, InputPosition::line(m_line), {}};
+    return Error{ErrorCode::ElementMalformed, {"group", "its code is not a number"}, InputPosition::line(m_line), {}};
   }
   if (m_rest.empty())
     return Error{ErrorCode::ElementMalformed, {"group", "it has no value"}, InputPosition::line(m_line), {}};

@@ -38,7 +38,7 @@ const ErrorDescription TargetError::NoProfile{
 
 const ErrorDescription TargetError::SeveralProfiles{
     .id = "SeveralProfiles",
-    .sentences = {translatable("ErrorText", "the file contains %1 separate outlines, and a profile is one")},
+    .sentences = {translatable("ErrorText", "the file contains %1 separate outlines, and a profile is a single one")},
     .advice = {translatable("ErrorText", "Remove frames, dimensions and other views, or join the ends of the lines.")}};
 
 const ErrorDescription TargetError::BinaryDrawing{
@@ -64,7 +64,7 @@ const ErrorDescription TargetError::NotTurned{
 
 const ErrorDescription TargetError::TooIntricate{
     .id = "TooIntricate",
-    .sentences = {translatable("ErrorText", "the outline goes to and fro too often to be checked")},
+    .sentences = {translatable("ErrorText", "the outline has too many reversals to be checked")},
     .advice = {translatable("ErrorText", "Draw it with fewer lines, for example without hatching.")}};
 
 const ErrorDescription TargetError::MeshNotTurned{
@@ -75,7 +75,7 @@ const ErrorDescription TargetError::MeshNotTurned{
 
 const ErrorDescription TargetError::NotOneSolid{
     .id = "NotOneSolid",
-    .sentences = {translatable("ErrorText", "the file contains %1 solids, and a target is one")},
+    .sentences = {translatable("ErrorText", "the file contains %1 solids, and a target is a single one")},
     .advice = {translatable("ErrorText", "Save the turned part alone in a file.")}};
 
 }  // namespace handwheel

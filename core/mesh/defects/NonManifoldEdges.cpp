@@ -11,13 +11,13 @@ namespace {
 
 // Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
 template <class Visit>
-void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Progress progress, Visit visit) {
+void forEachNonManifoldEdge(const HalfEdgeMesh& mesh, Progress progress, Visit visit) {
   const PositionTriangles byPosition(mesh, progress.part(0.0, 0.4));
   const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.4, 0.8));
-  const auto visitCrowded = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+  const auto visitEdge = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
     if (run.size() > 2) visit(byPosition.classes, low, high, run);
   };
-  edges.forEachEdge(visitCrowded, progress.part(0.8, 1.0));
+  edges.forEachEdge(visitEdge, progress.part(0.8, 1.0));
 }
 
 // The fans at positions of these classes.
@@ -39,14 +39,14 @@ std::map<std::uint32_t, Fans> fansIn(const HalfEdgeMesh& mesh, const std::vector
 
 std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<std::uint32_t> classOf;
-  std::vector<bool> crowded;
+  std::vector<bool> isAtEdge;
   const auto mark = [&](const PointClasses& classes, std::uint32_t low, std::uint32_t high, auto) {
     if (classOf.empty()) classOf = classes.classOf;
-    crowded.resize(classes.representative.size());
-    crowded[low] = crowded[high] = true;
+    isAtEdge.resize(classes.representative.size());
+    isAtEdge[low] = isAtEdge[high] = true;
   };
-  forEachCrowdedEdge(mesh, progress.part(0.0, 0.8), mark);
-  return crowded.empty() ? std::map<std::uint32_t, Fans>() : fansIn(mesh, classOf, crowded, progress.part(0.8, 1.0));
+  forEachNonManifoldEdge(mesh, progress.part(0.0, 0.8), mark);
+  return isAtEdge.empty() ? std::map<std::uint32_t, Fans>() : fansIn(mesh, classOf, isAtEdge, progress.part(0.8, 1.0));
 }
 
 std::map<std::uint32_t, Fans> fansAt(const HalfEdgeMesh& mesh, const std::vector<Vertex>& vertices, Progress progress) {
@@ -61,15 +61,15 @@ std::map<std::uint32_t, Fans> fansAt(const HalfEdgeMesh& mesh, const std::vector
 
 std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<HalfEdge> surplus;
-  forEachCrowdedEdge(mesh, progress,
-                     [&](const PointClasses&, std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
-                       bool first = true;
-                       for (const EdgeTable::Entry& e : run) {
-                         if (!mesh.hasOpposite(e.halfEdge) || mesh.opposite(e.halfEdge) < e.halfEdge) continue;
-                         if (!first) surplus.push_back(e.halfEdge);
-                         first = false;
-                       }
-                     });
+  forEachNonManifoldEdge(mesh, progress,
+                         [&](const PointClasses&, std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+                           bool first = true;
+                           for (const EdgeTable::Entry& e : run) {
+                             if (!mesh.hasOpposite(e.halfEdge) || mesh.opposite(e.halfEdge) < e.halfEdge) continue;
+                             if (!first) surplus.push_back(e.halfEdge);
+                             first = false;
+                           }
+                         });
   return surplus;
 }
 

@@ -13,9 +13,9 @@ namespace {
 constexpr double kFolded = 1e6;
 
 // The polygon still to be closed: a ring of loop points, walked against the loop, so that ears face outward.
-class EarCutter {
+class EarClipper {
  public:
-  EarCutter(const HoleContext& hole, const Obstacles& obstacles, const EarWeights& weights)
+  EarClipper(const HoleContext& hole, const Obstacles& obstacles, const EarWeights& weights)
       : m_points(hole.loop()),
         m_outward(hole.outward()),
         m_obstacles(obstacles),
@@ -154,7 +154,7 @@ class EarCutter {
 
 std::optional<Patch> clipEars(const HoleContext& hole, const Obstacles& obstacles, const EarWeights& weights,
                               Progress progress) {
-  return EarCutter(hole, obstacles, weights).run(progress);
+  return EarClipper(hole, obstacles, weights).run(progress);
 }
 
 }  // namespace handwheel

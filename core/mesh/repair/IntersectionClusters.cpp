@@ -18,9 +18,9 @@ using Cluster = std::vector<Face>;
 // The share that one trial may take of the effort that is left.
 constexpr std::size_t kClusterTrialShare = 4;
 
-class ClusterUncrosser {
+class ClusterResolver {
  public:
-  ClusterUncrosser(HalfEdgeMesh& mesh, NumberType numbers, Progress progress)
+  ClusterResolver(HalfEdgeMesh& mesh, NumberType numbers, Progress progress)
       : m_mesh(mesh),
         m_numbers(numbers),
         m_effort(progress.share(std::numeric_limits<std::size_t>::max())),
@@ -89,7 +89,7 @@ std::vector<std::vector<Face>> intersectionClusters(const std::vector<std::pair<
 
 ClusterRemoval removeClusterIntersections(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs,
                                           NumberType numbers, Progress progress) {
-  ClusterUncrosser remover(mesh, numbers, progress);
+  ClusterResolver remover(mesh, numbers, progress);
   remover.take(intersectionClusters(pairs));
   return remover.result();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Units.h"
 #include "mesh/sculpt/SculptBrush.h"
 #include "mesh/selection/FaceSelection.h"
 
@@ -12,9 +13,10 @@ namespace handwheel {
 
 // Options of smoothNoise().
 struct NoiseSmoothing {
-  // How much normals may differ to be noise of one smooth surface: the width of the filter over |n - n'|. 0.35 takes
-  // 20° for noise, and keeps an edge of 60°.
-  double normalSpread = 0.35;
+  // How much normals may differ to be noise of one smooth surface: the width of the filter over |n - n'|, which is
+  // nearly the angle (radian). 20° are noise, and an edge of 60° is kept.
+  double normalSpread = 20.0 * kRadiansPerDegree;
+  static constexpr double kLeastSpread = 1.0 * kRadiansPerDegree, kLargestSpread = 90.0 * kRadiansPerDegree;
   int normalPasses = 12;
   int vertexPasses = 15;
   bool movesBorder = false;

@@ -108,7 +108,7 @@ Result<SerialArm::InRobot> SerialArm::of(const RobotModel& robot, std::uint32_t 
   std::vector<std::uint32_t> chain;  // of joints, from the tip on
   for (std::uint32_t link = tip; link != base;) {
     const std::uint32_t joint = robot.links[link].parentJoint;
-    if (joint == kNone) return noArm("the tip does not hang on the base");
+    if (joint == kNone) return noArm("the tip is not connected to the base");
     chain.push_back(joint);
     link = robot.joints[joint].parent;
   }

@@ -11,7 +11,7 @@ const ErrorDescription PostError::WrongJoints{
 
 const ErrorDescription PostError::NoSlides{
     .id = "PostNoSlides",
-    .sentences = {translatable("ErrorText", "joint %2 of the arm is a slide, which %1 programs have none of")},
+    .sentences = {translatable("ErrorText", "joint %2 of the arm is prismatic, which %1 programs do not support")},
     .advice = {translatable("ErrorText", "Write the path as CSV or JSON.")}};
 
 const ErrorDescription PostError::TooManyMotions{
@@ -26,14 +26,15 @@ const ErrorDescription PostError::NotFinite{
 
 const ErrorDescription PostError::StatementUnread{
     .id = "PostStatementUnread",
-    .sentences = {translatable("ErrorText", "'%1' is not read, and may change where or whether the robot moves")},
+    .sentences = {translatable("ErrorText", "'%1' is not supported, and may change where or whether the robot moves")},
     .advice = {translatable("ErrorText",
                             "In a copy of the program, replace it by the motions that it leads to, or remove it.")}};
 
 const ErrorDescription PostError::TooFast{
     .id = "PostTooFast",
-    .sentences = {translatable("ErrorText", "motion %1 is a line at %2 mm/s, and %3 controllers take %4 mm/s at most")},
-    .advice = {translatable("ErrorText", "Give the place that it leads to a lower speed.")}};
+    .sentences = {translatable("ErrorText",
+                               "motion %1 is a line at %2 mm/s, and %3 controllers accept at most %4 mm/s")},
+    .advice = {translatable("ErrorText", "Lower the speed of the place at its end.")}};
 
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",

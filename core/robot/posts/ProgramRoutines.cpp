@@ -68,7 +68,7 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
     }
     if (free.size() != 1)
       return LineReader({}, m_routines.begin()->second.line)
-          .malformed("program", "it is not told which routine is first");
+          .malformed("program", "it does not specify which routine is the first");
     open.push_back({&m_routines.at(*free.begin()).statements});
   }
   std::size_t steps = 0, characters = 0;  // also of calls that lead to nothing

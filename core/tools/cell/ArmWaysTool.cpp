@@ -18,7 +18,7 @@ constexpr ToolKey kWaysKeys[] = {
     {"next", "PgDown", QT_TRANSLATE_NOOP("Tool", "next way")},
     {"previous", "PgUp", QT_TRANSLATE_NOOP("Tool", "previous way")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "move the robot there")},
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "back to where the robot stands")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "back to the current pose of the robot")},
 };
 
 constexpr double kPoseAxis = 60.0;  // mm
@@ -112,10 +112,11 @@ std::vector<ToolAction> ArmWaysTool::actions() const {
       actionOf(kWaysKeys, "commit", isPossible),
       actionOf(kWaysKeys, "revert", true, isThere() && chosen ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr)};
   if (!isPossible) {
-    all[2].reason = !m_scene                    ? QT_TRANSLATE_NOOP("Tool", "the cell is being prepared")
-                    : !chosen                   ? QT_TRANSLATE_NOOP("Tool", "this pose is out of reach")
-                    : !chosen->isWithinLimits() ? QT_TRANSLATE_NOOP("Tool", "a joint would be beyond its limits")
-                                                : QT_TRANSLATE_NOOP("Tool", "the robot stands like that");
+    all[2].reason = !m_scene  ? QT_TRANSLATE_NOOP("Tool", "the cell is being prepared")
+                    : !chosen ? QT_TRANSLATE_NOOP("Tool", "this pose is out of reach")
+                    : !chosen->isWithinLimits()
+                        ? QT_TRANSLATE_NOOP("Tool", "a joint would be beyond its limits")
+                        : QT_TRANSLATE_NOOP("Tool", "the robot is already in this configuration");
   }
   return all;
 }

@@ -59,19 +59,22 @@ const Operation& configurationOperation() {
   static const Operation kOperation = {
       .id = "configuration",
       .title = QT_TRANSLATE_NOOP("Tool", "Configuration"),
-      .meaning = "Stores named joint values in a cell, moves the robot there, and sets what planning goes by",
+      .meaning = "Stores named joint values in a cell, moves the robot there, and sets clearance and tool of planning",
       .parameters = {
-          nameParameter("add", "Stores where the robot stands; one of that name is replaced"),
-          nameParameter("joints", "What is stored in its place, rad and mm; the others stand", "JOINT=VALUE,..."),
-          nameParameter("go", "Moves the robot to this configuration, or by the nearest free way to this target"),
+          nameParameter("add", "Stores the current joint values; a configuration of that name is replaced"),
+          nameParameter("joints", "Joint values to store instead, in rad and mm; the other joints keep theirs",
+                        "JOINT=VALUE,..."),
+          nameParameter("go",
+                        "Moves the robot to this configuration, or to this target in the nearest free configuration"),
           nameParameter("remove", "Removes this configuration"),
           nameParameter("remove-path", "Removes this path"),
-          nameParameter("add-target", "Stores where the tool is as a target; one of that name is replaced"),
+          nameParameter("add-target",
+                        "Stores the current pose of the tool as a target; a target of that name is replaced"),
           nameParameter("on", "The body that the new target is on and moves with", "BODY"),
           nameParameter("remove-target", "Removes this target"),
           {.property = {.id = "at", .group = {}, .label = {}, .value = "", .least = -1e7, .largest = 1e7},
-           .meaning =
-               "A place for the tool's centre point, mm from the base: the robot moves there, or add-target does",
+           .meaning = "Place of the tool's centre point, in mm from the base; the robot moves there, or --add-target "
+                      "stores it",
            .word = "X,Y,Z",
            .parts = {{"x"}, {"y"}, {"z"}},
            .hasDefault = false},
@@ -82,17 +85,17 @@ const Operation& configurationOperation() {
                         .quantity = Quantity::Angle,
                         .least = -2.0 * std::numbers::pi,
                         .largest = 2.0 * std::numbers::pi},
-           .meaning = "How the tool is turned there about x, y and z in degrees; without it, as it is",
+           .meaning = "Rotation of the tool there about x, y and z in degrees; default: unchanged",
            .word = "A,B,C",
            .parts = {{"x"}, {"y"}, {"z"}},
            .hasDefault = false},
           {.property = {.id = "solution", .group = {}, .label = {}, .value = 1.0, .least = 1.0, .largest = 100.0},
-           .meaning = "Which of the ways there that are listed by solutions; without it the nearest that is free",
+           .meaning = "Number in the list of --solutions; default: the nearest free one",
            .word = "N",
            .isWhole = true,
            .hasDefault = false},
           {.property = {.id = "solutions", .group = {}, .label = {}, .value = false},
-           .meaning = "Lists all ways in which the arm brings its tool there, and changes nothing"},
+           .meaning = "Lists all configurations in which the arm brings its tool there, and changes nothing"},
           {.property = {.id = "clearance",
                         .group = {},
                         .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
@@ -100,7 +103,7 @@ const Operation& configurationOperation() {
                         .quantity = Quantity::Length,
                         .least = 0.0,
                         .largest = 1e4},
-           .meaning = "Kept from everything by paths that are planned from now on",
+           .meaning = "Clearance of paths that are planned from now on",
            .word = "MM",
            .hasDefault = false},
           {.property = {.id = "tool", .group = {}, .label = {}, .value = "", .least = -1e5, .largest = 1e5},
@@ -115,7 +118,7 @@ std::string problemOfConfigurationValues(const OperationValues& values) {
   const auto isSet = [&](const char* id) { return values.isSet(id); };
   if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isSet) > 1)
     return "only one of add, remove, go, remove-path, add-target and remove-target can be done at a time";
-  if (isSet("go") && (isSet("at") || isSet("turn"))) return "go is for what is stored, at and turn for other places";
+  if (isSet("go") && (isSet("at") || isSet("turn"))) return "go moves to a stored place, at and turn to another one";
   if (isSet("on") && !isSet("add-target")) return "on needs add-target";
   if (isSet("solution") && isSet("add-target")) return "solution chooses joint values, which a target has none of";
   if (isSet("joints") && !isSet("add") && !isSet("go")) return "joints needs add or go";

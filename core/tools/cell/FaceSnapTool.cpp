@@ -134,12 +134,12 @@ ToolReply FaceSnapTool::perform(std::string_view action) {
 std::vector<ToolAction> FaceSnapTool::actions() const {
   std::vector<ToolAction> all{
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"),
-       m_first ? QT_TRANSLATE_NOOP("Tool", "choose the face that it shall lie on")
+       m_first ? QT_TRANSLATE_NOOP("Tool", "choose the face to place it on")
                : QT_TRANSLATE_NOOP("Tool", "choose a face of the body to be placed")},
       actionOf(kSnapKeys, "commit", m_second.has_value()),
       actionOf(kSnapKeys, "revert", true, m_first ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
   if (!m_second) {
-    all[1].reason = m_first ? QT_TRANSLATE_NOOP("Tool", "click the face that it shall lie on")
+    all[1].reason = m_first ? QT_TRANSLATE_NOOP("Tool", "click the face to place it on")
                             : QT_TRANSLATE_NOOP("Tool", "click a face of the body to be placed");
   }
   return all;
@@ -169,7 +169,7 @@ ToolPreview FaceSnapTool::preview() const {
 
 std::vector<Property> FaceSnapTool::settings() const {
   return {choiceSetting("meeting", QT_TRANSLATE_NOOP("Property", "What meets"), static_cast<int>(m_meeting),
-                        {QT_TRANSLATE_NOOP("Property", "The middles of the faces"),
+                        {QT_TRANSLATE_NOOP("Property", "The centres of the faces"),
                          QT_TRANSLATE_NOOP("Property", "The points clicked")}),
           numberSetting("offset", QT_TRANSLATE_NOOP("Property", "Offset"), m_offset, Quantity::Length, kOffsets),
           numberSetting("angle", QT_TRANSLATE_NOOP("Property", "Turn about the normal"), m_angle, Quantity::Angle,

@@ -59,7 +59,7 @@ std::vector<Property> LeadTool::settings() const {
   const auto found = std::find(names.begin(), names.end(), m_path);
   const int index = found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
   all.push_back(choiceSetting("path", QT_TRANSLATE_NOOP("Property", "Path to follow"), index, std::move(choices)));
-  all.push_back(numberSetting("snap", QT_TRANSLATE_NOOP("Property", "Drawn to it from"), m_snapDistance,
+  all.push_back(numberSetting("snap", QT_TRANSLATE_NOOP("Property", "Attracted within"), m_snapDistance,
                               Quantity::Length, kSnapDistances));
   addFigures(all);
   return all;
@@ -72,7 +72,8 @@ void LeadTool::addFigures(std::vector<Property>& all) const {
       all.push_back(
           shownLength("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"), std::max(0.0, m_lead->felt.distance)));
     }
-    all.push_back(shownLength("behind", QT_TRANSLATE_NOOP("Property", "Behind the hand"), m_lead->step.behind));
+    all.push_back(
+        shownLength("behind", QT_TRANSLATE_NOOP("Property", "Distance behind the hand"), m_lead->step.behind));
     if (m_lead->step.isBlocked)
       all.back().problem = QT_TRANSLATE_NOOP("Property", "something is in the way");
     else if (m_lead->step.isAtLimit && m_lead->step.behind > 1.0)

@@ -184,17 +184,17 @@ const Operation& optimisationOperation() {
     Operation made = {
         .id = "optimise-path",
         .title = QT_TRANSLATE_NOOP("Tool", "Optimise path"),
-        .meaning = "Visits the critical places of a path in the order and the configurations that take the least time",
+        .meaning = "Chooses the order and the configurations of the critical places of a path that take the least time",
         .parameters = {
             {.property = {.id = "keep-order", .group = {}, .label = {}, .value = false},
-             .meaning = "The places keep their order"},
+             .meaning = "Keep the order of the places"},
             {.property = {.id = "keep-configurations", .group = {}, .label = {}, .value = false},
-             .meaning = "The joints at each place stay as they are"},
+             .meaning = "Keep the joint values at each place"},
             {.property = {.id = "search", .group = {}, .label = {}, .value = 30.0, .least = 0.001, .largest = 3600.0},
-             .meaning = "After which no better order is looked for, in seconds",
+             .meaning = "Time limit of the search for a better order, in seconds",
              .word = "S"},
             {.property = {.id = "name", .group = {}, .label = {}, .value = ""},
-             .meaning = "The name of the path in the cell; without it that which it has",
+             .meaning = "Name of the path in the cell; default: its present name",
              .word = "NAME",
              .hasDefault = false}}};
     for (Parameter& parameter : planningParameters()) made.parameters.push_back(std::move(parameter));

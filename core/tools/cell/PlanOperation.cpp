@@ -28,7 +28,7 @@ Parameter placeParameter(const char* id, const char* word, std::string meaning) 
 Parameter plannerParameter() {
   Parameter parameter = {
       .property = {.id = "planner", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Planner"), .value = 0.0},
-      .meaning = "How a path is looked for where the straight one is blocked",
+      .meaning = "Planner used where the straight path is blocked",
       .word = "PLANNER"};
   for (const PlannerName& planner : planners()) {
     parameter.property.choices.emplace_back(planner.title);
@@ -162,15 +162,15 @@ std::vector<Parameter> planningParameters() {
   };
   return {plannerParameter(),
           {.property = length("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"), 0.0, 0.0, 1e4),
-           .meaning = "Kept from everything; without it that of the cell",
+           .meaning = "Clearance from all obstacles; default: that of the cell",
            .word = "MM",
            .hasDefault = false},
           {.property = length("resolution", QT_TRANSLATE_NOOP("Property", "Resolution of the proof"),
                               resolution.standard, resolution.least, resolution.largest),
-           .meaning = "What comes nearer to the clearance than this counts as a collision",
+           .meaning = "Resolution of the check: what exceeds the clearance by less counts as a collision",
            .word = "MM"},
           {.property = number("time", QT_TRANSLATE_NOOP("Property", "Time limit (s)"), 10.0, 0.001, 3600.0),
-           .meaning = "After which each leg is given up, in seconds",
+           .meaning = "Time after which a leg is given up, in seconds",
            .word = "S"},
           {.property = number("shortcuts", QT_TRANSLATE_NOOP("Property", "Shortcuts"), planShortcutsSetting().standard,
                               0.0, 1e5),
@@ -178,7 +178,7 @@ std::vector<Parameter> planningParameters() {
            .word = "N",
            .isWhole = true},
           {.property = number("seed", "", 1.0, 0.0, 1e9),
-           .meaning = "Of the random numbers",
+           .meaning = "Seed of the random numbers",
            .word = "N",
            .isWhole = true}};
 }
@@ -201,12 +201,12 @@ const Operation& planOperation() {
         .id = "plan",
         .title = QT_TRANSLATE_NOOP("Tool", "Plan path"),
         .meaning = "Plans a path of the robot that is proven free of collisions",
-        .parameters = {placeParameter("from", "PLACE",
-                                      "Where it starts: a configuration, a target, 'here', or joint values (rad, mm)"),
-                       placeParameter("to", "PLACE", "Where it ends"),
-                       placeParameter("via", "PLACE,...",
-                                      "Critical configurations or targets on the way; joint values: separated by ';'"),
-                       placeParameter("name", "NAME", "The name of the path in the cell")}};
+        .parameters = {
+            placeParameter("from", "PLACE", "Start: a configuration, a target, 'here', or joint values (rad, mm)"),
+            placeParameter("to", "PLACE", "Goal, given like the start"),
+            placeParameter("via", "PLACE,...",
+                           "Critical configurations or targets on the way; joint values: separated by ';'"),
+            placeParameter("name", "NAME", "The name of the path in the cell")}};
     for (Parameter& parameter : planningParameters()) made.parameters.push_back(std::move(parameter));
     return made;
   }();

@@ -34,7 +34,7 @@ std::vector<Property> processSettings(const OperationValues& values, const std::
   }
   for (const char* const end : {"from", "to"}) {
     std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "nowhere else"),
-                                     QT_TRANSLATE_NOOP("Property", "Where the robot stands")};
+                                     QT_TRANSLATE_NOOP("Property", "Current position of the robot")};
     choices.insert(choices.end(), ends.begin(), ends.end());
     const std::string chosen = values.isSet(end) ? values.text(end) : std::string();
     const auto found = std::find(ends.begin(), ends.end(), chosen);

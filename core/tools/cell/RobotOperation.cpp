@@ -30,17 +30,17 @@ const Operation& robotOperation() {
   static const Operation kOperation = {
       .id = "robot",
       .title = QT_TRANSLATE_NOOP("Tool", "Change robots"),
-      .meaning = "Adds a robot to a cell, removes one, or chooses the one that is planned for",
+      .meaning = "Adds a robot to a cell, removes one, or chooses the one to plan for",
       .parameters = {
           wordParameter("add", "ROBOT",
                         "Add a robot: a URDF, a table after Denavit and Hartenberg, or a built-in one (irb120)"),
-          wordParameter("name", "NAME", "What the new robot is called (default: that of its description)"),
-          threeNumbers("at", "X,Y,Z", "Where its base stands, in mm from that of the first robot", Quantity::Length,
+          wordParameter("name", "NAME", "Name of the new robot (default: that of its description)"),
+          threeNumbers("at", "X,Y,Z", "Position of its base, in mm from that of the first robot", Quantity::Length,
                        kFarthestBody),
-          threeNumbers("turn", "A,B,C", "Its base turned about x, y and z in degrees", Quantity::Angle,
+          threeNumbers("turn", "A,B,C", "Rotation of its base about x, y and z in degrees", Quantity::Angle,
                        2.0 * std::numbers::pi),
           wordParameter("remove", "NAME", "Remove a robot with its configurations and paths"),
-          wordParameter("choose", "NAME", "The robot that is planned for from now on")}};
+          wordParameter("choose", "NAME", "The robot to plan for from now on")}};
   return kOperation;
 }
 

@@ -111,13 +111,13 @@ const Operation& bodyOperation() {
           {.property = {.id = "link", .group = {}, .label = {}, .value = false},
            .meaning = "Remember the file, to read it again when it has changed"},
           wordParameter("name", "NAME", "The name of the new body (default: that of the file or shape)"),
-          threeNumbers("at", "X,Y,Z", "Where the new body stands, in mm", Quantity::Length, kFarthestBody),
-          threeNumbers("turn", "A,B,C", "Turned about x, y and z in degrees, about its own origin", Quantity::Angle,
+          threeNumbers("at", "X,Y,Z", "Position of the new body, in mm", Quantity::Length, kFarthestBody),
+          threeNumbers("turn", "A,B,C", "Rotation about x, y and z in degrees, about its own origin", Quantity::Angle,
                        2.0 * std::numbers::pi),
           wordParameter("remove", "BODY", "Remove a body, given by name or number"),
           wordParameter("update", "BODY", "Read the linked file of a body again"),
           wordParameter("from", "FILE", "With --update: link the body to this file from now on, and read that"),
-          wordParameter("unlink", "BODY", "Keep the shape of a body as it is, and forget its file"),
+          wordParameter("unlink", "BODY", "Keep the shape of a body, and remove the link to its file"),
       }};
   return operation;
 }
@@ -127,12 +127,13 @@ std::string problemOfBodyValues(const OperationValues& values) {
   if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isGiven) != 1)
     return "give one of --add, --remove, --update and --unlink";
   const auto stray = std::find_if(std::begin(kOfAdding), std::end(kOfAdding), isGiven);
-  if (stray != std::end(kOfAdding) && !isGiven("add")) return std::string("--") + *stray + " goes with --add";
-  if (isGiven("from") && !isGiven("update")) return "--from goes with --update";
+  if (stray != std::end(kOfAdding) && !isGiven("add"))
+    return std::string("--") + *stray + " is only possible with --add";
+  if (isGiven("from") && !isGiven("update")) return "--from is only possible with --update";
   const std::string what = isGiven("add") ? values.text("add") : std::string();
   const PrimitiveDescription* primitive = primitiveNamed(what);
   if (!primitive) return {};
-  if (isGiven("link")) return "--link goes with a file";
+  if (isGiven("link")) return "--link is only possible with a file";
   const std::string numbers = what.substr(what.find(':') + 1);
   if (parted(numbers, ',').size() == primitive->dimensions.size()) return {};
   return std::string("a ") + primitive->id + " has " + std::to_string(primitive->dimensions.size()) +

@@ -45,11 +45,11 @@ Operation makeOperation() {
   material.property.id = "material";
   material.property.label = QT_TRANSLATE_NOOP("Property", "Material");
   material.property.value = drillMaterials().front().id;
-  material.meaning = "What is drilled:";
+  material.meaning = "Material to be drilled:";
   for (const std::string& id : materialIds()) material.meaning += " " + id;
   material.word = "NAME";
   Parameter voxel = numberOf("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"), 0.0, {1e-9, 1e9},
-                             "Edge of a voxel of a part that is no volume yet; default: by feed and rate (3-20)", "MM");
+                             "Edge of a voxel, for a part that is not a volume yet; default: from feed and rate", "MM");
   voxel.property.quantity = Quantity::Length;
   voxel.hasDefault = false;
   operation.parameters = {
@@ -59,9 +59,9 @@ Operation makeOperation() {
       numberOf("rpm", QT_TRANSLATE_NOOP("Property", "Spindle (r/min)"), 1000.0, {0.0, 1e6}, "Speed of the spindle",
                "N"),
       numberOf("rate", QT_TRANSLATE_NOOP("Property", "Cycles a second"), 1000.0, {1.0, 1e5},
-               "Cycles of the calculation in a second", "HZ"),
+               "Cycles of the calculation per second", "HZ"),
       numberOf("erosion", QT_TRANSLATE_NOOP("Property", "Erosion"), 0.0, {0.0, 1e6},
-               "What a voxel loses in a cycle at most, in lengths of the way (3-21); 0: all that is in the head", "N")};
+               "Largest loss of a voxel in a cycle, as a multiple of the path in it; 0: all that is in the head", "N")};
   return operation;
 }
 

@@ -35,8 +35,8 @@ const Operation& segmentOperation() {
                                     .label = QT_TRANSLATE_NOOP("Property", "Values"),
                                     .value = std::string()},
                        .meaning =
-                           "Values that are material, from A to B: bone in a CT is 300:; default: from the "
-                           "threshold on that parts the image best",
+                           "Values taken as material, from A to B, such as 300: for bone in a CT; default: from Otsu's "
+                           "threshold upwards",
                        .word = "A:B"};
     Parameter largest = {.property = {.id = "largest",
                                       .group = {},
@@ -54,15 +54,15 @@ const Operation& segmentOperation() {
                                     .quantity = Quantity::Length,
                                     .least = 1e-9,
                                     .largest = 1e9},
-                       .meaning = "Edge of a voxel; default: the least distance of the samples",
+                       .meaning = "Edge of a voxel; default: the smallest distance of samples",
                        .word = "MM",
                        .hasDefault = false};
     Parameter smoothing = {
         .property = {.id = "smooth", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Smooth"), .value = false},
-        .meaning = "Take the steps of voxels off the surface"};
+        .meaning = "Smooth the voxel steps of the surface"};
     return Operation{.id = "segment",
                      .title = QT_TRANSLATE_NOOP("Tool", "Segment image"),
-                     .meaning = "Makes a volume of what has certain values in an image",
+                     .meaning = "Creates a volume from the samples of an image with values in a range",
                      .parameters = {std::move(range), std::move(largest), std::move(voxel), std::move(smoothing)}};
   }();
   return operation;

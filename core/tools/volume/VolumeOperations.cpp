@@ -43,7 +43,7 @@ const Operation& voxelizeOperation() {
   static const Operation operation = {
       .id = "voxelize",
       .title = QT_TRANSLATE_NOOP("Tool", "Make volume"),
-      .meaning = "Samples what a surface encloses",
+      .meaning = "Samples the space that a surface encloses",
       .parameters = {lengthParameter("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"),
                                      "Edge of a voxel; default: a 256th of the largest extent")}};
   return operation;
@@ -57,12 +57,12 @@ const Operation& remeshOperation() {
                                     .value = 0.0,
                                     .least = 0.0,
                                     .largest = 1e9},
-                       .meaning = "Reduce to this many triangles; without it: as few as --error allows",
+                       .meaning = "Reduce to this many triangles; default: as few as --error allows",
                        .word = "N",
                        .isWhole = true};
     return Operation{.id = "remesh",
                      .title = QT_TRANSLATE_NOOP("Tool", "Make mesh"),
-                     .meaning = "Makes triangles of the surface of a volume",
+                     .meaning = "Creates a mesh of the surface of a volume",
                      .parameters = {lengthParameter("error", QT_TRANSLATE_NOOP("Property", "Largest distance"),
                                                     "Reduce triangles within this distance of the surface"),
                                     std::move(faces)}};

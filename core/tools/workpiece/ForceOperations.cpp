@@ -100,7 +100,8 @@ const Operation& trainOperation() {
           wholeParameter("hidden", "N", 4, 1, ForceNetwork::kMostHidden, "Neurons of the hidden layer"),
           numberParameter("goal", "MSE", 1e-3, 0.0, 1.0, "Stop at this mean squared error, in units of the range"),
           wholeParameter("seed", "N", 1, 0, 1e9, "Choose first weights and held-out cuts by this number"),
-          wholeParameter("epochs", "N", 0, 0, 1e6, "Stop after so many epochs; 0: as the trainer usually needs"),
+          wholeParameter("epochs", "N", 0, 0, 1e6,
+                         "Stop after this number of epochs; 0: the usual number of the trainer"),
           openParameter("diameter", "MM", 1e-3, 1e5, "Diameter of the work, for tables with r/min only",
                         Quantity::Length),
       }};
@@ -125,16 +126,16 @@ const Operation& forceOperation() {
       .parameters = {
           textParameter("material", "M", "Work material, by its id; --list names them"),
           openParameter("depth", "MM", 0.0, kMostDepth, "Depth of cut", Quantity::Length),
-          openParameter("feed", "MM", 0.0, kMostFeed, "Feed for each turn", Quantity::Length),
+          openParameter("feed", "MM", 0.0, kMostFeed, "Feed per revolution", Quantity::Length),
           openParameter("speed", "M/MIN", 0.0, kLargestSpeed, "Cutting speed, in metres per minute"),
           toolParameter(),
-          openParameter("approach", "DEGREES", 0.1, 2.5, "Angle between edge and feed (default: as each table has it)",
-                        Quantity::Angle),
-          openParameter("rake", "DEGREES", -kRightAngle, kRightAngle, "Rake angle (default: as each table has it)",
+          openParameter("approach", "DEGREES", 5.0 * kRadiansPerDegree, 145.0 * kRadiansPerDegree,
+                        "Angle between edge and feed (default: that of each table)", Quantity::Angle),
+          openParameter("rake", "DEGREES", -kRightAngle, kRightAngle, "Rake angle (default: that of each table)",
                         Quantity::Angle),
           openParameter("inclination", "DEGREES", -kRightAngle, kRightAngle,
-                        "Inclination of the edge (default: as each table has it)", Quantity::Angle),
-          openParameter("nose", "MM", 0.0, 100.0, "Nose radius (default: as each table has it)", Quantity::Length),
+                        "Inclination of the edge (default: that of each table)", Quantity::Angle),
+          openParameter("nose", "MM", 0.0, 100.0, "Nose radius (default: that of each table)", Quantity::Length),
           openParameter("strength", "MPA", 1.0, 1e4, "Tensile strength of the work, for Kosilova's law"),
           numberParameter("wear", "MM", 0.0, 0.0, CuttingFeel::kMostWear, "Flank wear of the tool", Quantity::Length),
           thrustParameter(),
@@ -154,8 +155,9 @@ std::string problemOfForceValues(const OperationValues& values) {
   for (const char* id : {"material", "depth", "feed", "speed"})
     if (!values.isSet(id)) return std::string("the option --") + id + " is missing";
   for (const char* id : {"length", "tailstock"})
-    if (values.isSet(id) && !values.isSet("diameter")) return std::string("--") + id + " goes with --diameter";
-  if (values.isSet("tailstock") && !values.isSet("length")) return "--tailstock goes with --length";
+    if (values.isSet(id) && !values.isSet("diameter"))
+      return std::string("--") + id + " is only possible with --diameter";
+  if (values.isSet("tailstock") && !values.isSet("length")) return "--tailstock is only possible with --length";
   return {};
 }
 

@@ -39,7 +39,7 @@ Parameter startsParameter() {
                                    .quantity = Quantity::Number,
                                    .least = 1.0,
                                    .largest = ThreadCut::kMostStarts},
-                      .meaning = "Grooves side by side",
+                      .meaning = "Number of parallel grooves",
                       .word = "N"};
   starts.isWhole = true;
   return starts;
@@ -75,12 +75,12 @@ const Operation& threadOperation() {
           lengthParameter("to", QT_TRANSLATE_NOOP("Property", "To Z"), 0.0, -kFurthest, kFurthest,
                           "Upper end of the thread"),
           lengthParameter("pitch", QT_TRANSLATE_NOOP("Property", "Pitch"), 1.5, ThreadCut::kLeastPitch,
-                          ThreadCut::kLargestPitch, "From groove to groove"),
+                          ThreadCut::kLargestPitch, "Distance from groove to groove"),
           lengthParameter("depth", QT_TRANSLATE_NOOP("Property", "Depth"), 0.0, 0.0, ThreadCut::kLargestPitch,
-                          "From the surface to the bottom of the groove; 0: as ISO 68-1 has it for the pitch"),
+                          "Depth from the surface to the bottom of the groove; 0: that of ISO 68-1 for the pitch"),
           startsParameter(),
-          threadFlag("left", QT_TRANSLATE_NOOP("Property", "Left-hand"), "A left-hand thread"),
-          threadFlag("inside", QT_TRANSLATE_NOOP("Property", "Inside"), "In the bore"),
+          threadFlag("left", QT_TRANSLATE_NOOP("Property", "Left-hand"), "Cut a left-hand thread"),
+          threadFlag("inside", QT_TRANSLATE_NOOP("Property", "Inside"), "Cut the thread in the bore"),
       }};
   return operation;
 }

@@ -15,7 +15,7 @@ namespace {
 Status checkLayout(const ImageGrid& grid, const SampleLayout& layout) {
   if (const Status checked = checkGrid(grid); !checked) return checked;
   if (!std::isfinite(layout.slope) || !std::isfinite(layout.intercept) || layout.slope == 0.0)
-    return Error{ErrorCode::ElementMalformed, {"slope", "it is no number that scales"}, {}, {}};
+    return Error{ErrorCode::ElementMalformed, {"slope", "it is not a scale factor"}, {}, {}};
   return Done{};
 }
 

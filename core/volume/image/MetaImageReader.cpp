@@ -89,7 +89,7 @@ Result<ImageGrid> gridOf(const MetaFields& fields, std::size_t axes) {
     const auto axis = static_cast<Eigen::Index>(k);
     const double n = (*size)[k];
     if (!(n >= 1.0 && n <= 1e9 && n == static_cast<double>(static_cast<int>(n))))
-      return malformed("DimSize", "one is no number of samples");
+      return malformed("DimSize", "one is not a number of samples");
     grid.size[k] = static_cast<int>(n);
     grid.origin[axis] = (*origin)[k];
     for (std::size_t row = 0; row < std::min<std::size_t>(axes, 3); ++row)  // a row of the file is an axis
@@ -101,13 +101,14 @@ Result<ImageGrid> gridOf(const MetaFields& fields, std::size_t axes) {
 Result<SampleLayout> layoutOf(const MetaFields& fields) {
   SampleLayout layout;
   const auto type = metaType(fields["ElementType"]);
-  if (!type) return malformed("ElementType", "it is no type of numbers");
+  if (!type) return malformed("ElementType", "it is not a type of numbers");
   layout.type = *type;
   const bool isBig = fields.isTrue("BinaryDataByteOrderMSB") || fields.isTrue("ElementByteOrderMSB");
   layout.order = isBig ? std::endian::big : std::endian::little;
   if (fields.has("ElementNumberOfChannels")) {
     const auto count = countOf(fields["ElementNumberOfChannels"]);
-    if (!count || *count < 1 || *count > 1000) return malformed("ElementNumberOfChannels", "it is no number of values");
+    if (!count || *count < 1 || *count > 1000)
+      return malformed("ElementNumberOfChannels", "it is not a number of values");
     layout.perSample = *count;
   }
   return layout;
@@ -121,7 +122,7 @@ Result<ImageFile> metaSamples(const MetaFields& fields, const ImageGrid& grid, c
     data = data.substr(data.size() - std::min(data.size(), needed));
   } else if (!header.empty()) {
     const auto count = countOf(header);
-    if (!count || *count > data.size()) return malformed("HeaderSize", "it is more than there is");
+    if (!count || *count > data.size()) return malformed("HeaderSize", "it is more than the file contains");
     data.remove_prefix(*count);
   }
   if (fields.has("BinaryData") && !fields.isTrue("BinaryData")) return imageOfText(grid, layout, data);

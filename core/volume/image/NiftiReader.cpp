@@ -112,7 +112,7 @@ struct NiftiImage {
 Result<NiftiImage> niftiImage(const NiftiHeader& header) {
   NiftiImage image;
   const int axes = header.whole(40);
-  if (axes < 1 || axes > 7) return imageHeader::malformed("dim", "it is no number of axes");
+  if (axes < 1 || axes > 7) return imageHeader::malformed("dim", "it is not a number of axes");
   Vec3 spacing = Vec3::Ones();
   for (std::size_t k = 0; k < 3; ++k) {
     image.grid.size[k] = static_cast<int>(k) < axes ? header.whole(42 + 2 * k) : 1;
@@ -147,7 +147,7 @@ Result<NiftiImage> niftiImage(const NiftiHeader& header) {
   }
   const double offset = header.real(108);
   if (!(offset >= static_cast<double>(kNiftiHeader) && offset <= 1e8))
-    return imageHeader::malformed("vox_offset", "it is no place behind the header");
+    return imageHeader::malformed("vox_offset", "it is not a position after the header");
   image.offset = static_cast<std::size_t>(offset);
   return image;
 }

@@ -118,7 +118,7 @@ std::string withoutInnerBlanks(std::string_view text) {
 
 Result<std::vector<NrrdAxis>> axesOf(const NrrdFields& fields) {
   const auto dimension = countOf(fields["dimension"]);
-  if (!dimension || *dimension < 1) return malformed("dimension", "it is no number of axes");
+  if (!dimension || *dimension < 1) return malformed("dimension", "it is not a number of axes");
   if (*dimension < 2 || *dimension > 4) return nrrdUnsupported("an image of other than two to four axes");
   const std::vector<std::string_view> sizes = wordsOf(fields["sizes"]);
   const std::string directions = withoutInnerBlanks(fields["space directions"]);
@@ -129,11 +129,11 @@ Result<std::vector<NrrdAxis>> axesOf(const NrrdFields& fields) {
   std::vector<NrrdAxis> axes(*dimension);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto size = countOf(sizes[k]);
-    if (!size || *size < 1) return malformed("sizes", "one is no number of samples");
+    if (!size || *size < 1) return malformed("sizes", "one is not a number of samples");
     axes[k].size = *size;
     if (isInSpace && lowered(steps[k]) != "none") {
       axes[k].step = vectorIn(steps[k]);
-      if (!axes[k].step) return malformed("space directions", "one is no vector in space");
+      if (!axes[k].step) return malformed("space directions", "one is not a vector in space");
     }
   }
   if (isInSpace || spacings.size() != *dimension) return axes;
@@ -205,7 +205,7 @@ Result<NrrdImage> imageOf(const NrrdFields& fields) {
   image.grid.origin = turn.cwiseProduct(image.grid.origin);
   image.grid.steps = turn.asDiagonal() * image.grid.steps;
   const auto type = typeNamed(lowered(fields["type"]));
-  if (!type) return malformed("type", "it is no type of numbers");
+  if (!type) return malformed("type", "it is not a type of numbers");
   image.layout.type = *type;
   image.layout.order = lowered(fields["endian"]) == "big" ? std::endian::big : std::endian::little;
   return image;
@@ -216,14 +216,14 @@ Result<std::string_view> skipped(std::string_view data, const NrrdFields& fields
   const std::string_view bytes = fields.either("byte skip", "byteskip");
   if (bytes == "-1") return data.substr(data.size() - std::min(data.size(), needed));
   const std::size_t count = bytes.empty() ? 0 : countOf(bytes).value_or(data.size() + 1);
-  if (count > data.size()) return malformed("byte skip", "it is more than there is");
+  if (count > data.size()) return malformed("byte skip", "it is more than the file contains");
   return data.substr(count);
 }
 
 Result<ImageFile> samplesOf(const NrrdFields& fields, const NrrdImage& image, std::string_view data) {
   const std::string_view lines = fields.either("line skip", "lineskip");
   const auto lineCount = lines.empty() ? std::size_t{0} : countOf(lines);
-  if (!lineCount) return malformed("line skip", "it is no number of lines");
+  if (!lineCount) return malformed("line skip", "it is not a number of lines");
   for (std::size_t i = 0; i < *lineCount && !data.empty(); ++i) takeLine(data);
   const std::string encoding = lowered(fields["encoding"]);
   const std::size_t needed = bytesOf(image.grid, image.layout);

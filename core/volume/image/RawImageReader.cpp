@@ -29,7 +29,7 @@ Result<Vec3> threeAt(const json& object, const char* key, const Vec3& otherwise)
 Result<double> oneAt(const json& object, const char* key, double otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
-  if (!found->is_number()) return rawMalformed(key, "it is no number");
+  if (!found->is_number()) return rawMalformed(key, "it is not a number");
   return found->get<double>();
 }
 
@@ -67,7 +67,7 @@ Result<SampleLayout> rawLayout(const json& object) {
       {"int64", SampleType::Int64},    {"uint64", SampleType::UInt64}, {"float32", SampleType::Float32},
       {"float64", SampleType::Float64}};
   const auto type = kTypes.find(stringAt(object, "type"));
-  if (type == kTypes.end()) return rawMalformed("type", "it is no type of numbers");
+  if (type == kTypes.end()) return rawMalformed("type", "it is not a type of numbers");
   SampleLayout layout;
   layout.type = type->second;
   const std::string endian = stringAt(object, "endian", "little");
@@ -94,7 +94,7 @@ bool looksLikeRawImage(std::string_view bytes) {
 Result<ImageFile> readRawImage(std::string_view description, const SiblingFile& sibling) {
   const Result<json> object = parseJson(description, "description");
   if (!object) return object.error();
-  if (!object->is_object()) return rawMalformed("description", "it is no object");
+  if (!object->is_object()) return rawMalformed("description", "it is not an object");
   const std::string name = stringAt(*object, "raw");
   if (name.empty()) return rawMalformed("raw", "it names no file");
   const Result<ImageGrid> grid = rawGrid(*object);
@@ -104,7 +104,7 @@ Result<ImageFile> readRawImage(std::string_view description, const SiblingFile& 
   if (!layout) return layout.error();
   constexpr std::uint64_t kMostSkipped = std::uint64_t{1} << 30;
   const std::uint64_t skip = countAt(*object, "skip");
-  if (skip > kMostSkipped) return rawMalformed("skip", "it is more than there is");
+  if (skip > kMostSkipped) return rawMalformed("skip", "it is more than the file contains");
   const Result<std::string> data = sibling(name, skip + bytesOf(*grid, *layout));
   if (!data) return data.error();
   const std::string_view all = *data;

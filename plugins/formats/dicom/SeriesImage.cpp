@@ -38,7 +38,7 @@ Result<ImageFile> imageOf(const Series& series, Progress progress) {
   grid.steps.col(0) = first.spacing.x() * first.across;
   grid.steps.col(1) = first.spacing.y() * first.down;
   grid.steps.col(2) = series.step;
-  if (!checkGrid(grid)) return Error{ErrorCode::LibraryFailed, {"it is no grid of samples"}, {}, {}};
+  if (!checkGrid(grid)) return Error{ErrorCode::LibraryFailed, {"it is not a grid of samples"}, {}, {}};
   const std::size_t pixels = static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]);
   std::vector<float> values;
   std::vector<float> before;

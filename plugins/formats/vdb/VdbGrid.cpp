@@ -114,7 +114,7 @@ Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids) {
   const FloatGrid::ConstPtr grid = chosenGrid(grids);
   if (!grid) return vdbError("it has no grid of floats");
   std::optional<SparseVolume> volume = emptyOf(*grid);
-  if (!volume) return vdbError("its voxels are no cubes along the axes");
+  if (!volume) return vdbError("its voxels are not cubes along the axes");
   const bool isFog = isFogGrid(*grid);
   const double band = std::abs(static_cast<double>(grid->background())) / volume->voxel();
   // A fog grows from 0 to 1 within some voxels: steep enough for its sides to be seen, not its depths.

@@ -163,6 +163,26 @@ class OperationTest : public QObject {
     QCOMPARE(help("tilt"), std::string("From the normal (0 to 90)"));
     QCOMPARE(help("point"), std::string("Shape of the end: flat or cone (default)"));
   }
+
+  // Ranges as a person types them: no exponent, and of a default that was calculated three digits.
+  void rangesInWords() {
+    Parameter parameter = *drilling().find("radius");
+    const auto help = [&](double least, double largest, double standard, Quantity quantity = Quantity::Number) {
+      parameter.property.least = least;
+      parameter.property.largest = largest;
+      parameter.property.value = standard;
+      parameter.property.quantity = quantity;
+      return helpOf(parameter);
+    };
+    QCOMPARE(help(0.35, 2.0, std::numbers::sqrt2), std::string("Of the drill (0.35 to 2, default 1.41)"));
+    QCOMPARE(help(0.0, 1e6, 1e5 / 3.0), std::string("Of the drill (0 to 1000000, default 33300)"));
+    QCOMPARE(help(0.0, 1.0, 1e-5), std::string("Of the drill (0 to 1, default 0.00001)"));
+    QCOMPARE(help(-1000.0, 0.0, -2.0 / 3.0), std::string("Of the drill (-1000 to 0, default -0.667)"));
+    QCOMPARE(help(kRadiansPerDegree, std::numbers::pi, 0.35, Quantity::Angle),
+             std::string("Of the drill (1 to 180, default 20.1)"));
+    parameter.isWhole = true;
+    QCOMPARE(help(1.0, 123456.0, 98765.0), std::string("Of the drill (1 to 123456, default 98765)"));
+  }
 };
 
 HANDWHEEL_TEST(OperationTest)

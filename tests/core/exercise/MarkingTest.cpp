@@ -59,7 +59,7 @@ class MarkingTest : public QObject {
     QCOMPARE(failed.points, 0.0);
     QCOMPARE(failed.of, 8.0);
     QVERIFY(failed.marks[1].verdict == Verdict::Met && failed.marks[1].points == 0.0);
-    QCOMPARE(failed.marks[1].reason.inEnglish(), std::string("no points, as the work fails by “Safe”"));
+    QCOMPARE(failed.marks[1].reason.inEnglish(), std::string("no points, because “Safe” was not met"));
     QCOMPARE(markFigures(exercise, {{"d2", 0.5, {}}}, {}).points, 0.0);
   }
 
@@ -85,7 +85,7 @@ class MarkingTest : public QObject {
     none1.upper.reset();
     const Mark unlimited = markOf(none1, 3.0);
     QVERIFY(unlimited.verdict == Verdict::NotMeasured && unlimited.points == 0.0 && unlimited.value == 3.0);
-    QCOMPARE(unlimited.reason.inEnglish(), std::string("the scheme has no limit for it"));
+    QCOMPARE(unlimited.reason.inEnglish(), std::string("the marking scheme has no limit for it"));
     none1.points = 0.0;  // as students have it
     QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm, without a limit"));
     QCOMPARE((ExerciseText{"100%, %2 of %1 %3", {"a", "b"}}).inEnglish(), std::string("100%, b of a "));

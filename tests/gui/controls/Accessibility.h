@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -116,6 +117,43 @@ inline QStringList cutTexts(QWidget& root) {
                  .arg(widget->height())
                  .arg(needed.width())
                  .arg(needed.height());
+  }
+  return found;
+}
+
+// Cells and headers of lists with less width than their text needs, as far as they are in sight.
+inline QStringList cutCells(QWidget& root) {
+  QStringList found;
+  const auto tell = [&](const QWidget& widget, const QString& text, int width, int needed) {
+    found << QStringLiteral("%1 “%2”: %3 of %4").arg(pathOf(&widget, root), text).arg(width).arg(needed);
+  };
+  for (QWidget* widget : visibleWidgets(root)) {
+    if (const auto* header = qobject_cast<QHeaderView*>(widget)) {
+      if (header->orientation() != Qt::Horizontal || !header->model()) continue;
+      for (int i = 0; i < header->count(); ++i) {
+        const QString text = header->model()->headerData(i, Qt::Horizontal).toString();
+        const int needed = header->fontMetrics().horizontalAdvance(text);
+        if (!header->isSectionHidden(i) && header->sectionSize(i) < needed)
+          tell(*header, text, header->sectionSize(i), needed);
+      }
+      continue;
+    }
+    const auto* view = qobject_cast<QAbstractItemView*>(widget);
+    if (!view || !view->model() || isInnerPart(view)) continue;
+    const std::function<void(const QModelIndex&)> lookUnder = [&](const QModelIndex& parent) {
+      for (int row = 0; row < view->model()->rowCount(parent); ++row) {
+        for (int column = 0; column < view->model()->columnCount(parent); ++column) {
+          const QModelIndex index = view->model()->index(row, column, parent);
+          const QRect place = view->visualRect(index);
+          const QString text = index.data().toString();
+          const int needed = view->sizeHintForIndex(index).width();
+          if (text.isEmpty() || !view->viewport()->rect().intersects(place) || view->indexWidget(index)) continue;
+          if (place.width() < needed) tell(*view, text, place.width(), needed);
+        }
+        lookUnder(view->model()->index(row, 0, parent));
+      }
+    };
+    lookUnder(view->rootIndex());
   }
   return found;
 }

@@ -82,20 +82,28 @@ void DevicePanelTest::unpluggedDeviceStaysInTheList() {
 }
 
 void DevicePanelTest::whatToDo_data() {
+  QTest::addColumn<QString>("driver");
   QTest::addColumn<int>("status");
   QTest::addColumn<QString>("words");
-  QTest::newRow("absent") << int(DeviceStatus::Absent) << "Plug it in";
-  QTest::newRow("starting") << int(DeviceStatus::Starting) << "firmware";
-  QTest::newRow("homing") << int(DeviceStatus::NeedsHoming) << "push it all the way in";
-  QTest::newRow("failed") << int(DeviceStatus::Failed) << "Unplug it";
+  QTest::newRow("absent") << "falcon" << int(DeviceStatus::Absent) << "Plug it in";
+  QTest::newRow("starting") << "falcon" << int(DeviceStatus::Starting) << "firmware";
+  QTest::newRow("homing of a Falcon") << "falcon" << int(DeviceStatus::NeedsHoming) << "push it all the way in";
+  QTest::newRow("homing of OpenHaptics") << "openhaptics" << int(DeviceStatus::NeedsHoming) << "into its inkwell";
+  QTest::newRow("homing of an Inverse3") << "haply" << int(DeviceStatus::NeedsHoming) << "as described in its manual";
+  QTest::newRow("homing of a Polhem") << "polhem" << int(DeviceStatus::NeedsHoming) << "as described in its manual";
+  QTest::newRow("failed") << "falcon" << int(DeviceStatus::Failed) << "Unplug it";
 }
 
 // The state comes with the samples, too.
 void DevicePanelTest::whatToDo() {
+  QFETCH(QString, driver);
   QFETCH(int, status);
   QFETCH(QString, words);
   DevicePanelBench bench;
-  bench.panel.showDevice(falconView());
+  DeviceInUse view = falconView();
+  view.chosen->driver = driver.toStdString();
+  view.found = {*view.chosen};
+  bench.panel.showDevice(view);
   QVERIFY(!bench.part<QLabel>("deviceDetail")->isVisible());
   ServoSample sample;
   sample.device.status = static_cast<DeviceStatus>(status);

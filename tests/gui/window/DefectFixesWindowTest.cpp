@@ -56,6 +56,29 @@ class DefectFixesWindowTest : public QObject {
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
   }
 
+  // Two cubes that touch along an edge, and two that intersect: the card names both defects, with their numbers.
+  void theCardNamesSelfIntersectionsBesideOthers() {
+    TriangleSoup soup = cube();
+    append(soup, cube(1.0, {1, 1, 0}));
+    append(soup, cube(1.0, {5.0, 0.0, 0.0}));
+    append(soup, cube(1.0, {5.41, 0.27, 0.33}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("both.stl", soup)));
+    const int crossings = driver.count(DefectKind::SelfIntersection);
+    QVERIFY(crossings > 1);
+    QCOMPARE(driver.count(DefectKind::NonManifoldEdge), 1);
+    QCOMPARE(driver.text("nextStepTitle"), "No holes, but other defects.");
+    const QString detail = driver.text("nextStepDetail");
+    QVERIFY2(detail.contains("1 non-manifold edge"), qPrintable(detail));
+    QVERIFY2(detail.contains(QStringLiteral("%1 self-intersections").arg(crossings)), qPrintable(detail));
+    clickGroup(driver, DefectKind::NonManifoldEdge);
+    driver.click("fixDefectButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::NonManifoldEdge), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
+    QVERIFY(driver.text("nextStepDetail").contains(QStringLiteral("%1 self-intersections").arg(crossings)));
+  }
+
   void duplicatesThenEdges() {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {1, 1, 0}));

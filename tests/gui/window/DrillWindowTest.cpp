@@ -111,12 +111,13 @@ class DrillWindowTest : public QObject {
     point(driver, PointerEvent::Kind::Press, 3.0);
     QVERIFY(
         QTest::qWaitFor([&] { return verdict->text().contains(QStringLiteral("beside the planned path")); }, 60'000));
-    QVERIFY(QTest::qWaitFor([&] { return verdict->text().contains(QStringLiteral("this try has failed")); }, 60'000));
+    QVERIFY(
+        QTest::qWaitFor([&] { return verdict->text().contains(QStringLiteral("this attempt has failed")); }, 60'000));
     point(driver, PointerEvent::Kind::Release, 3.0);
     QVERIFY(driver.settle());
     const auto labels = driver.window().findChildren<QLabel*>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-      return label->isVisible() && label->text().contains(QStringLiteral("The try has failed"));
+      return label->isVisible() && label->text().contains(QStringLiteral("The attempt has failed"));
     }));
     // Undone, the hole and its record are gone.
     volume(driver).history()->undo();

@@ -211,7 +211,7 @@ void HoleSettings::showPreview(const PreviewState& state) {
   }
   const QString size = tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles));
   const QString warning = patchWarning(state.shape);
-  const QString more = warning.isEmpty() ? QString() : QLatin1Char('\n') + tr("Look at it: %1.").arg(warning);
+  const QString more = warning.isEmpty() ? QString() : QLatin1Char('\n') + tr("Check the patch: %1.").arg(warning);
   m_status->setText(
       state.method == method()
           ? size + more

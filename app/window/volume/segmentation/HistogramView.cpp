@@ -23,7 +23,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent), m_histogram{{0.
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Histogram with the range of values"));
   setToolTip(
-      tr("How many samples have which value (logarithmic). Drag the handles: what lies between is the segment."));
+      tr("Number of samples of each value (logarithmic). Drag the handles: the values between them are the segment."));
 }
 
 void HistogramView::setHistogram(const ImageHistogram& histogram) {

@@ -45,7 +45,7 @@ Segmentation::Segmentation(const WindowContext& parts, QObject* parent)
       m_parts(parts),
       m_toggle(tr("&Segmentation"), this),
       m_counting(JobRunner::Policy::Latest, parts.pool) {
-  prepare(m_toggle, "segmentationToggle", "kind-volume", tr("Choose what of a scan is material, in its slices"));
+  prepare(m_toggle, "segmentationToggle", "kind-volume", tr("Choose the material of a scan in its slices"));
   m_toggle.setCheckable(true);
   m_toggle.setChecked(true);
   m_toggle.setEnabled(false);
@@ -292,8 +292,8 @@ void Segmentation::grow(const Vec3& index) {
                                                      static_cast<std::size_t>(size[0]) +
                                                  static_cast<std::size_t>(at.x()));
            return Changed{{},
-                          tr("The point, of value %1, is not in the segment. Click where it is coloured, or choose "
-                             "a range with this value.")
+                          tr("The point (value %1) is not in the segment. Click a coloured place, or choose a range "
+                             "that includes this value.")
                               .arg(QLocale().toString(value, 'g', 6))};
          });
 }

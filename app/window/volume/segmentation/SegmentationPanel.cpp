@@ -121,9 +121,10 @@ QWidget* SegmentationPanel::makeRange() {
   connect(m_upper, &NumberField::valueEdited, this, [this](double value, bool stillDragging) {
     take({std::min(value, m_lower->value()), value}, stillDragging);
   });
-  auto* const otsu = button(tr("&Otsu"), "segmentOtsu", tr("From the value on that parts the image best in two"));
-  auto* const bone = button(tr("&Bone"), "segmentBone", tr("From 300 Hounsfield units on"));
-  auto* const skin = button(tr("&Skin"), "segmentSkin", tr("From -200 Hounsfield units on: all but air"));
+  auto* const otsu = button(tr("&Otsu"), "segmentOtsu",
+                            tr("From Otsu's threshold upwards, which best separates the values into two classes"));
+  auto* const bone = button(tr("&Bone"), "segmentBone", tr("300 Hounsfield units and above"));
+  auto* const skin = button(tr("&Skin"), "segmentSkin", tr("-200 Hounsfield units and above: everything except air"));
   connect(otsu, &QPushButton::clicked, this, [this] {
     if (m_scan) take({otsuThreshold(m_scan->histogram), kNoEnd}, false);
   });
@@ -136,22 +137,22 @@ QWidget* SegmentationPanel::makeRange() {
 
 QWidget* SegmentationPanel::makeParts() {
   m_parts = textLabel("segmentParts");
-  auto* const largest =
-      button(tr("&Largest part only"), "segmentLargest", tr("Keeps what hangs together and is the largest"));
+  auto* const largest = button(tr("&Largest part only"), "segmentLargest", tr("Keeps only the largest connected part"));
   m_keep = new QSpinBox;
   m_keep->setObjectName(QStringLiteral("segmentKeep"));
-  m_keep->setAccessibleName(tr("How many of the largest parts are kept"));
+  m_keep->setAccessibleName(tr("Number of largest parts to keep"));
   m_keep->setRange(1, 1'000'000);
   m_keep->setValue(2);
-  auto* const keep = button(tr("&Keep so many"), "segmentKeepParts", tr("Keeps the largest parts, so many of them"));
+  auto* const keep = button(tr("&Keep so many"), "segmentKeepParts", tr("Keeps this number of the largest parts"));
   m_debris = new QSlider(Qt::Horizontal);
   m_debris->setObjectName(QStringLiteral("segmentDebris"));
-  m_debris->setAccessibleName(tr("Size of parts below which they are debris"));
+  m_debris->setAccessibleName(tr("Volume below which parts are debris"));
   m_debris->setRange(0, kDebrisSteps);
   m_debrisText = textLabel("segmentDebrisText");
-  auto* const remove = button(tr("&Remove debris"), "segmentRemoveDebris", tr("Removes the parts that are smaller"));
-  auto* const smooth = button(tr("S&mooth"), "segmentSmooth",
-                              tr("Removes specks and evens steps: each sample becomes what most of the 27 around are"));
+  auto* const remove = button(tr("&Remove debris"), "segmentRemoveDebris", tr("Removes all parts smaller than this"));
+  auto* const smooth =
+      button(tr("S&mooth"), "segmentSmooth",
+             tr("Removes specks and smooths steps: each sample follows the majority of its 3 × 3 × 3 neighbourhood"));
   connect(largest, &QPushButton::clicked, this, [this] { emit firstPartsKept(1); });
   connect(keep, &QPushButton::clicked, this, [this] { emit firstPartsKept(m_keep->value()); });
   connect(m_debris, &QSlider::valueChanged, this, &SegmentationPanel::showDebris);
@@ -180,11 +181,12 @@ QWidget* SegmentationPanel::makeActions() {
   QWidget* const erase = action(SliceAction::Erase, tr("&Erase"), "segmentErase",
                                 tr("Erases from the segment; Ctrl: adds. [ and ]: radius"));
   QWidget* const grow = action(SliceAction::Grow, tr("&Grow from point"), "segmentGrow",
-                               tr("Click a point of the segment: what hangs together with it stays"));
+                               tr("Click a point of the segment: only the part connected to it is kept"));
   m_radius = field(tr("Radius of the brush"), "segmentRadius", Quantity::Length);
   m_isBall = new QCheckBox(tr("Ball (&3D)"));
   m_isBall->setObjectName(QStringLiteral("segmentBall"));
-  m_isBall->setToolTip(tr("The brush reaches into the slices around, else it stays in one"));
+  m_isBall->setToolTip(
+      tr("The brush is a ball that reaches into neighbouring slices; otherwise it paints in one slice"));
   m_place = textLabel("segmentPlace");
   connect(m_actions, &QButtonGroup::idClicked, this, &SegmentationPanel::brushChanged);
   connect(m_radius, &NumberField::valueEdited, this, &SegmentationPanel::brushChanged);
@@ -209,10 +211,11 @@ QWidget* SegmentationPanel::makeSurface() {
   m_voxel->setMaximumWidth(130);
   m_isSmoothed = new QCheckBox(tr("Smooth &it"));
   m_isSmoothed->setObjectName(QStringLiteral("segmentSmoothSurface"));
-  m_isSmoothed->setToolTip(tr("Takes the steps of voxels off the surface"));
+  m_isSmoothed->setToolTip(tr("Smooths the voxel steps of the surface"));
   m_memory = textLabel("segmentMemory");
-  m_make = button(tr("Make s&urface"), "segmentMakeSurface",
-                  tr("Makes the volume of the segment, to be shaped, drilled, saved; undo brings back the one before"));
+  m_make = button(
+      tr("Make s&urface"), "segmentMakeSurface",
+      tr("Creates the volume of the segment, which can be shaped, drilled and saved; undo restores the previous one"));
   m_make->setDefault(true);
   connect(m_voxel, &NumberField::valueEdited, this, &SegmentationPanel::showMemory);
   connect(m_make, &QPushButton::clicked, this, &SegmentationPanel::surfaceRequested);
@@ -241,8 +244,9 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
 void SegmentationPanel::setSegment(const Segment& segment) {
   m_segment = segment;
   showRange(segment.range());
-  m_painted->setText(
-      segment.isByRangeAlone() ? QString() : tr("Changed by hand: another range starts anew (undo brings this back)."));
+  m_painted->setText(segment.isByRangeAlone()
+                         ? QString()
+                         : tr("Edited by hand: choosing another range discards these edits (undo restores them)."));
   m_painted->setVisible(!segment.isByRangeAlone());
   setFigures({});
 }
@@ -254,7 +258,7 @@ void SegmentationPanel::setFigures(const SegmentFigures& figures) {
   if (isKnown) {
     const std::size_t total = figures.parts->total();
     const double volume = static_cast<double>(total) * std::abs(m_scan->image.grid().steps.determinant());
-    m_parts->setText(total == 0 ? tr("Nothing has values of this range.")
+    m_parts->setText(total == 0 ? tr("No sample has a value in this range.")
                                 : tr("%n part(s), %1 mm³; the largest is %2 % of it", nullptr,
                                      static_cast<int>(figures.parts->samples().size()))
                                       .arg(number(volume, 6))
@@ -356,10 +360,10 @@ void SegmentationPanel::showMemory() {
   const double bytes = predictedBytes(m_scan->image, m_segment, m_figures.faces, m_voxel->value());
   const auto left = static_cast<double>(systemMemory());
   const QString text =
-      tr("About %1 MB of the %2 MB that are left")
+      tr("About %1 MB of %2 MB available")
           .arg(QLocale().toString(std::ceil(bytes / 1e6), 'f', 0), QLocale().toString(left / 1e6, 'f', 0));
   // As elsewhere: what takes more than a quarter is pointed out.
-  m_memory->setText(bytes <= left / 4.0 ? text : text + QLatin1Char('\n') + tr("A larger voxel takes less."));
+  m_memory->setText(bytes <= left / 4.0 ? text : text + QLatin1Char('\n') + tr("Larger voxels need less."));
 }
 
 }  // namespace handwheel

@@ -123,7 +123,7 @@ QWidget* ProgramPanel::makeFileRow(const Actions& actions) {
   auto* make = new QToolButton(row);
   make->setObjectName(QStringLiteral("programMake"));
   make->setText(tr("Make"));
-  make->setToolTip(tr("Have a program written: of the recorded passes, or for the target"));
+  make->setToolTip(tr("Generate a program from the recorded passes or for the target"));
   make->setPopupMode(QToolButton::InstantPopup);
   make->setFocusPolicy(Qt::StrongFocus);
   make->addActions({actions.fromPasses, actions.cycles});
@@ -157,7 +157,7 @@ QWidget* ProgramPanel::makeSetupRow() {
   layout->addWidget(m_dialect);
   layout->addWidget(new QLabel(tr("Nose"), row));
   layout->addWidget(m_nose, 1);
-  m_tools = runButton({}, "programTools", tr("What the tool numbers of the program are: noses, holders, offsets"), row);
+  m_tools = runButton({}, "programTools", tr("Tool table of the program: nose radii, holders and offsets"), row);
   layout->addWidget(m_tools);
   setToolCount(0);
   connect(m_dialect, &QComboBox::activated, this, &ProgramPanel::dialectChanged);

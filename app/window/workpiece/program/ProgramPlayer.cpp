@@ -50,7 +50,7 @@ ProgramPlayer::ProgramPlayer(QWidget* parent)
   m_slider->setPageStep(kPlaces / 20);
   m_speed->setObjectName(QStringLiteral("programSpeed"));
   m_speed->setAccessibleName(tr("Speed of playing"));
-  m_speed->setToolTip(tr("How many times as fast as the machine it plays"));
+  m_speed->setToolTip(tr("Speed relative to that of the machine"));
   for (const int times : kTimes) m_speed->addItem(tr("%1×").arg(times), times);
   m_speed->setCurrentIndex(kUsualTimes);
   m_text->setObjectName(QStringLiteral("programTimeText"));

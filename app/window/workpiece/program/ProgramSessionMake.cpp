@@ -26,7 +26,7 @@ void ProgramSession::askForPasses() {
   auto* dialog = new NumbersDialog(
       tr("Program from passes"),
       tr("The passes that cut this part become a program in the chosen dialect. It is shown in the editor; "
-         "undo brings the present text back."),
+         "undo restores the present text."),
       tr("&Write"), {{"passesSpindle", tr("Spindle speed"), tr("r/min"), PassProgram().spindle, 1.0, kMostSpindle}},
       m_parts.window);
   dialog->setObjectName(QStringLiteral("passesDialog"));
@@ -59,13 +59,15 @@ void ProgramSession::askForCycles() {
       tr("Writes a program that makes the target from this part, a bore included, through or blind. It is simulated "
          "first, and refused where it collides or cuts into the target."),
       tr("&Write"),
-      {{"cyclesDepth", tr("Depth of cut"), tr("mm"), usual.depth, 0.02, 100.0, tr("Of a roughing cut, on the radius")},
-       {"cyclesAllowance", tr("Allowance"), tr("mm"), usual.allowance, 0.0, 10.0, tr("Left for the finishing cut")},
+      {{"cyclesDepth", tr("Depth of cut"), tr("mm"), usual.depth, 0.02, 100.0,
+        tr("Depth of a roughing cut, on the radius")},
+       {"cyclesAllowance", tr("Allowance"), tr("mm"), usual.allowance, 0.0, 10.0,
+        tr("Allowance for the finishing cut")},
        {"cyclesNose", tr("Nose radius"), tr("mm"), usual.nose, TurningPass::kLeastNose, TurningPass::kLargestNose},
        {"cyclesRoughFeed", tr("Feed of roughing"), tr("mm/rev"), usual.roughFeed, 1e-3, 10.0},
        {"cyclesFinishFeed", tr("Feed of finishing"), tr("mm/rev"), usual.finishFeed, 1e-3, 10.0},
        {"cyclesSpeed", tr("Surface speed"), tr("m/min"), usual.speed, 1.0, 5000.0},
-       {"cyclesMostSpindle", tr("Greatest spindle speed"), tr("r/min"), usual.mostSpindle, 1.0, kMostSpindle},
+       {"cyclesMostSpindle", tr("Largest spindle speed"), tr("r/min"), usual.mostSpindle, 1.0, kMostSpindle},
        {"cyclesDrill", tr("Drill for the bore"), tr("mm"), drill, 0.0, 100.0,
         tr("Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it "
            "is.")}},

@@ -60,7 +60,7 @@ std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnap
   };
   add(peaks->first, task.forceLimit,
       ProgramSession::tr(
-          "force: up to %1 N, where the lathe of the exercise takes %2 N. It is in the report of the exercise."));
+          "force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise."));
   add(peaks->second, task.powerLimit,
       ProgramSession::tr(
           "power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise."));
@@ -192,7 +192,7 @@ QString ProgramSession::cuttingTip() const {
   if (!isCuttable()) return tr("The program does not touch the part.");
   return m_trial->collisionCount() == 0
              ? tr("Cut the part as the program does: one step of the history")
-             : tr("Cut the part as the program does. Its collisions are shown and asked about before.");
+             : tr("Cut the part as the program does. If it collides, its collisions are shown first.");
 }
 
 void ProgramSession::leave() {
@@ -233,7 +233,7 @@ void ProgramSession::cutAnyway(const ProgramTrial::Pointer& asked) {
   if (asked != m_trial) return m_panel->setSummary(tr("The program was changed since: run it again."));
   const QString text = m_path.isEmpty() ? tr("Run program") : tr("Run %1").arg(fileName());
   const ProgramTrial::Pointer trial = asked;  // the commit lets go of it
-  QString done = tr("Cut: %1 mm³ removed. Undo brings them back.").arg(QLocale().toString(trial->removed(), 'f', 0));
+  QString done = tr("Cut: %1 mm³ removed. Undo restores them.").arg(QLocale().toString(trial->removed(), 'f', 0));
   if (const auto count = static_cast<int>(trial->collisionCount()); count > 0)
     done += QLatin1Char(' ') + tr("%n collision(s) recorded, which undo does not take back.", nullptr, count);
   static_cast<WorkpieceDocument&>(m_document.document).addCrashes(trial->crashes());

@@ -65,10 +65,10 @@ ToolTableDialog::ToolTableDialog(const ProgramTools& tools, LatheTools bodies, L
   setAttribute(Qt::WA_DeleteOnClose);
   resize(760, 360);
   auto* column = new QVBoxLayout(this);
-  auto* text =
-      new QLabel(tr("What the numbers T of the program are. Of a tool of the lathe the holder, the post and the "
-                    "slide are looked at, too. What is not listed has the nose radius of the panel."),
-                 this);
+  auto* text = new QLabel(
+      tr("The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the "
+         "slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel."),
+      this);
   text->setWordWrap(true);
   column->addWidget(text);
   m_table->setObjectName(QStringLiteral("toolTable"));

@@ -44,7 +44,7 @@ void addBreakthrough(ReportCurve& curve, const std::vector<DrillMoment>& moments
   curve.series.push_back({QT_TRANSLATE_NOOP("Figure", "Breakthrough"), {{through->time, low}, {through->time, high}}});
 }
 
-// By (3-22) and (3-23), while the drill cuts.
+// By the reference laws of He 2008, (3-22) and (3-23), while the drill cuts.
 DrillLoad referenceAt(const DrillSetup& setup, const DrillMoment& moment) {
   const double turns = std::abs(setup.spindle) / (2.0 * M_PI);
   if (!moment.isCutting || !(turns > 0.0)) return {};
@@ -65,7 +65,7 @@ ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>&
   ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Thrust"), "N");
   curve.series = {
       seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust"), moments, [](const DrillMoment& m) { return m.thrust; }),
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Reference (3-22)"), moments,
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust reference (He 2008)"), moments,
                [&](const DrillMoment& m) { return referenceAt(setup, m).thrust; })};
   addBreakthrough(curve, moments);
   return curve;
@@ -75,7 +75,7 @@ ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>&
   ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Torque"), "N·mm");
   curve.series = {
       seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque"), moments, [](const DrillMoment& m) { return m.torque; }),
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Reference (3-23)"), moments,
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque reference (He 2008)"), moments,
                [&](const DrillMoment& m) { return referenceAt(setup, m).torque; })};
   addBreakthrough(curve, moments);
   return curve;

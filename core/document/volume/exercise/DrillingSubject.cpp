@@ -235,7 +235,7 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
                                                                           Progress progress) const {
   ImportedTask imported;
   if (facing)
-    imported.notes.push_back({QT_TRANSLATE_NOOP("Note", "Nothing is left for facing: a part is drilled as it is.")});
+    imported.notes.push_back({QT_TRANSLATE_NOOP("Note", "There is no facing allowance: a part is drilled as it is.")});
   const Result<SparseVolume> volume = volumeIn(path, imported.notes, progress.part(0.0, 0.6));
   if (!volume) {
     Error error = volume.error();
@@ -251,8 +251,8 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
   DrillingTask changed = drillingOf(task);
   changed.stock = std::make_shared<const DrillingStock>(stockOf(*volume));
   imported.notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                              "Planned path and forbidden region stay where they were. Set them for "
-                                              "this volume; a hole that is drilled can be taken as the path."),
+                                              "The planned path and the forbidden region were not moved. Adapt them to "
+                                              "this volume; a drilled hole can be taken as the path."),
                             {}});
   imported.task = pointerTo(std::move(changed));
   return imported;

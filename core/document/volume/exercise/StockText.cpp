@@ -28,7 +28,7 @@ DrillingStock stockOf(const SparseVolume& volume) {
 }
 
 Result<DrillingStock> stockFrom(const nlohmann::json& json) {
-  const Error malformed{ErrorCode::ElementMalformed, {"stock", "it is no volume"}, {}, {}};
+  const Error malformed{ErrorCode::ElementMalformed, {"stock", "it is not a volume"}, {}, {}};
   double voxel = 0.0;
   JsonFieldReader{json}("voxel", voxel);
   const std::vector<double> origin = numbersAt(json, "origin", 3);

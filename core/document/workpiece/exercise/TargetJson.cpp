@@ -48,7 +48,7 @@ Result<TargetProfile> fromSides(const std::vector<std::array<double, 2>>& outer,
   for (const auto* line : {&outer, &inner}) {
     const auto isBack = [](const auto& a, const auto& b) { return b[1] < a[1]; };
     if (std::adjacent_find(line->begin(), line->end(), isBack) != line->end())
-      return malformedTarget("the points go back in z");
+      return malformedTarget("the z of the points is not ascending");
   }
   const bool isOpenBelow = !inner.empty() && inner.front()[1] == outer.front()[1];
   const bool isOpenAbove = !inner.empty() && inner.back()[1] == outer.back()[1];

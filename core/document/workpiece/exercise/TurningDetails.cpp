@@ -138,8 +138,8 @@ ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe, double
     return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), place}};
   place.insert(place.end(), {feedText(crash.feed), roundedText(lathe.largestFeed, 3)});
   return {crash.time,
-          {QT_TRANSLATE_NOOP("Note",
-                             "The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most."),
+          {QT_TRANSLATE_NOOP(
+               "Note", "The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where at most %4 is allowed."),
            place}};
 }
 
@@ -169,11 +169,11 @@ ReportCurve finishCurve(const MeasuredPart& part) {
 // By the judgement of the lathe itself, in the order of the causes.
 ReportEvent eventOf(const LatheCollision& crash, double zero) {
   static constexpr std::array<const char*, 6> kTexts = {
-      QT_TRANSLATE_NOOP("Note", "Parts of the lathe met at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "Parts of the lathe collided at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The tool was fed into the work at rest at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The spindle turned the wrong way at Z %1 mm, ⌀%2 mm."),
-      QT_TRANSLATE_NOOP("Note", "The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm."),
+      QT_TRANSLATE_NOOP("Note", "The cut was deeper than the cutting edge is long at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.")};
   const std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4),
                                           roundedText(2.0 * crash.place.x(), 4)};

@@ -44,7 +44,7 @@ double worse(const MarkingCriterion& c, double least, double largest) {
 // zero: mm, Z that remarks count from, as the drawing and the read-out do.
 Figure diameter(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide side, double zero) {
   const auto reading = measureDiameter(profile, side, rangeOf(c));
-  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface along all of the range"));
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface along the whole range"));
   const double value = worse(c, reading->least, reading->largest);
   const double at = value == reading->least ? reading->leastAt : reading->largestAt;
   return {c.id, value, {QT_TRANSLATE_NOOP("Note", "at Z %1 mm"), {measuredText(at - zero, "mm")}}};
@@ -87,7 +87,7 @@ Figure arc(const MarkingCriterion& c, const TurnedProfile& profile, TurningSide 
   const auto middle = measureDiameter(profile, side, rangeOf(c));
   const auto wanted = target ? bulges(*target, side, rangeOf(c)) : std::nullopt;
   if (wanted && middle && *wanted != (reading->centre.x() < 0.5 * middle->mean))
-    return none(c, QT_TRANSLATE_NOOP("Note", "the arc bulges the other way"));
+    return none(c, QT_TRANSLATE_NOOP("Note", "the arc curves in the opposite direction"));
   return {
       c.id,
       reading->radius,
@@ -226,7 +226,7 @@ std::string placeProblem(const MarkingCriterion& c, const StockCylinder& bar) {
   const FigureType* type = figureType(turningFigureTypes(), c.figure);
   if (!type || type->arguments.empty()) return {};
   if (c.arguments.size() < type->arguments.size())
-    return QT_TRANSLATE_NOOP("Property", "it is to say where to measure");
+    return QT_TRANSLATE_NOOP("Property", "the place to measure is missing");
   if (type->arguments.size() == 2) {
     if (!(c.arguments[1] > c.arguments[0])) return QT_TRANSLATE_NOOP("Property", "“To Z” must be above “From Z”");
     if (c.arguments[0] < 0.0 || c.arguments[1] > bar.length)
@@ -305,9 +305,9 @@ Figure MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const
   const FigureType* type = figureType(turningFigureTypes(), c.figure);
   if (!type) return none(c, QT_TRANSLATE_NOOP("Note", "this figure is not known"));
   if (c.arguments.size() < type->arguments.size())
-    return none(c, QT_TRANSLATE_NOOP("Note", "the scheme does not say where to measure"));
+    return none(c, QT_TRANSLATE_NOOP("Note", "the marking scheme does not specify where to measure"));
   if (!m_review) return none(c, QT_TRANSLATE_NOOP("Note", "there are too many passes to measure it"));
-  if (!m_isOfItsPasses) return none(c, QT_TRANSLATE_NOOP("Note", "the part is not what its recorded passes cut"));
+  if (!m_isOfItsPasses) return none(c, QT_TRANSLATE_NOOP("Note", "the part does not match its recorded passes"));
   if (c.figure == "crashes" || c.figure == "force" || c.figure == "power" || c.figure == "cutting_time" ||
       c.figure == "roughness" || c.figure == "bore_roughness")
     return ofPasses(c);
@@ -322,9 +322,10 @@ Figure MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   if (c.figure == "power") return peak(c, loads(), &Load::power);
   const TurningSide side = c.figure == "roughness" ? TurningSide::Outside : TurningSide::Bore;
   const auto reading = finish(side, rangeOf(c));
-  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "the surface was not cut along all of the range"));
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "the surface was not cut along the whole range"));
   if (!std::isfinite(reading->roughness))
-    return none(c, QT_TRANSLATE_NOOP("Note", "the tool that cut it has no nose radius, or was fed further than that"));
+    return none(c,
+                QT_TRANSLATE_NOOP("Note", "the tool that cut it has no nose radius, or the feed was larger than that"));
   return {c.id,
           reading->roughness,
           {QT_TRANSLATE_NOOP("Note", "up to %1 µm, at Z %2 mm"),
@@ -345,9 +346,9 @@ Figure MeasuredPart::collisions(const MarkingCriterion& c) const {
   if (!fastest) return {c.id, static_cast<double>(all), {}};
   return {c.id,
           static_cast<double>(all),
-          {QT_TRANSLATE_NOOP("Note",
-                             "fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other "
-                             "collisions: %4"),
+          {QT_TRANSLATE_NOOP(
+               "Note",
+               "feed too high %1 times, up to %2 mm per revolution where at most %3 is allowed; other collisions: %4"),
            {std::to_string(fast), feedText(fastest->feed), roundedText(m_task.lathe.largestFeed, 3),
             std::to_string(all - fast)}}};
 }

@@ -29,7 +29,7 @@ Parameter creasesParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Sharp edge angle"),
                        .value = 0.0,
                        .quantity = Quantity::Angle,
-                       .least = 1e-6,
+                       .least = 0.01 * kRadiansPerDegree,
                        .largest = std::numbers::pi},
           .meaning = "Keep the vertices of edges with at least this angle on the edges",
           .word = "DEGREES",

@@ -37,7 +37,7 @@ std::vector<Operation> edgeOperations() {
        .operands = "H,H"},
       {.id = "face",
        .title = QT_TRANSLATE_NOOP("Tool", "Make a face"),
-       .meaning = "From three vertices of open edges",
+       .meaning = "Create a face from three vertices of open edges",
        .operands = "V,V,V"},
       {.id = "pull",
        .title = QT_TRANSLATE_NOOP("Tool", "Move a boundary vertex"),

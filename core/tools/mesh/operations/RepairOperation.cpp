@@ -14,12 +14,11 @@ namespace {
 static_assert(tolerance::kDebrisArea == 0.01 && tolerance::kDebrisFaces == 0.01, "as --remove-debris says");
 
 Parameter rimsParameter() {
-  return {.property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
-          .meaning =
-              "Outer boundaries of open sheets: keep them open (default), thicken each sheet to a thin body (back), or "
-              "fill them as holes",
-          .word = "HOW",
-          .words = {"keep", "back", "fill"}};  // as RimHandling
+  return {
+      .property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
+      .meaning = "Keep outer boundaries of open sheets open, thicken each sheet to a thin body, or fill them as holes",
+      .word = "HOW",
+      .words = {"keep", "back", "fill"}};  // as RimHandling
 }
 
 }  // namespace

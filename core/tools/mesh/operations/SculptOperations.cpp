@@ -59,8 +59,8 @@ Parameter noiseParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Noise angle"),
                        .value = NoiseSmoothing().normalSpread,
                        .quantity = Quantity::Angle,
-                       .least = 0.02,
-                       .largest = 1.5},
+                       .least = NoiseSmoothing::kLeastSpread,
+                       .largest = NoiseSmoothing::kLargestSpread},
           .meaning = "Normals that differ by less are noise",
           .word = "DEGREES"};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/sculpt/SculptSettings.h"
 
+#include "mesh/sculpt/NoiseSmoothing.h"
 #include "tools/ToolProperty.h"
 
 #include <QtGlobal>
@@ -13,7 +14,7 @@ namespace {
 constexpr Limits kRadius = {1e-9, 1e9};  // mm
 constexpr Limits kStrength = {0.0, 1.0};
 constexpr Limits kNoisePasses = {1.0, 1000.0};
-constexpr Limits kNoiseAngle = {0.02, 1.5};  // radian
+constexpr Limits kNoiseAngle = {NoiseSmoothing::kLeastSpread, NoiseSmoothing::kLargestSpread};  // radian
 
 }  // namespace
 

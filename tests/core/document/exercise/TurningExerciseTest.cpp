@@ -313,7 +313,7 @@ class TurningExerciseTest : public QObject {
     const Marking marking = markWork(*shoulder(), *snapshot, {});
     const std::string remark = marking.find("crash")->remark.inEnglish();
     QCOMPARE(*marking.find("crash")->value, 1.0);
-    QVERIFY2(remark.find("2.5 mm per revolution, where 1 is the most; other collisions: 0") != std::string::npos,
+    QVERIFY2(remark.find("2.5 mm per revolution where at most 1 is allowed; other collisions: 0") != std::string::npos,
              remark.c_str());
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *snapshot, {});
     QCOMPARE(details.events.size(), std::size_t{1});

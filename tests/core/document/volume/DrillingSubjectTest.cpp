@@ -103,7 +103,7 @@ class DrillingSubjectTest : public QObject {
     QVERIFY(std::abs(figureOf(failed, "in") - 0.5) < 0.01);
     QCOMPARE(failed.points, 0.0);
     QCOMPARE(failed.of, 10.0);
-    QCOMPARE(failed.find("path")->reason.inEnglish(), std::string("no points, as the work fails by “Not in”"));
+    QCOMPARE(failed.find("path")->reason.inEnglish(), std::string("no points, because “Not in” was not met"));
   }
 
   // Nothing drilled, not through, another drill, or a volume that something else has changed: it says so.

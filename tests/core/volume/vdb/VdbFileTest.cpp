@@ -104,7 +104,7 @@ class VdbFileTest : public QObject {
     QCOMPARE(reason({openvdb::Int32Grid::create(3)}), std::string("it has no grid of floats"));
     const openvdb::FloatGrid::Ptr long_ = sphere();
     long_->transform().preScale(openvdb::Vec3d(1.0, 1.0, 2.0));
-    QCOMPARE(reason({long_}), std::string("its voxels are no cubes along the axes"));
+    QCOMPARE(reason({long_}), std::string("its voxels are not cubes along the axes"));
     QCOMPARE(reason({openvdb::FloatGrid::create(1.0f)}), std::string("it bounds no material"));
     const openvdb::FloatGrid::Ptr huge = sphere();
     huge->tree().addTile(3, openvdb::Coord(8192, 0, 0), -1.0f, true);

@@ -117,7 +117,7 @@ class GlobeKindTest : public QObject {
     const RegisteredKinds registered(kindsWithGlobe());
     const DocumentKinds& kinds = registered.set.documents;
     QVERIFY(newDetails(kinds).find("globe") != std::string::npos);
-    QVERIFY(convertDetails(kinds).find("of a globe: .globe .handwheel") != std::string::npos);
+    QVERIFY(convertDetails(kinds).find("  globe: .globe .handwheel") != std::string::npos);
     const auto made = m_folder.filePath("a.handwheel").toStdString(),
                exported = m_folder.filePath("a.globe").toStdString();
     Arguments arguments;

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/tools/ToolPanel.h"
+
+#include "WindowTestMain.h"
+
+#include <QPushButton>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// While a tool goes on, no button of its panel moves under the pointer, and none becomes another.
+class ToolPanelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  struct Bench {
+    Bench() {
+      panel.resize(300, 600);
+      panel.show();
+      if (!QTest::qWaitForWindowExposed(&panel)) qFatal("the panel does not appear");
+      connect(&panel, &ToolPanel::triggered, [this](const std::string& action) { pressed << action; });
+    }
+    void show(const std::vector<ToolAction>& actions) {
+      panel.setActions(actions, [](const ToolAction&) { return QString(); });
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      QTest::qWait(20);  // for the layout
+    }
+    QPushButton* button(const char* id) {
+      return panel.findChild<QPushButton*>(QStringLiteral("toolAction/") + QLatin1String(id));
+    }
+    // Top and height; the width is that of the panel.
+    std::map<QString, std::pair<int, int>> places() {
+      std::map<QString, std::pair<int, int>> all;
+      for (const QPushButton* each : panel.findChildren<QPushButton*>())
+        if (each->isVisible()) all[each->objectName()] = {each->y(), each->height()};
+      return all;
+    }
+
+    ToolPanel panel;
+    QList<std::string> pressed;
+  };
+
+  static std::vector<ToolAction> actions(const char* onReturn, const char* onEscape) {
+    return {{"commit", "Return", onReturn}, {"revert", "Esc", onEscape}, {"smooth", "S", "smooth the boundary"}};
+  }
+
+ private slots:
+  // Return and Esc come to mean the same: the second button keeps its place and its title, and cannot be pressed.
+  void anEffectThatTwoHave() {
+    Bench bench;
+    bench.show(actions("apply the placement", "leave it unchanged"));
+    const auto before = bench.places();
+    QCOMPARE(before.size(), std::size_t(3));
+    const QPushButton* smooth = bench.button("smooth");
+    bench.show(actions("done", "done"));
+    QVERIFY(bench.places() == before);
+    QCOMPARE(bench.button("smooth"), smooth);  // a press that has begun on it ends on it
+    QCOMPARE(bench.button("commit")->text(), QString("Done"));
+    QCOMPARE(bench.button("revert")->text(), QString("Leave it unchanged"));
+    QVERIFY(bench.button("commit")->isEnabled() && !bench.button("revert")->isEnabled());
+    bench.show(actions("apply the placement", "leave it unchanged"));
+    QVERIFY(bench.places() == before);
+    QVERIFY(bench.button("revert")->isEnabled());
+    QTest::mouseClick(bench.button("revert"), Qt::LeftButton);
+    QCOMPARE(bench.pressed, QList<std::string>{"revert"});
+  }
+
+  // What is not possible now says why, in the same place.
+  void whatIsNotPossible() {
+    Bench bench;
+    std::vector<ToolAction> all = actions("apply the placement", "leave it unchanged");
+    bench.show(all);
+    const auto before = bench.places();
+    all[2].enabled = false;
+    all[2].reason = "choose a boundary";
+    bench.show(all);
+    QVERIFY(bench.places() == before);
+    QVERIFY(!bench.button("smooth")->isEnabled());
+    QCOMPARE(bench.button("smooth")->toolTip(), QString("Not now: choose a boundary."));
+  }
+
+  // Settings come and go above the buttons.
+  void settingsThatAppear() {
+    Bench bench;
+    bench.show(actions("apply the placement", "leave it unchanged"));
+    const auto before = bench.places();
+    std::vector<Property> many;
+    for (const char* id : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m",
+                           "n", "o", "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z"})
+      many.push_back({.id = id, .group = {}, .label = id, .value = 1.0});
+    for (const std::size_t count : {std::size_t(1), std::size_t(3), many.size(), std::size_t(0)}) {
+      bench.panel.settings().setProperties({many.begin(), many.begin() + static_cast<std::ptrdiff_t>(count)});
+      QTest::qWait(20);
+      QVERIFY(bench.places() == before);
+    }
+  }
+
+  // An effect that another action has from the start gets no button; nor what has keys only.
+  void eachEffectOnce() {
+    Bench bench;
+    std::vector<ToolAction> all = actions("done", "done");
+    all.push_back({"next", "N", "next hole"});
+    all.back().isKeyOnly = true;
+    bench.show(all);
+    QVERIFY(bench.button("commit") && bench.button("smooth"));
+    QVERIFY(!bench.button("revert") && !bench.button("next"));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(ToolPanelTest)
+#include "ToolPanelTest.moc"
