@@ -27,13 +27,13 @@ Widget* partOfLesson(WindowDriver& driver, const char* lesson, const char* name)
   return widget;
 }
 
-// Begins the exercise with this command, seen from the front with the turning tool in use.
+// Begins the exercise with this command, seen from above with the turning tool in use.
 bool beginTurning(TurningWindow& turning, const char* command) {
   turning.driver.choose(command);
   if (!turning.driver.settle()) return false;
   turning.driver.choose("beginExercise");
   if (!turning.driver.settle()) return false;
-  turning.view->setStandardView(StandardView::Front);
+  turning.view->setStandardView(StandardView::Top);
   if (!QTest::qWaitFor([&] { return turning.view->isPickingReady(); }, kPatienceMs)) return false;
   turning.driver.find<QAction>("turnTool")->trigger();
   QSize before;  // the settings of the tool take room from the view
