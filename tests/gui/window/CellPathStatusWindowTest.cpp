@@ -65,7 +65,7 @@ class CellPathStatusWindowTest : public QObject {
   void allAreVerified() {
     TwoPaths driver;
     driver.choose("verifyAllPaths");
-    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 path(s) proven"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 paths proven"), kPatienceMs);
     driver.choose("add-box");  // in the way of both
     QVERIFY(driver.settle());
     driver.edit("body.1.x", "300");

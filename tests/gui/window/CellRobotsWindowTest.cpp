@@ -220,7 +220,7 @@ class CellRobotsWindowTest : public QObject {
     driver.move(link + QPoint(60, 0));
     QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, link + QPoint(60, 0));
     QVERIFY(driver.find<QAction>("undo")->text().contains("Move ur5"));
-    QVERIFY(number("robot.ur5.x") > x + 1.0);
+    QTRY_VERIFY(number("robot.ur5.x") > x + 1.0);
     QCOMPARE(number("robot.ur5.y"), y);
   }
 

@@ -27,13 +27,13 @@ Widget* partOfLesson(WindowDriver& driver, const char* lesson, const char* name)
   return widget;
 }
 
-// Begins the exercise with this command, seen from the front with the turning tool in use.
+// Begins the exercise with this command, seen from above with the turning tool in use.
 bool beginTurning(TurningWindow& turning, const char* command) {
   turning.driver.choose(command);
   if (!turning.driver.settle()) return false;
   turning.driver.choose("beginExercise");
   if (!turning.driver.settle()) return false;
-  turning.view->setStandardView(StandardView::Front);
+  turning.view->setStandardView(StandardView::Top);
   if (!QTest::qWaitFor([&] { return turning.view->isPickingReady(); }, kPatienceMs)) return false;
   turning.driver.find<QAction>("turnTool")->trigger();
   QSize before;  // the settings of the tool take room from the view
@@ -199,7 +199,7 @@ class ExerciseWindowTest : public QObject {
     auto* rows = driver.find<QAbstractItemView>("classRows");
     QTRY_COMPARE(rows->model()->rowCount(), 1);
     QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
-    QVERIFY(driver.text("messageText").contains("1 work(s) marked"));
+    QVERIFY(driver.text("messageText").contains("1 work marked"));
     QVERIFY(driver.text("messageText").contains("Ada: "));
     QCOMPARE(rows->model()->index(0, 0).data().toString(), QStringLiteral("Ada"));
     QVERIFY(rows->isVisible());
@@ -405,9 +405,9 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
     auto* dialog = driver.find<QDialog>("targetPlaceDialog");
     QTRY_VERIFY(dialog->isVisible());
-    const auto face = [&] { return dialog->findChild<QWidget*>("property/target_face")->findChildren<QLabel*>(); };
     const auto faceIs = [&](const char* place) {
-      return std::any_of(face().begin(), face().end(), [&](const QLabel* each) { return each->text() == place; });
+      const auto labels = dialog->findChild<QWidget*>("property/target_face")->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) { return each->text() == place; });
     };
     QVERIFY(faceIs("99 mm"));
     dialog->reject();

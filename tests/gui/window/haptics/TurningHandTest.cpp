@@ -108,7 +108,7 @@ class TurningHandTest : public QObject {
     turning.driver.choose("newWorkpiece");
     QVERIFY(turning.driver.settle());
     QVERIFY(turning.document().setProperty("length", 500.0));
-    turning.view->setStandardView(StandardView::Top);
+    turning.view->setStandardView(StandardView::Right);
     QVERIFY(turning.driver.settle());
     turning.session.choose("simulated", "hand");
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest() != nullptr, kPatienceMs);

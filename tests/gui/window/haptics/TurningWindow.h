@@ -24,7 +24,7 @@ struct TurningWindow {
   bool begin() {
     driver.choose("newWorkpiece");
     if (!driver.settle()) return false;
-    view->setStandardView(StandardView::Front);
+    view->setStandardView(StandardView::Top);  // against y: the plane y = 0 faces the viewer
     if (!driver.settle() || !QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs)) return false;
     driver.find<QAction>("turnTool")->trigger();
     if (!driver.settle()) return false;

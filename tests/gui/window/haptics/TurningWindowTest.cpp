@@ -217,7 +217,7 @@ class TurningWindowTest : public QObject {
     TurningWindow turning;
     turning.driver.choose("newWorkpiece");
     QVERIFY(turning.driver.settle());
-    turning.view->setStandardView(StandardView::Front);
+    turning.view->setStandardView(StandardView::Top);
     QVERIFY(turning.takeHand());
     turning.leadTo({21.0, 0.0, 50.0}, 0);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);

@@ -107,7 +107,7 @@ class LatheWindowTest : public QObject {
     window.driver.click("latheSection/thread");
     QVERIFY(!wheel->isVisible() && !thread->isVisible());
     QTRY_VERIFY(dock->height() < high - 20);
-    QVERIFY(window.view->height() > view + 20);
+    QTRY_VERIFY(window.view->height() > view + 20);
     auto* heading = window.driver.find<QWidget>("latheSection/thread");
     heading->setFocus();
     QTest::keyClick(heading, Qt::Key_Space);
