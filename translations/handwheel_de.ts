@@ -33,16 +33,16 @@
         <source>out of reach</source>
         <translation>außer Reichweite</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln way(s) there</source>
-        <translation>
-            <numerusform>%Ln Stellung dorthin</numerusform>
-            <numerusform>%Ln Stellungen dorthin</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 (on %2)</source>
         <translation>%1 (auf %2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln configuration(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -783,10 +783,6 @@
         <translation>die Übung handelt von „%1“, was dieses Programm nicht bewerten kann</translation>
     </message>
     <message>
-        <source>the exercise does not say what it is about</source>
-        <translation>die Übung sagt nicht, wovon sie handelt</translation>
-    </message>
-    <message>
         <source>Open it with a newer version of the program.</source>
         <translation>Öffnen Sie sie mit einer neueren Version des Programms.</translation>
     </message>
@@ -951,10 +947,6 @@
         <translation>Zeichnen Sie den Halbschnitt mit sichtbaren Linien, Bögen oder Polylinien, außerhalb von Blöcken.</translation>
     </message>
     <message>
-        <source>the file contains %1 separate outlines, and a profile is one</source>
-        <translation>die Datei enthält %1 getrennte Umrisse, und ein Profil ist nur einer</translation>
-    </message>
-    <message>
         <source>Remove frames, dimensions and other views, or join the ends of the lines.</source>
         <translation>Entfernen Sie Rahmen, Maße und andere Ansichten, oder verbinden Sie die Enden der Linien.</translation>
     </message>
@@ -989,10 +981,6 @@
     <message>
         <source>Remove that feature, or choose to ignore what is not turned.</source>
         <translation>Entfernen Sie dieses Merkmal, oder lassen Sie außer Acht, was nicht gedreht ist.</translation>
-    </message>
-    <message>
-        <source>the file contains %1 solids, and a target is one</source>
-        <translation>die Datei enthält %1 Volumenkörper, und ein Ziel ist nur einer</translation>
     </message>
     <message>
         <source>Save the turned part alone in a file.</source>
@@ -1037,10 +1025,6 @@
     <message>
         <source>Take a smaller nose.</source>
         <translation>Nehmen Sie einen kleineren Eckenradius.</translation>
-    </message>
-    <message>
-        <source>the outline goes to and fro too often to be checked</source>
-        <translation>der Umriss geht zu oft hin und her, um geprüft zu werden</translation>
     </message>
     <message>
         <source>Draw it with fewer lines, for example without hatching.</source>
@@ -1111,10 +1095,6 @@
         <translation>der Arm kann der geraden Linie nach %1 nicht folgen: er hält nach %2 % an</translation>
     </message>
     <message>
-        <source>Move to it by the joints, or choose the same configuration at both ends.</source>
-        <translation>Fahren Sie ihn über die Gelenke an, oder wählen Sie an beiden Enden dieselbe Stellung des Arms.</translation>
-    </message>
-    <message>
         <source>the robot cannot reach where motion %1 ends</source>
         <translation>der Roboter kann das Ende der Bewegung %1 nicht erreichen</translation>
     </message>
@@ -1137,10 +1117,6 @@
     <message>
         <source>Write the path as CSV or JSON.</source>
         <translation>Schreiben Sie die Bahn als CSV oder JSON.</translation>
-    </message>
-    <message>
-        <source>joint %2 of the arm is a slide, which %1 programs have none of</source>
-        <translation>Gelenk %2 des Arms ist ein Schubgelenk, das es in Programmen in %1 nicht gibt</translation>
     </message>
     <message>
         <source>the path has %1 motions, and a program can have %2</source>
@@ -1187,14 +1163,6 @@
         <translation>bei Punkt %1 von %2 der Kurve, X %3 Y %4 Z %5 mm, stößt der Roboter an: %6 mit %7</translation>
     </message>
     <message>
-        <source>Lean the tool away, keep a distance from the part, or allow this pair.</source>
-        <translation>Neigen Sie das Werkzeug weg, halten Sie Abstand vom Teil, oder erlauben Sie dieses Paar.</translation>
-    </message>
-    <message>
-        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint</source>
-        <translation>der Arm kann der Kurve nicht bis Punkt %1 von %2, bei X %3 Y %4 Z %5 mm, folgen, ohne dass ein Gelenk springt</translation>
-    </message>
-    <message>
         <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
         <translation>Teilen Sie die Kurve, drehen Sie das Werkzeug, oder lassen Sie es sich um seine Achse drehen.</translation>
     </message>
@@ -1211,14 +1179,6 @@
         <translation>Nennen Sie eine Datei einer dieser Arten oder einen Roboter wie irb120 oder ur5.</translation>
     </message>
     <message>
-        <source>the surface does not lead from place %1 of the curve to place %2</source>
-        <translation>die Oberfläche führt nicht von Punkt %1 der Kurve zu Punkt %2</translation>
-    </message>
-    <message>
-        <source>Draw around what is between, or place more points.</source>
-        <translation>Zeichnen Sie um das herum, was dazwischen liegt, oder setzen Sie mehr Punkte.</translation>
-    </message>
-    <message>
         <source>the cell already has a configuration or a target called &apos;%1&apos;</source>
         <translation>die Zelle hat schon eine Stellung oder ein Ziel mit dem Namen „%1“</translation>
     </message>
@@ -1231,24 +1191,12 @@
         <translation>Machen Sie das rückgängig, oder entfernen Sie das Ziel.</translation>
     </message>
     <message>
-        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that</source>
-        <translation>der Arm kann sein Werkzeug, so gedreht, nicht nach X %1 Y %2 Z %3 mm bringen</translation>
-    </message>
-    <message>
         <source>Choose a nearer place, or turn the tool.</source>
         <translation>Wählen Sie einen näheren Ort, oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
-        <source>to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits</source>
-        <translation>um das Werkzeug, so gedreht, nach X %1 Y %2 Z %3 mm zu bringen, müsste das Gelenk %4 seine Grenzen verlassen</translation>
-    </message>
-    <message>
         <source>Choose another place, or turn the tool.</source>
         <translation>Wählen Sie einen anderen Ort, oder drehen Sie das Werkzeug.</translation>
-    </message>
-    <message>
-        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5</source>
-        <translation>mit dem Werkzeug bei X %1 Y %2 Z %3 mm stößt der Roboter in jeder Stellung an: %4 mit %5</translation>
     </message>
     <message>
         <source>Choose another place, turn the tool, or require less clearance.</source>
@@ -1279,14 +1227,6 @@
         <translation>auf der geraden Linie nach %1 stößt der Roboter an: %2 mit %3</translation>
     </message>
     <message>
-        <source>Move to it by the joints, set it or the place before elsewhere, or allow this pair.</source>
-        <translation>Fahren Sie über die Gelenke dorthin, setzen Sie diesen Punkt oder den davor an eine andere Stelle, oder erlauben Sie dieses Paar.</translation>
-    </message>
-    <message>
-        <source>the cell would have %2 %1, and it can hold %3</source>
-        <translation>die Zelle hätte %2 %1, und sie kann %3 aufnehmen</translation>
-    </message>
-    <message>
         <source>Remove what is not needed any more, or plan it in another cell.</source>
         <translation>Entfernen Sie, was nicht mehr gebraucht wird, oder planen Sie es in einer anderen Zelle.</translation>
     </message>
@@ -1315,16 +1255,8 @@
         <translation>Fügen Sie einen anderen Roboter hinzu, bevor dieser entfernt wird.</translation>
     </message>
     <message>
-        <source>the base of %1 is what all of the cell is measured from</source>
-        <translation>die Basis von %1 ist der Bezug für alle Maße der Zelle</translation>
-    </message>
-    <message>
         <source>Move the other robots and the bodies instead.</source>
         <translation>Bewegen Sie stattdessen die anderen Roboter und die Körper.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is of another robot than the one that is planned for: %2</source>
-        <translation>„%1“ gehört zu einem anderen Roboter als dem, für den geplant wird: %2</translation>
     </message>
     <message>
         <source>Choose that robot first; on the command line: --arm.</source>
@@ -1335,20 +1267,8 @@
         <translation>Geben Sie diesem Feld der Übung einen anderen Wert.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not read, and may change where or whether the robot moves</source>
-        <translation>„%1“ wird nicht gelesen und kann ändern, wohin oder ob sich der Roboter bewegt</translation>
-    </message>
-    <message>
         <source>In a copy of the program, replace it by the motions that it leads to, or remove it.</source>
         <translation>Ersetzen Sie es in einer Kopie des Programms durch die Bewegungen, zu denen es führt, oder entfernen Sie es.</translation>
-    </message>
-    <message>
-        <source>motion %1 is a line at %2 mm/s, and %3 controllers take %4 mm/s at most</source>
-        <translation>Bewegung %1 ist eine Linie mit %2 mm/s, und Steuerungen mit %3 nehmen höchstens %4 mm/s an</translation>
-    </message>
-    <message>
-        <source>Give the place that it leads to a lower speed.</source>
-        <translation>Geben Sie dem Punkt, zu dem sie führt, eine niedrigere Geschwindigkeit.</translation>
     </message>
     <message>
         <source>voxels of %1 mm are too fine for a part of %2 mm</source>
@@ -1359,32 +1279,16 @@
         <translation>Wählen Sie Voxel von mindestens %3 mm.</translation>
     </message>
     <message>
-        <source>voxels of %1 mm would take %2 MB, and %3 MB are left</source>
-        <translation>Voxel von %1 mm würden %2 MB brauchen, und %3 MB sind noch frei</translation>
-    </message>
-    <message>
         <source>Choose larger voxels, or close other programs.</source>
         <translation>Wählen Sie größere Voxel, oder schließen Sie andere Programme.</translation>
-    </message>
-    <message>
-        <source>the surface encloses nothing</source>
-        <translation>die Oberfläche schließt nichts ein</translation>
     </message>
     <message>
         <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
         <translation>Kehren Sie ihre Flächen nach außen, wenn sie umgestülpt ist; eine offene Fläche hat kein Inneres.</translation>
     </message>
     <message>
-        <source>voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB</source>
-        <translation>Voxel von %1 mm ergeben ein Volumen von %2 MB, und ein Dokument fasst %3 MB</translation>
-    </message>
-    <message>
         <source>Choose larger voxels, or work on a piece of the part.</source>
         <translation>Wählen Sie größere Voxel, oder arbeiten Sie an einem Stück des Teils.</translation>
-    </message>
-    <message>
-        <source>no voxel of %1 mm lies inside: the part is thinner than they are</source>
-        <translation>kein Voxel von %1 mm liegt innen: Das Teil ist dünner als sie</translation>
     </message>
     <message>
         <source>Choose smaller voxels.</source>
@@ -1393,10 +1297,6 @@
     <message>
         <source>Import a target, or turn a model solution and take it as the target.</source>
         <translation>Importieren Sie ein Ziel, oder drehen Sie eine Musterlösung, und übernehmen Sie sie als Ziel.</translation>
-    </message>
-    <message>
-        <source>nothing was turned in the work that was begun; it is the bar itself</source>
-        <translation>an der begonnenen Arbeit wurde nichts gedreht; sie ist die Stange selbst</translation>
     </message>
     <message>
         <source>Turn the part first, or import the target from a drawing.</source>
@@ -1431,28 +1331,160 @@
         <translation>„handwheel help drill“ führt die Werkstoffe auf.</translation>
     </message>
     <message>
-        <source>the path takes %1 s, and %2 s can be drilled at this rate</source>
-        <translation>die Bahn dauert %1 s, und bei dieser Taktrate lassen sich %2 s bohren</translation>
-    </message>
-    <message>
-        <source>Choose fewer cycles a second, or a part of the path.</source>
-        <translation>Wählen Sie weniger Rechentakte je Sekunde oder nur einen Teil der Bahn.</translation>
-    </message>
-    <message>
-        <source>nothing has a value from %1 to %2: those of the image go from %3 to %4</source>
-        <translation>nichts hat einen Wert von %1 bis %2: Die Werte des Bildes reichen von %3 bis %4</translation>
-    </message>
-    <message>
         <source>Choose another range; bone in a CT begins at about 300.</source>
         <translation>Wählen Sie einen anderen Bereich; Knochen beginnt in einem CT bei etwa 300.</translation>
     </message>
     <message>
-        <source>nothing was drilled in the work that was begun</source>
-        <translation>in der begonnenen Arbeit wurde nichts gebohrt</translation>
+        <source>Use a joint motion, or choose the same configuration at both ends.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drill the hole first: its way becomes the planned path.</source>
-        <translation>Bohren Sie zuerst das Loch: Sein Weg wird die geplante Bahn.</translation>
+        <source>the path &apos;%1&apos; leads along the curve where &apos;%2&apos; was when it was planned</source>
+        <translation>die Bahn „%1“ führt entlang der Kurve, wo „%2“ beim Planen stand</translation>
+    </message>
+    <message>
+        <source>Plan it again, or write it as it is; on the command line: --outdated.</source>
+        <translation>Planen Sie sie neu, oder schreiben Sie sie, wie sie ist; auf der Befehlszeile: --outdated.</translation>
+    </message>
+    <message>
+        <source>Use a joint motion, change this place or the one before, or allow this pair.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>places %1 and %2 of the curve are not connected by the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around the gap, or place more points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt the tool away, keep a distance from the part, or allow this pair.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell would have %2 %1, and it can contain %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the base of %1 is the origin of the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another robot than the one to plan for: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exercise does not specify its subject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was turned in this work; it is the bar itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was drilled in this work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill the hole first; it becomes the planned path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 separate outlines, and a profile is a single one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline has too many reversals to be checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 solids, and a target is a single one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %2 of the arm is prismatic, which %1 programs do not support</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not supported, and may change where or whether the robot moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion %1 is a line at %2 mm/s, and %3 controllers accept at most %4 mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the speed of the place at its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would need %2 MB, and %3 MB are available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm make a volume of %2 MB, and a document can contain %3 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an image of %1 MB with %2 MB of voxels is too large: %3 MB is the most</source>
+        <translation>ein Bild von %1 MB mit %2 MB an Voxeln ist zu groß: %3 MB sind das Höchste</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels; &apos;handwheel segment&apos; keeps no image.</source>
+        <translation>Wählen Sie größere Voxel; „handwheel segment“ behält kein Bild.</translation>
+    </message>
+    <message>
+        <source>no voxel of %1 mm lies inside the part, which is thinner than that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is left of the material</source>
+        <translation>vom Material bleibt nichts übrig</translation>
+    </message>
+    <message>
+        <source>Check where the bodies are, or choose a smaller distance.</source>
+        <translation>Prüfen Sie, wo die Körper sind, oder wählen Sie einen kleineren Abstand.</translation>
+    </message>
+    <message>
+        <source>a wall of %1 mm is thinner than two voxels of %2 mm</source>
+        <translation>eine Wand von %1 mm ist dünner als zwei Voxel von %2 mm</translation>
+    </message>
+    <message>
+        <source>Choose a thicker wall, or voxels of at most %3 mm.</source>
+        <translation>Wählen Sie eine dickere Wand, oder Voxel von höchstens %3 mm.</translation>
+    </message>
+    <message>
+        <source>the path takes %1 s, and at most %2 s can be drilled at this rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a lower rate, or a part of the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sample has a value from %1 to %2: the values of the image range from %3 to %4</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2178,6 @@
         <translation>sein Radius ist nicht größer als null</translation>
     </message>
     <message>
-        <source>its code is no number</source>
-        <translation>sein Code ist keine Zahl</translation>
-    </message>
-    <message>
         <source>it has no extent</source>
         <translation>es hat keine Ausdehnung</translation>
     </message>
@@ -2238,10 +2266,6 @@
         <translation>es ist unmöglich</translation>
     </message>
     <message>
-        <source>it is no object</source>
-        <translation>es ist kein Objekt</translation>
-    </message>
-    <message>
         <source>it is not 1</source>
         <translation>es ist nicht 1</translation>
     </message>
@@ -2258,16 +2282,8 @@
         <translation>es ist zu lang</translation>
     </message>
     <message>
-        <source>it names a criterion that there is not</source>
-        <translation>es nennt ein Kriterium, das es nicht gibt</translation>
-    </message>
-    <message>
         <source>its kind is unknown</source>
         <translation>seine Art ist unbekannt</translation>
-    </message>
-    <message>
-        <source>its lists differ in length, or do not ascend</source>
-        <translation>seine Listen sind verschieden lang oder nicht aufsteigend</translation>
     </message>
     <message>
         <source>its time is impossible</source>
@@ -2398,10 +2414,6 @@
         <translation>es berührt nichts</translation>
     </message>
     <message>
-        <source>the points go back in z</source>
-        <translation>die Punkte laufen in Z zurück</translation>
-    </message>
-    <message>
         <source>the bore is not open at an end of the part</source>
         <translation>die Bohrung ist an keinem Ende des Teils offen</translation>
     </message>
@@ -2434,10 +2446,6 @@
         <translation>Start und Ziel brauchen eine Zahl für jedes Gelenk</translation>
     </message>
     <message>
-        <source>one of them is no box, cylinder or sphere</source>
-        <translation>eines davon ist kein Quader, Zylinder oder Kugel</translation>
-    </message>
-    <message>
         <source>it has too many joints</source>
         <translation>er hat zu viele Gelenke</translation>
     </message>
@@ -2452,10 +2460,6 @@
     <message>
         <source>the planned joints are not in order</source>
         <translation>die geplanten Gelenke sind nicht in der Reihenfolge</translation>
-    </message>
-    <message>
-        <source>the tip does not hang on the base</source>
-        <translation>die Spitze hängt nicht an der Basis</translation>
     </message>
     <message>
         <source>a joint is geared</source>
@@ -2662,10 +2666,6 @@
         <translation>CalcRobT hat ein anderes Werkzeug oder Koordinatensystem als die Bewegung</translation>
     </message>
     <message>
-        <source>it is not told which routine is first</source>
-        <translation>es ist nicht angegeben, welche Routine die erste ist</translation>
-    </message>
-    <message>
         <source>routines call each other endlessly</source>
         <translation>Routinen rufen einander endlos auf</translation>
     </message>
@@ -2674,20 +2674,8 @@
         <translation>%1 seiner Blöcke sind verloren oder enden zu früh</translation>
     </message>
     <message>
-        <source>full and empty blocks have nothing between them</source>
-        <translation>zwischen vollen und leeren Blöcken liegt nichts</translation>
-    </message>
-    <message>
-        <source>it is no number of chunks</source>
-        <translation>es ist keine Anzahl von Blöcken</translation>
-    </message>
-    <message>
         <source>it is no place</source>
         <translation>es ist kein Ort</translation>
-    </message>
-    <message>
-        <source>it is no size of a voxel</source>
-        <translation>es ist keine Größe eines Voxels</translation>
     </message>
     <message>
         <source>a saved document as a robot</source>
@@ -2722,16 +2710,8 @@
         <translation>sie hat kein Gitter aus Gleitkommazahlen</translation>
     </message>
     <message>
-        <source>its voxels are no cubes along the axes</source>
-        <translation>ihre Voxel sind keine Würfel entlang der Achsen</translation>
-    </message>
-    <message>
         <source>it bounds no material</source>
         <translation>sie begrenzt kein Material</translation>
-    </message>
-    <message>
-        <source>it is no number that scales</source>
-        <translation>es ist keine Zahl, die skaliert</translation>
     </message>
     <message>
         <source>bytes of samples</source>
@@ -2754,10 +2734,6 @@
         <translation>es ist nicht endlich</translation>
     </message>
     <message>
-        <source>it is no distance of samples</source>
-        <translation>es ist kein Abstand von Abtastwerten</translation>
-    </message>
-    <message>
         <source>the axes lie in one plane</source>
         <translation>die Achsen liegen in einer Ebene</translation>
     </message>
@@ -2774,22 +2750,6 @@
         <translation>es sind nicht so viele Zahlen wie nötig</translation>
     </message>
     <message>
-        <source>one is no number of samples</source>
-        <translation>eine Angabe ist keine Anzahl von Abtastwerten</translation>
-    </message>
-    <message>
-        <source>it is no type of numbers</source>
-        <translation>es ist kein Zahlentyp</translation>
-    </message>
-    <message>
-        <source>it is no number of values</source>
-        <translation>es ist keine Anzahl von Werten</translation>
-    </message>
-    <message>
-        <source>it is more than there is</source>
-        <translation>es ist mehr, als vorhanden ist</translation>
-    </message>
-    <message>
         <source>a MetaImage object other than an image</source>
         <translation>ein anderes MetaImage-Objekt als ein Bild</translation>
     </message>
@@ -2802,16 +2762,8 @@
         <translation>ein Bild in mehreren Datendateien</translation>
     </message>
     <message>
-        <source>it is no number of axes</source>
-        <translation>es ist keine Anzahl von Achsen</translation>
-    </message>
-    <message>
         <source>an image of colours or complex numbers</source>
         <translation>ein Bild aus Farben oder komplexen Zahlen</translation>
-    </message>
-    <message>
-        <source>it is no place behind the header</source>
-        <translation>es ist keine Stelle hinter dem Dateikopf</translation>
     </message>
     <message>
         <source>an image in a pair of .hdr and .img</source>
@@ -2822,16 +2774,8 @@
         <translation>es gibt nicht für jede Achse eine Angabe</translation>
     </message>
     <message>
-        <source>one is no vector in space</source>
-        <translation>eine Angabe ist kein Vektor im Raum</translation>
-    </message>
-    <message>
         <source>a sample of more than 1000 values</source>
         <translation>ein Abtastwert aus mehr als 1000 Werten</translation>
-    </message>
-    <message>
-        <source>it is no number of lines</source>
-        <translation>es ist keine Anzahl von Zeilen</translation>
     </message>
     <message>
         <source>an encoding other than raw, gzip or text</source>
@@ -2840,10 +2784,6 @@
     <message>
         <source>it is not three numbers</source>
         <translation>es sind nicht drei Zahlen</translation>
-    </message>
-    <message>
-        <source>it is no number</source>
-        <translation>es ist keine Zahl</translation>
     </message>
     <message>
         <source>it is not three numbers of samples</source>
@@ -2914,14 +2854,6 @@
         <translation>es ist kein Bohrer</translation>
     </message>
     <message>
-        <source>it is no list of holes</source>
-        <translation>es ist keine Liste von Bohrlöchern</translation>
-    </message>
-    <message>
-        <source>it is no volume</source>
-        <translation>es ist kein Volumen</translation>
-    </message>
-    <message>
         <source>points were expected: time, depth, beside, across, in order of time</source>
         <translation>Punkte wurden erwartet: Zeit, Tiefe, seitlich, quer, nach der Zeit geordnet</translation>
     </message>
@@ -2936,6 +2868,122 @@
     <message>
         <source>three numbers were expected, with “;” between them</source>
         <translation>drei Zahlen wurden erwartet, mit „;“ dazwischen</translation>
+    </message>
+    <message>
+        <source>its voxels are not cubes along the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a scale factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a distance of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one is not a number of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a type of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is more than the file contains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a position after the header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one is not a vector in space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a grid of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of its samples are lost</source>
+        <translation>%1 ihrer Abtastwerte sind verloren</translation>
+    </message>
+    <message>
+        <source>its samples are lost</source>
+        <translation>ihre Abtastwerte sind verloren</translation>
+    </message>
+    <message>
+        <source>it is no range of values</source>
+        <translation>es ist kein Wertebereich</translation>
+    </message>
+    <message>
+        <source>part of what was painted is lost</source>
+        <translation>ein Teil des Gemalten ist verloren</translation>
+    </message>
+    <message>
+        <source>full and empty blocks have no surface between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of chunks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not the size of a voxel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its code is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of them is not a box, cylinder or sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tip is not connected to the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the z of the points is not ascending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it refers to a criterion that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its lists differ in length, or are not ascending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not specify which routine is the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a list of holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a volume</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3806,10 +3854,6 @@
         <translation>Auflösung des Beweises, dass eine Bewegung frei ist</translation>
     </message>
     <message>
-        <source>free motions along obstacles that are refused</source>
-        <translation>abgelehnte freie Bewegungen an Hindernissen entlang</translation>
-    </message>
-    <message>
         <source>CPU time to prove a motion free</source>
         <translation>Rechenzeit, um eine Bewegung als frei zu beweisen</translation>
     </message>
@@ -3826,18 +3870,6 @@
         <translation>Rechenzeit, um eine Bahn zu planen und zu kürzen</translation>
     </message>
     <message>
-        <source>Step at which motions that are not proven free are looked at</source>
-        <translation>Schritt, in dem nicht als frei bewiesene Bewegungen betrachtet werden</translation>
-    </message>
-    <message>
-        <source>colliding motions that looks at this step alone take for free</source>
-        <translation>kollidierende Bewegungen, die bei diesem Schritt allein als frei gelten</translation>
-    </message>
-    <message>
-        <source>CPU time to look at a motion</source>
-        <translation>Rechenzeit, um eine Bewegung zu betrachten</translation>
-    </message>
-    <message>
         <source>Tolerance of inverse kinematics by iteration</source>
         <translation>Toleranz der iterativen inversen Kinematik</translation>
     </message>
@@ -3848,6 +3880,22 @@
     <message>
         <source>CPU time of a solution</source>
         <translation>Rechenzeit einer Lösung</translation>
+    </message>
+    <message>
+        <source>collision-free motions near obstacles that are rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step of the checks of motions that are not proven free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colliding motions that checks at this step alone miss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to check a motion</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4032,16 +4080,8 @@
         <translation>Vorschubkraft</translation>
     </message>
     <message>
-        <source>Reference (3-22)</source>
-        <translation>Referenz (3-22)</translation>
-    </message>
-    <message>
         <source>Torque</source>
         <translation>Drehmoment</translation>
-    </message>
-    <message>
-        <source>Reference (3-23)</source>
-        <translation>Referenz (3-23)</translation>
     </message>
     <message>
         <source>Depth of the tip</source>
@@ -4090,6 +4130,14 @@
     <message>
         <source>Drilling</source>
         <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Thrust reference (He 2008)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque reference (He 2008)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4169,16 +4217,16 @@
         <translation>Über Handwheel</translation>
     </message>
     <message>
-        <source>Repairs scanned meshes, prepares workpieces and robot cells.</source>
-        <translation>Repariert gescannte Netze, bereitet Werkstücke und Roboterzellen vor.</translation>
-    </message>
-    <message>
         <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat.</source>
         <translation>Freie Software unter der GNU General Public License, Version 3 oder später.&lt;br&gt;Gebaut mit Qt, VTK, CGAL, Open CASCADE, Eigen, libzip und expat.</translation>
     </message>
     <message>
         <source>Currently available</source>
         <translation>Derzeit verfügbar</translation>
+    </message>
+    <message>
+        <source>Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and marks exercises.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4277,10 +4325,6 @@
         <translation>Der Schnitt war tiefer, als die Schneide lang ist.</translation>
     </message>
     <message>
-        <source>The cut needed more than the motor has.</source>
-        <translation>Der Schnitt brauchte mehr, als der Motor leistet.</translation>
-    </message>
-    <message>
         <source>There is no such tool.</source>
         <translation>Dieses Werkzeug gibt es nicht.</translation>
     </message>
@@ -4295,6 +4339,10 @@
     <message>
         <source>There is no room for it here. Move the slides away from the work first.</source>
         <translation>Hier ist kein Platz dafür. Fahren Sie die Schlitten zuerst vom Werkstück weg.</translation>
+    </message>
+    <message>
+        <source>The cut needed more power than the motor has.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4536,6 +4584,10 @@
             <numerusform>%Ln Dreiecke beim Öffnen umgedreht.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Closed. Looking for self-intersections…</source>
+        <translation>Geschlossen. Selbstdurchdringungen werden gesucht…</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -4570,10 +4622,6 @@
     <message>
         <source>The file: %1.</source>
         <translation>Die Datei: %1.</translation>
-    </message>
-    <message>
-        <source>Vertices moved by the smallest possible amount, so that the file does not weld them: %1.</source>
-        <translation>Um das kleinstmögliche Maß verschobene Eckpunkte, damit die Datei sie nicht verschweißt: %1.</translation>
     </message>
     <message>
         <source>The single precision of the format moved vertices by up to %1 mm; the number of self-intersections may change by that.</source>
@@ -4624,10 +4672,6 @@
         <translation>Das Teil misst %1 × %2 × %3 mm, wenn seine Zahlen Millimeter sind: Die Datei nennt keine Einheit.</translation>
     </message>
     <message>
-        <source>there is no such surface along all of the range</source>
-        <translation>eine solche Fläche gibt es nicht über den ganzen Bereich</translation>
-    </message>
-    <message>
         <source>at Z %1 mm</source>
         <translation>bei Z %1 mm</translation>
     </message>
@@ -4660,24 +4704,12 @@
         <translation>diese Messgröße ist nicht bekannt</translation>
     </message>
     <message>
-        <source>the scheme does not say where to measure</source>
-        <translation>das Schema sagt nicht, wo zu messen ist</translation>
-    </message>
-    <message>
-        <source>the part is not what its recorded passes cut</source>
-        <translation>das Teil ist nicht das, was seine aufgezeichneten Schnitte ergeben</translation>
-    </message>
-    <message>
         <source>there are too many passes to measure it</source>
         <translation>es sind zu viele Schnitte, um es zu messen</translation>
     </message>
     <message>
         <source>nothing was cut</source>
         <translation>nichts wurde bearbeitet</translation>
-    </message>
-    <message>
-        <source>the surface was not cut along all of the range</source>
-        <translation>die Oberfläche wurde nicht über den ganzen Bereich bearbeitet</translation>
     </message>
     <message>
         <source>up to %1 µm, at Z %2 mm</source>
@@ -4744,24 +4776,12 @@
         <translation>%1 Gewinderillen, jede innerhalb von %2 mm der Steigung</translation>
     </message>
     <message>
-        <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
-        <translation>Teile der Drehmaschine trafen sich bei Z %1 mm, ⌀%2 mm.</translation>
-    </message>
-    <message>
         <source>The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm.</source>
         <translation>Der Eilgang fuhr bei Z %1 mm, ⌀%2 mm in das Werkstück.</translation>
     </message>
     <message>
-        <source>The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm.</source>
-        <translation>Die Schneide wurde bei Z %1 mm, ⌀%2 mm in das stehende Werkstück gedrückt.</translation>
-    </message>
-    <message>
         <source>The spindle turned the wrong way at Z %1 mm, ⌀%2 mm.</source>
         <translation>Die Spindel lief bei Z %1 mm, ⌀%2 mm in der falschen Richtung.</translation>
-    </message>
-    <message>
-        <source>The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm.</source>
-        <translation>Der Schnitt war bei Z %1 mm, ⌀%2 mm tiefer, als die Schneide hoch ist.</translation>
     </message>
     <message>
         <source>The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.</source>
@@ -4792,32 +4812,12 @@
         <translation>Gewinde stehen in der Datei als ihre Hüllfläche, ohne Rillen: %1.</translation>
     </message>
     <message>
-        <source>the scheme has no limit for it</source>
-        <translation>das Schema hat keine Grenze dafür</translation>
-    </message>
-    <message>
         <source>there is no arc: the surface is up to %1 mm from any circle</source>
         <translation>es gibt keinen Bogen: Die Oberfläche weicht bis zu %1 mm von jedem Kreis ab</translation>
     </message>
     <message>
-        <source>the arc bulges the other way</source>
-        <translation>der Bogen wölbt sich in die andere Richtung</translation>
-    </message>
-    <message>
-        <source>the tool that cut it has no nose radius, or was fed further than that</source>
-        <translation>das Werkzeug, das sie erzeugt hat, hat keinen Eckenradius, oder sein Vorschub war größer als dieser</translation>
-    </message>
-    <message>
-        <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most.</source>
-        <translation>Der Vorschub war bei Z %1 mm, ⌀%2 mm zu hoch: %3 mm je Umdrehung, wo höchstens %4 erlaubt sind.</translation>
-    </message>
-    <message>
         <source>there is no such surface in the range</source>
         <translation>im Bereich gibt es keine solche Fläche</translation>
-    </message>
-    <message>
-        <source>fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other collisions: %4</source>
-        <translation>%1-mal zu hoher Vorschub, bis zu %2 mm je Umdrehung, wo höchstens %3 erlaubt sind; andere Kollisionen: %4</translation>
     </message>
     <message>
         <source>File: %1</source>
@@ -4876,60 +4876,12 @@
         <translation>%1 von %2 Punkten</translation>
     </message>
     <message>
-        <source>A description cannot hold a model solution that was made by hand. It has none.</source>
-        <translation>Eine Beschreibung kann keine Musterlösung enthalten, die von Hand gemacht wurde. Sie hat keine.</translation>
-    </message>
-    <message>
         <source>The work is not in the description.</source>
         <translation>Die Arbeit steht nicht in der Beschreibung.</translation>
     </message>
     <message>
         <source>The numbered columns are the points of these criteria:</source>
         <translation>Die nummerierten Spalten sind die Punkte für diese Kriterien:</translation>
-    </message>
-    <message>
-        <source>The file does not say how far its samples are apart: 1 mm is taken.</source>
-        <translation>Die Datei gibt den Abstand ihrer Abtastwerte nicht an: 1 mm wird angenommen.</translation>
-    </message>
-    <message>
-        <source>Samples that are no numbers count as the least value (%1).</source>
-        <translation>Abtastwerte, die keine Zahlen sind, zählen als kleinster Wert (%1).</translation>
-    </message>
-    <message>
-        <source>Of several values or images (%1) the first is read.</source>
-        <translation>Von mehreren Werten oder Bildern (%1) wird das erste gelesen.</translation>
-    </message>
-    <message>
-        <source>The slices are tilted by %1° against the way that they follow each other; that is corrected.</source>
-        <translation>Die Schichten sind um %1° gegen die Richtung geneigt, in der sie aufeinanderfolgen; das wird korrigiert.</translation>
-    </message>
-    <message>
-        <source>The slices are from %1 to %2 mm apart; even ones were put between them.</source>
-        <translation>Die Schichten liegen %1 bis %2 mm auseinander; gleichmäßige wurden dazwischengelegt.</translation>
-    </message>
-    <message>
-        <source>Slices are missing (%1); those beside fill their places.</source>
-        <translation>Schichten fehlen (%1); die benachbarten füllen ihre Stellen.</translation>
-    </message>
-    <message>
-        <source>Slices of other series are left out (%1).</source>
-        <translation>Schichten anderer Serien werden ausgelassen (%1).</translation>
-    </message>
-    <message>
-        <source>Slices in the place of another are left out (%1).</source>
-        <translation>Schichten an der Stelle einer anderen werden ausgelassen (%1).</translation>
-    </message>
-    <message>
-        <source>Files that are no images in grey, or damaged, are left out (%1).</source>
-        <translation>Dateien, die keine Graustufenbilder sind oder beschädigt sind, werden ausgelassen (%1).</translation>
-    </message>
-    <message>
-        <source>The file holds densities: what is denser than a half is material.</source>
-        <translation>Die Datei enthält Dichten: Was dichter als einhalb ist, ist Material.</translation>
-    </message>
-    <message>
-        <source>Further grids of the file are left out (%1).</source>
-        <translation>Weitere Gitter der Datei werden ausgelassen (%1).</translation>
     </message>
     <message>
         <source>Contact.</source>
@@ -4996,22 +4948,6 @@
         <translation>Der Kopf darf nicht in den verbotenen Bereich eindringen</translation>
     </message>
     <message>
-        <source>Nothing is left for facing: a part is drilled as it is.</source>
-        <translation>Ein Aufmaß zum Plandrehen gibt es nicht: Ein Teil wird gebohrt, wie es ist.</translation>
-    </message>
-    <message>
-        <source>Planned path and forbidden region stay where they were. Set them for this volume; a hole that is drilled can be taken as the path.</source>
-        <translation>Geplante Bahn und verbotener Bereich bleiben, wo sie waren. Stellen Sie sie für dieses Volumen ein; ein gebohrtes Loch kann als Bahn übernommen werden.</translation>
-    </message>
-    <message>
-        <source>Values from %1 on are taken as material: that parts the image best. The panel Segmentation and &apos;handwheel segment&apos; take any other range.</source>
-        <translation>Werte ab %1 gelten als Material: Das trennt das Bild am besten. Das Feld „Segmentierung“ und „handwheel segment“ nehmen jeden anderen Bereich.</translation>
-    </message>
-    <message>
-        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
-        <translation>Die Zeichnung ist das Ziel einer neuen Stange von ⌀%1 × %2 mm, mit %3 mm Aufmaß zum Plandrehen am freien Ende. Das Feld „Rohteil“ nimmt andere Maße an; für eine Übung verwenden Sie „Ziel importieren…“ in ihrem Feld.</translation>
-    </message>
-    <message>
         <source>The finished face, zero of the drawing and of programs, is %1 mm behind the free end of the bar, at Z %2 mm; %3 mm of the bar are left behind the part at the chuck&apos;s end.</source>
         <translation>Die fertige Planfläche, Nullpunkt der Zeichnung und der Programme, liegt %1 mm hinter dem freien Ende der Stange, bei Z %2 mm; %3 mm der Stange bleiben hinter dem Teil am Ende im Futter.</translation>
     </message>
@@ -5020,8 +4956,132 @@
         <translation>Das Ziel, ⌀%1 × %2 mm, passt nicht in die Stange von ⌀%3 × %4 mm. Stellen Sie für die Stange ein größeres Maß ein, danach das Aufmaß zum Plandrehen.</translation>
     </message>
     <message>
-        <source>no points, as the work fails by “%1”</source>
-        <translation>keine Punkte, da die Arbeit an „%1“ scheitert</translation>
+        <source>A description cannot contain a model solution that was made by hand; it was left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertices moved apart in the last digits that the file can hold, so that it does not weld them: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no facing allowance: a part is drilled as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The planned path and the forbidden region were not moved. Adapt them to this volume; a drilled hole can be taken as the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not give the spacing of its samples: 1 mm is assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples that are not numbers were replaced by the smallest value (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file contains several values or images (%1); only the first was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1° against their stacking direction; this was corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices of other series were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices at the position of another slice were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that are damaged, or are not greyscale images, were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values from %1 upwards are taken as material (Otsu&apos;s threshold). Choose any other range in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file contains densities: densities above 0.5 are taken as material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other grids of the file were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. Enter another size in the panel Stock; for an exercise use Import target… in its panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where at most %4 is allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the lathe collided at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was fed into the work at rest at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was deeper than the cutting edge is long at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N.</source>
+        <translation>Der Schnitt war zu schwer: eine Schnittkraft von %1 N, wo die Drehmaschine %2 N verträgt.</translation>
+    </message>
+    <message>
+        <source>The cut was too heavy: a power of %1 kW, where the lathe has %2 kW.</source>
+        <translation>Der Schnitt war zu schwer: eine Leistung von %1 kW, wo die Drehmaschine %2 kW hat.</translation>
+    </message>
+    <message>
+        <source>there is no such surface along the whole range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc curves in the opposite direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the marking scheme does not specify where to measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part does not match its recorded passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface was not cut along the whole range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool that cut it has no nose radius, or the feed was larger than that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed too high %1 times, up to %2 mm per revolution where at most %3 is allowed; other collisions: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the marking scheme has no limit for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no points, because “%1” was not met</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5071,10 +5131,6 @@
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>free but for links without meshes, %1</source>
-        <translation>frei bis auf Glieder ohne Netze, %1</translation>
-    </message>
-    <message>
         <source>free, %1</source>
         <translation>frei, %1</translation>
     </message>
@@ -5091,10 +5147,6 @@
         <translation>%1, Abstand %2</translation>
     </message>
     <message>
-        <source>free of collisions but for links without meshes (%1)</source>
-        <translation>kollisionsfrei bis auf Glieder ohne Netze (%1)</translation>
-    </message>
-    <message>
         <source>free of collisions (%1)</source>
         <translation>kollisionsfrei (%1)</translation>
     </message>
@@ -5105,10 +5157,6 @@
     <message>
         <source>The straight line to place %1 leaves the reach of the arm or the limits of its joints.</source>
         <translation>Die gerade Linie zu Punkt %1 verlässt die Reichweite des Arms oder die Grenzen seiner Gelenke.</translation>
-    </message>
-    <message>
-        <source>Every motion is proven to keep %1 from everything.</source>
-        <translation>Für jede Bewegung ist bewiesen, dass sie zu allem %1 Abstand hält.</translation>
     </message>
     <message>
         <source>Every motion is proven free of collisions.</source>
@@ -5158,10 +5206,6 @@
         <translation>neu planen: %1 wurde bewegt</translation>
     </message>
     <message>
-        <source>It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.</source>
-        <translation>Sie führt entlang der Kurve, wo %1 beim Planen stand. Neu geplant folgt sie dem Teil.</translation>
-    </message>
-    <message>
         <source>On the way to place %1: %2 with %3</source>
         <translation>Auf dem Weg zu Punkt %1: %2 mit %3</translation>
     </message>
@@ -5172,6 +5216,22 @@
     <message>
         <source>%1, as stored with the cell</source>
         <translation>%1, wie in der Zelle gespeichert</translation>
+    </message>
+    <message>
+        <source>free, except for links without meshes, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions, except for links without meshes (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It follows the curve at the former position of %1. Plan it again to follow the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion is proven to keep a clearance of %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6256,10 +6316,6 @@
         <translation>Nennmaß</translation>
     </message>
     <message>
-        <source>nobody gets them without a limit</source>
-        <translation>ohne Grenze erhält sie niemand</translation>
-    </message>
-    <message>
         <source>Motor power, kW (0: no limit)</source>
         <translation>Motorleistung, kW (0: unbegrenzt)</translation>
     </message>
@@ -6368,10 +6424,6 @@
         <translation>Nach</translation>
     </message>
     <message>
-        <source>Where the robot stands</source>
-        <translation>Wo der Roboter steht</translation>
-    </message>
-    <message>
         <source>Carried by</source>
         <translation>Getragen von</translation>
     </message>
@@ -6402,10 +6454,6 @@
     <message>
         <source>Length from there (0: all)</source>
         <translation>Länge von dort (0: alles)</translation>
-    </message>
-    <message>
-        <source>The other way round</source>
-        <translation>Andersherum</translation>
     </message>
     <message>
         <source>Lead</source>
@@ -6504,10 +6552,6 @@
         <translation>Zweite Planfläche, nahe Z</translation>
     </message>
     <message>
-        <source>it is to say where to measure</source>
-        <translation>es muss sagen, wo zu messen ist</translation>
-    </message>
-    <message>
         <source>“To Z” must be above “From Z”</source>
         <translation>„Bis Z“ muss über „Von Z“ liegen</translation>
     </message>
@@ -6546,10 +6590,6 @@
     <message>
         <source>What meets</source>
         <translation>Was zusammenkommt</translation>
-    </message>
-    <message>
-        <source>The middles of the faces</source>
-        <translation>Die Mitten der Flächen</translation>
     </message>
     <message>
         <source>The points clicked</source>
@@ -6594,14 +6634,6 @@
     <message>
         <source>Path to follow</source>
         <translation>Zu folgende Bahn</translation>
-    </message>
-    <message>
-        <source>Drawn to it from</source>
-        <translation>Angezogen ab</translation>
-    </message>
-    <message>
-        <source>Behind the hand</source>
-        <translation>Hinter der Hand</translation>
     </message>
     <message>
         <source>something is in the way</source>
@@ -6686,10 +6718,6 @@
     <message>
         <source>a drawn curve</source>
         <translation>einer gezeichneten Kurve</translation>
-    </message>
-    <message>
-        <source>Robot that is planned for</source>
-        <translation>Roboter, für den geplant wird</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -7024,10 +7052,6 @@
         <translation>Größte Teile</translation>
     </message>
     <message>
-        <source>Without it no points at all</source>
-        <translation>Ohne dieses gar keine Punkte</translation>
-    </message>
-    <message>
         <source>Hints</source>
         <translation>Hinweise</translation>
     </message>
@@ -7122,6 +7146,146 @@
     <message>
         <source>Distance of the points of the curve</source>
         <translation>Abstand der Punkte der Kurve</translation>
+    </message>
+    <message>
+        <source>Robot to plan for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they cannot be scored without a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No points at all if not met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place to measure is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The centres of the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attracted within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance behind the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opposite direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current position of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of a voxel</source>
+        <translation>Kantenlänge eines Voxels</translation>
+    </message>
+    <message>
+        <source>Close gaps up to a radius of</source>
+        <translation>Lücken schließen bis zum Radius</translation>
+    </message>
+    <message>
+        <source>Memory for the voxels (MB)</source>
+        <translation>Arbeitsspeicher für die Voxel (MB)</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Schale</translation>
+    </message>
+    <message>
+        <source>Move surface</source>
+        <translation>Oberfläche versetzen</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>Kombinieren</translation>
+    </message>
+    <message>
+        <source>Remove debris</source>
+        <translation>Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>Close gaps</source>
+        <translation>Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Smooth all</source>
+        <translation>Alles glätten</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation>Mit</translation>
+    </message>
+    <message>
+        <source>Parts that go</source>
+        <translation>Entfallende Teile</translation>
+    </message>
+    <message>
+        <source>Material then (mm³)</source>
+        <translation>Material danach (mm³)</translation>
+    </message>
+    <message>
+        <source>Difference (mm³)</source>
+        <translation>Differenz (mm³)</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Unite</source>
+        <translation>Vereinigung</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>Smaller than a ball of</source>
+        <translation>Kleiner als eine Kugel von</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mittig</translation>
+    </message>
+    <message>
+        <source>All of the surface</source>
+        <translation>Alle der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Within a distance</source>
+        <translation>Innerhalb eines Abstands</translation>
+    </message>
+    <message>
+        <source>So many</source>
+        <translation>So viele</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh</source>
+        <translation>Dreiecke des Netzes</translation>
     </message>
 </context>
 <context>
@@ -7600,13 +7764,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n gone with removed triangles</source>
-        <translation>
-            <numerusform>%n mit entfernten Dreiecken verschwunden</numerusform>
-            <numerusform>%n mit entfernten Dreiecken verschwunden</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n kept open</source>
         <translation>
             <numerusform>%n offen gelassen</numerusform>
@@ -7650,10 +7807,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n outer boundary(ies) gone with removed triangles</source>
+        <source>%n removed together with other triangles</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n now part of the boundary of an open sheet</source>
         <translation>
-            <numerusform>%n Außenrand mit entfernten Dreiecken verschwunden</numerusform>
-            <numerusform>%n Außenränder mit entfernten Dreiecken verschwunden</numerusform>
+            <numerusform>%n jetzt Teil des Rands einer offenen Fläche</numerusform>
+            <numerusform>%n jetzt Teil des Rands einer offenen Fläche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outer boundary(ies) removed together with other triangles</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -8555,10 +8726,6 @@
         <translation>Roboter dorthin bewegen</translation>
     </message>
     <message>
-        <source>back to where the robot stands</source>
-        <translation>zurück dorthin, wo der Roboter steht</translation>
-    </message>
-    <message>
         <source>the cell is being prepared</source>
         <translation>die Zelle wird vorbereitet</translation>
     </message>
@@ -8571,10 +8738,6 @@
         <translation>ein Gelenk wäre außerhalb seiner Grenzen</translation>
     </message>
     <message>
-        <source>the robot stands like that</source>
-        <translation>der Roboter steht schon so</translation>
-    </message>
-    <message>
         <source>place the body there</source>
         <translation>Körper dort platzieren</translation>
     </message>
@@ -8583,16 +8746,8 @@
         <translation>andere Fläche wählen</translation>
     </message>
     <message>
-        <source>choose the face that it shall lie on</source>
-        <translation>Fläche wählen, auf der er liegen soll</translation>
-    </message>
-    <message>
         <source>choose a face of the body to be placed</source>
         <translation>Fläche des zu platzierenden Körpers wählen</translation>
-    </message>
-    <message>
-        <source>click the face that it shall lie on</source>
-        <translation>Fläche anklicken, auf der er liegen soll</translation>
     </message>
     <message>
         <source>click a face of the body to be placed</source>
@@ -8613,10 +8768,6 @@
     <message>
         <source>Optimise path</source>
         <translation>Bahn optimieren</translation>
-    </message>
-    <message>
-        <source>move along an arrow, turn by a ring</source>
-        <translation>entlang eines Pfeils bewegen, an einem Ring drehen</translation>
     </message>
     <message>
         <source>nothing is typed</source>
@@ -8769,6 +8920,102 @@
     <message>
         <source>beside the planned path</source>
         <translation>neben der geplanten Bahn</translation>
+    </message>
+    <message>
+        <source>back to the current pose of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot is already in this configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move a robot by its base</source>
+        <translation>einen Roboter an seiner Basis bewegen</translation>
+    </message>
+    <message>
+        <source>choose the face to place it on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click the face to place it on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move a body or a robot&apos;s base over the floor, along an arrow, turn by a ring</source>
+        <translation>einen Körper oder die Basis eines Roboters über den Boden oder entlang eines Pfeils bewegen, an einem Ring drehen</translation>
+    </message>
+    <message>
+        <source>move it up and down</source>
+        <translation>auf und ab bewegen</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing, even with its holes closed</source>
+        <translation>die Oberfläche schließt nichts ein, auch nicht mit geschlossenen Löchern</translation>
+    </message>
+    <message>
+        <source>the part is thinner than the voxels: choose smaller ones</source>
+        <translation>das Teil ist dünner als die Voxel: Wählen Sie kleinere</translation>
+    </message>
+    <message>
+        <source>the voxels need more memory than there is left: choose larger ones</source>
+        <translation>die Voxel brauchen mehr Arbeitsspeicher, als noch frei ist: Wählen Sie größere</translation>
+    </message>
+    <message>
+        <source>the voxels are too small for a part of this size: choose larger ones</source>
+        <translation>die Voxel sind zu klein für ein Teil dieser Größe: Wählen Sie größere</translation>
+    </message>
+    <message>
+        <source>there are no triangles, or they have coordinates that are not numbers</source>
+        <translation>es gibt keine Dreiecke, oder ihre Koordinaten sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>Repair by volume</source>
+        <translation>Volumetrisch reparieren</translation>
+    </message>
+    <message>
+        <source>repair by volume</source>
+        <translation>volumetrisch reparieren</translation>
+    </message>
+    <message>
+        <source>apply</source>
+        <translation>anwenden</translation>
+    </message>
+    <message>
+        <source>combine with a file</source>
+        <translation>mit einer Datei kombinieren</translation>
+    </message>
+    <message>
+        <source>there is no material</source>
+        <translation>es gibt kein Material</translation>
+    </message>
+    <message>
+        <source>no other body is open; choose a file</source>
+        <translation>kein anderer Körper ist geöffnet; wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>it is being computed</source>
+        <translation>es wird berechnet</translation>
+    </message>
+    <message>
+        <source>Combine volumes</source>
+        <translation>Volumen kombinieren</translation>
+    </message>
+    <message>
+        <source>Close gaps</source>
+        <translation>Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Smooth volume</source>
+        <translation>Volumen glätten</translation>
+    </message>
+    <message>
+        <source>Make shell</source>
+        <translation>Schale erzeugen</translation>
+    </message>
+    <message>
+        <source>Move surface</source>
+        <translation>Oberfläche versetzen</translation>
     </message>
 </context>
 <context>
@@ -8951,10 +9198,6 @@
             <numerusform>%Ln automatische Sicherungen einer unerwartet beendeten Sitzung lassen sich nicht lesen.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>The Log names the files.</source>
-        <translation>Das Protokoll nennt die Dateien.</translation>
-    </message>
     <message numerus="yes">
         <source>Discarded %Ln autosave(s)</source>
         <translation>
@@ -8992,6 +9235,10 @@
     <message>
         <source>Their contents are lost. They are kept until you discard them.</source>
         <translation>Ihr Inhalt ist verloren. Sie bleiben, bis Sie sie verwerfen.</translation>
+    </message>
+    <message>
+        <source>The files are listed in the Log.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9171,10 +9418,6 @@
         <translation>Es hat sich nichts geändert</translation>
     </message>
     <message>
-        <source>The bodies stay as they are</source>
-        <translation>Die Körper bleiben, wie sie sind</translation>
-    </message>
-    <message>
         <source>Link to an&amp;other file…</source>
         <translation>Mit &amp;anderer Datei verknüpfen…</translation>
     </message>
@@ -9283,14 +9526,6 @@
         <translation>Den Körper vom Robote&amp;r nehmen</translation>
     </message>
     <message>
-        <source>Let the robot carry the selected body as a tool: its origin comes to the flange</source>
-        <translation>Der Roboter trägt den ausgewählten Körper als Werkzeug: Dessen Ursprung kommt an den Flansch</translation>
-    </message>
-    <message>
-        <source>Leave the selected body where the robot holds it</source>
-        <translation>Lässt den ausgewählten Körper dort, wo ihn der Roboter hält</translation>
-    </message>
-    <message>
         <source>The robot does not carry it.</source>
         <translation>Der Roboter trägt ihn nicht.</translation>
     </message>
@@ -9313,10 +9548,6 @@
     <message>
         <source>Give the selected body another name, in the list</source>
         <translation>Dem ausgewählten Körper in der Liste einen anderen Namen geben</translation>
-    </message>
-    <message>
-        <source>Say in which unit the numbers of its file are: STL, OBJ, PLY and OFF have none, and count as mm</source>
-        <translation>Angeben, in welcher Einheit die Zahlen seiner Datei sind: STL, OBJ, PLY und OFF haben keine und zählen als mm</translation>
     </message>
     <message>
         <source>Unlink the file first: it is read again with its own numbers.</source>
@@ -9357,6 +9588,22 @@
     <message>
         <source>Choose the unit…</source>
         <translation>Einheit wählen…</translation>
+    </message>
+    <message>
+        <source>Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attach the selected body to the robot as a tool, with its origin at the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detach the selected body from the robot and leave it where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bodies were not changed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9421,20 +9668,8 @@
         <translation>Erlaubte Paare lesen (SR&amp;DF)…</translation>
     </message>
     <message>
-        <source>Store where the robot stands under a name</source>
-        <translation>Speichert die Stellung des Roboters unter einem Namen</translation>
-    </message>
-    <message>
         <source>Plan a path between configurations that is proven free of collisions</source>
         <translation>Plant eine Bahn zwischen Stellungen, die bewiesen kollisionsfrei ist</translation>
-    </message>
-    <message>
-        <source>Let the robot come to the selected place earlier</source>
-        <translation>Lässt den Roboter früher zum gewählten Punkt kommen</translation>
-    </message>
-    <message>
-        <source>Let the robot come to the selected place later</source>
-        <translation>Lässt den Roboter später zum gewählten Punkt kommen</translation>
     </message>
     <message>
         <source>Move the tool&apos;s centre point to the place along a straight line</source>
@@ -9614,10 +9849,6 @@
         <translation>%1 wurde optimiert</translation>
     </message>
     <message>
-        <source>%1 stays as it is</source>
-        <translation>%1 bleibt, wie es ist</translation>
-    </message>
-    <message>
         <source>Store a &amp;target here</source>
         <translation>&amp;Ziel hier speichern</translation>
     </message>
@@ -9626,20 +9857,8 @@
         <translation>Reihenfolge und Stellungen op&amp;timieren</translation>
     </message>
     <message>
-        <source>Store where the tool is as a target; on the selected body, if one is: it moves with it</source>
-        <translation>Speichert als Ziel, wo das Werkzeug ist; auf dem gewählten Körper, falls einer gewählt ist: es bewegt sich mit ihm</translation>
-    </message>
-    <message>
         <source>Move the robot to the selected configuration, place or target</source>
         <translation>Bewegt den Roboter zur gewählten Stellung, zum gewählten Punkt oder Ziel</translation>
-    </message>
-    <message>
-        <source>Replace the selected place or target by where the robot stands</source>
-        <translation>Ersetzt den gewählten Punkt oder das gewählte Ziel durch die jetzige Stellung des Roboters</translation>
-    </message>
-    <message>
-        <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
-        <translation>Fährt die kritischen Punkte in der Reihenfolge und in den Stellungen an, die am wenigsten Zeit brauchen</translation>
     </message>
     <message>
         <source>Store a configuration or a target first: where the path is to begin or end.</source>
@@ -9686,16 +9905,8 @@
         <translation>%1 wurde geändert, während die Planung lief</translation>
     </message>
     <message>
-        <source>Your changes stay; what was planned is %1.</source>
-        <translation>Ihre Änderungen bleiben; das Ergebnis der Planung ist %1.</translation>
-    </message>
-    <message>
         <source>The cell was changed while %1 was planned</source>
         <translation>Die Zelle wurde geändert, während %1 geplant wurde</translation>
-    </message>
-    <message>
-        <source>The result does not hold for the cell as it is now, and was thrown away.</source>
-        <translation>Das Ergebnis gilt nicht für die Zelle, wie sie jetzt ist, und wurde verworfen.</translation>
     </message>
     <message>
         <source>Plan it again</source>
@@ -9722,14 +9933,6 @@
         <translation>Entfernt, was gewählt ist: Stellung, Bahn, Punkt, Ziel oder Roboter</translation>
     </message>
     <message>
-        <source>Plan for the selected robot from now on; the others stand where they are</source>
-        <translation>Plant von jetzt an für den gewählten Roboter; die anderen bleiben stehen, wo sie sind</translation>
-    </message>
-    <message>
-        <source>Choose the robot that the path is of first.</source>
-        <translation>Wählen Sie zuerst den Roboter, zu dem die Bahn gehört.</translation>
-    </message>
-    <message>
         <source>Select a robot in the list first, in a cell with several.</source>
         <translation>Wählen Sie zuerst einen Roboter in der Liste, in einer Zelle mit mehreren.</translation>
     </message>
@@ -9748,17 +9951,6 @@
             <numerusform>%Ln Bewegungen</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln point(s) of them looked at.</source>
-        <translation>
-            <numerusform>%Ln Stelle davon betrachtet.</numerusform>
-            <numerusform>%Ln Stellen davon betrachtet.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 could not be planned anew, and stays as it is</source>
-        <translation>%1 konnte nicht neu geplant werden und bleibt, wie es ist</translation>
-    </message>
     <message>
         <source>%1 could not be planned</source>
         <translation>%1 konnte nicht geplant werden</translation>
@@ -9776,28 +9968,12 @@
         <translation>%1 ist schon vorhanden</translation>
     </message>
     <message>
-        <source>The name had no ending of a language, so that of %1 was added.</source>
-        <translation>Der Name hatte keine Endung einer Sprache, daher wurde die von %1 angefügt.</translation>
-    </message>
-    <message>
         <source>Replace it</source>
         <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Verif&amp;y all paths</source>
         <translation>&amp;Alle Bahnen prüfen</translation>
-    </message>
-    <message>
-        <source>Insert where the robot stands behind the selected place as a critical configuration; before the goal, if that or the path is selected</source>
-        <translation>Fügt die jetzige Stellung des Roboters hinter dem gewählten Punkt als kritische Stellung ein; vor dem Ziel der Bahn, wenn dieses oder die Bahn gewählt ist</translation>
-    </message>
-    <message>
-        <source>Prove each motion of the selected path free of collisions, or list all that collides; also once more, if it is proven already</source>
-        <translation>Beweist, dass jede Bewegung der gewählten Bahn kollisionsfrei ist, oder listet alle Kollisionen auf; auch noch einmal, wenn es schon bewiesen ist</translation>
-    </message>
-    <message>
-        <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
-        <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen: für den gewählten Roboter, sonst für den, für den geplant wird</translation>
     </message>
     <message>
         <source>The cell has no path yet.</source>
@@ -9833,14 +10009,6 @@
         <translation>%1 wurde für %2 gelesen</translation>
     </message>
     <message>
-        <source>Select the robot that the file is of, and read it again.</source>
-        <translation>Wählen Sie den Roboter, zu dem die Datei gehört, und lesen Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>It leads along the curve where %1 was when it was planned: plan the path again.</source>
-        <translation>Es führt entlang der Kurve, wo %1 beim Planen stand: die Bahn neu planen.</translation>
-    </message>
-    <message>
         <source>%1 was planned</source>
         <translation>%1 wurde geplant</translation>
     </message>
@@ -9858,10 +10026,6 @@
     <message>
         <source>Remo&amp;ve from the plan</source>
         <translation>Aus dem Plan entfe&amp;rnen</translation>
-    </message>
-    <message>
-        <source>Verify the paths of all robots that are not verified as they are now, each with the other robots where they stand</source>
-        <translation>Die Bahnen aller Roboter prüfen, die so, wie sie jetzt sind, nicht geprüft sind, jede mit den anderen Robotern, wo sie stehen</translation>
     </message>
     <message>
         <source>Give the selected configuration, path or target another name</source>
@@ -9901,6 +10065,135 @@
     <message>
         <source>The next places that are stored continue the path.</source>
         <translation>Die nächsten gespeicherten Punkte setzen die Bahn fort.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln point(s) checked.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln path(s) proven</source>
+        <translation>
+            <numerusform>%Ln Bahn bewiesen</numerusform>
+            <numerusform>%Ln Bahnen bewiesen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln not</source>
+        <translation>
+            <numerusform>%Ln nicht</numerusform>
+            <numerusform>%Ln nicht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The list has what is known of the others.</source>
+        <translation>Die Liste zeigt, was über die anderen bekannt ist.</translation>
+    </message>
+    <message>
+        <source>%1 could not be planned again and was not changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your changes were kept; the planned path is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result is not valid for the cell as it is now, and was discarded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outdated</source>
+        <translation>%1 ist veraltet</translation>
+    </message>
+    <message>
+        <source>%1 is not proven as it is now</source>
+        <translation>%1 ist so, wie sie jetzt ist, nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>Only what is proven free of collisions is exported.</source>
+        <translation>Nur was bewiesen kollisionsfrei ist, wird exportiert.</translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
+        <translation>Sie führt entlang der Kurve, wo %1 beim Planen stand: Das Werkzeug trifft das Teil nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Export it as it is</source>
+        <translation>Unverändert exportieren</translation>
+    </message>
+    <message>
+        <source>The name had no extension of a robot language, so that of %1 was added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It follows the curve at the former position of %1: a comment of the program says so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store the current joint values under a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store the current pose of the tool as a target; on the selected body, if any, with which it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert the current joint values after the selected place as a critical configuration; before the goal, if that or the path is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the selected place or target by the current position of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected place towards the start of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected place towards the end of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify that each motion of the selected path is free of collisions, or list all collisions; also if it was verified before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify the paths of all robots that are not verified in their current state, each with the other robots where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to plan for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the order of the critical places, and the configurations in which they are reached, that take the least time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan for the selected robot from now on; the others stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the robot of the path first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is being verified.</source>
+        <translation>Die Bahn wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Select the robot that the file describes, and read it again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9945,14 +10238,6 @@
         <translation>Einen weiteren Roboter aus der Bibliothek zur Zelle hinzufügen</translation>
     </message>
     <message>
-        <source>Robot that is planned for</source>
-        <translation>Roboter, für den geplant wird</translation>
-    </message>
-    <message>
-        <source>The robot that is planned for; the others stand where they are</source>
-        <translation>Der Roboter, für den geplant wird; die anderen bleiben stehen, wo sie sind</translation>
-    </message>
-    <message>
         <source>Open a robot cell first.</source>
         <translation>Öffnen Sie zuerst eine Roboterzelle.</translation>
     </message>
@@ -9985,27 +10270,35 @@
         <translation>Roboter %1 hinzufügen</translation>
     </message>
     <message>
-        <source>The robots stay as they are</source>
-        <translation>Die Roboter bleiben, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Remove the robot that is selected, or else the one that is planned for, with its configurations and paths</source>
-        <translation>Den ausgewählten Roboter entfernen, sonst den, für den geplant wird, mit seinen Stellungen und Bahnen</translation>
-    </message>
-    <message>
         <source>%1 was removed</source>
         <translation>%1 wurde entfernt</translation>
     </message>
     <message>
-        <source>With it went %1 configurations and %2 paths. Undo brings all back.</source>
-        <translation>Mit ihm gingen %1 Stellungen und %2 Bahnen. Rückgängig bringt alles zurück.</translation>
+        <source>Remove the selected robot, or else the one to plan for, with its configurations and paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot to plan for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot to plan for; the others stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 configurations and %2 paths were removed with it. Undo restores them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robots were not changed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellTargets</name>
     <message>
-        <source>Looking for ways to the targets</source>
-        <translation>Stellungen zu den Zielen werden gesucht</translation>
+        <source>Searching configurations for the targets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10597,10 +10890,6 @@
 <context>
     <name>handwheel::DrillView</name>
     <message>
-        <source>The forbidden region was entered by %1 mm: this try has failed</source>
-        <translation>%1 mm in den verbotenen Bereich eingedrungen: Dieser Versuch ist nicht bestanden</translation>
-    </message>
-    <message>
         <source>Breakthrough: stop. %1 mm beyond</source>
         <translation>Durchbruch: anhalten. %1 mm darüber hinaus</translation>
     </message>
@@ -10625,10 +10914,6 @@
         <translation>%1 mm tief, %2 N, %3 N·mm, +%4 K (Schätzung)</translation>
     </message>
     <message>
-        <source>The try has failed</source>
-        <translation>Der Versuch ist nicht bestanden</translation>
-    </message>
-    <message>
         <source>The drill entered the forbidden region.</source>
         <translation>Der Bohrer ist in den verbotenen Bereich eingedrungen.</translation>
     </message>
@@ -10645,10 +10930,6 @@
         <translation>Der Bohrer ist mehr als %1 mm von ihr entfernt.</translation>
     </message>
     <message>
-        <source>Let go, undo the hole, and begin where the green rod meets the surface.</source>
-        <translation>Lassen Sie los, machen Sie das Bohrloch rückgängig, und beginnen Sie, wo der grüne Stab auf die Oberfläche trifft.</translation>
-    </message>
-    <message>
         <source>Breakthrough</source>
         <translation>Durchbruch</translation>
     </message>
@@ -10657,8 +10938,20 @@
         <translation>Der Bohrer ist nach %1 s durch.</translation>
     </message>
     <message>
-        <source>Let go now: each further millimetre counts.</source>
-        <translation>Lassen Sie jetzt los: Jeder weitere Millimeter zählt.</translation>
+        <source>The forbidden region was entered by %1 mm: this attempt has failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt has failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release the button, undo the hole, and begin where the green rod meets the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release the button now: each further millimetre counts.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10822,10 +11115,6 @@
         <translation>Als &amp;Musterlösung übernehmen</translation>
     </message>
     <message>
-        <source>Keep the work that was begun from this exercise as its model solution</source>
-        <translation>Die Arbeit, die aus dieser Übung begonnen wurde, als Musterlösung behalten</translation>
-    </message>
-    <message>
         <source>Take as &amp;target</source>
         <translation>Als &amp;Ziel übernehmen</translation>
     </message>
@@ -10852,10 +11141,6 @@
     <message>
         <source>First &amp;lesson at the lathe</source>
         <translation>Erste &amp;Lektion an der Drehmaschine</translation>
-    </message>
-    <message>
-        <source>Turn a shoulder step by step, without having turned before</source>
-        <translation>Schritt für Schritt einen Absatz drehen, ohne Vorkenntnisse</translation>
     </message>
     <message>
         <source>Turn your first shoulder</source>
@@ -10907,10 +11192,6 @@
     <message>
         <source>New exercise</source>
         <translation>Neue Übung</translation>
-    </message>
-    <message>
-        <source>%1 points. Students get a copy without the answers.</source>
-        <translation>%1 Punkte. Schüler erhalten eine Fassung ohne die Lösungen.</translation>
     </message>
     <message>
         <source>Opened %1: exercise “%2”</source>
@@ -11056,10 +11337,6 @@
         <translation>Ziel &amp;importieren…</translation>
     </message>
     <message>
-        <source>Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
-        <translation>Einlesen, was Schüler herstellen sollen, aus DXF, SVG, STEP, einem Netz oder einem Werkstück</translation>
-    </message>
-    <message>
         <source>Import a target</source>
         <translation>Ein Ziel importieren</translation>
     </message>
@@ -11100,16 +11377,66 @@
         <translation>&amp;Importieren</translation>
     </message>
     <message>
-        <source>“Task” says where it lies in the bar, “Marks” what is measured of it.</source>
-        <translation>„Aufgabe“ sagt, wo es in der Stange liegt, „Bewertung“, was daran gemessen wird.</translation>
-    </message>
-    <message>
         <source>The exercise was changed meanwhile.</source>
         <translation>Die Übung wurde inzwischen geändert.</translation>
     </message>
     <message>
         <source>Import the target again.</source>
         <translation>Importieren Sie das Ziel noch einmal.</translation>
+    </message>
+    <message>
+        <source>Keep the work that was started from this exercise as its model solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import the shape that students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn a shoulder step by step; no experience is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New exercise: %1</source>
+        <translation>Neue Übung: %1</translation>
+    </message>
+    <message>
+        <source>Drill a burr hole</source>
+        <translation>Ein Bohrloch im Schädel bohren</translation>
+    </message>
+    <message>
+        <source>Opens an exercise on a skull: drill along the rod, and stop at the breakthrough.</source>
+        <translation>Öffnet eine Übung an einem Schädel: Bohren Sie entlang des Stabs, und halten Sie beim Durchbruch an.</translation>
+    </message>
+    <message>
+        <source>Points: %1. Students get a copy without the answers.</source>
+        <translation>Punkte: %1. Schüler erhalten eine Fassung ohne die Lösungen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3.</source>
+        <translation>%1: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 of %3.</source>
+        <translation>Von %1 bis %2 von %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln file(s) could not be marked; the table says why.</source>
+        <translation>
+            <numerusform>%Ln Datei konnte nicht bewertet werden; die Tabelle nennt den Grund.</numerusform>
+            <numerusform>%Ln Dateien konnten nicht bewertet werden; die Tabelle nennt die Gründe.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln work(s) marked</source>
+        <translation>
+            <numerusform>%Ln Arbeit bewertet</numerusform>
+            <numerusform>%Ln Arbeiten bewertet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“Task” shows where it lies in the bar, “Marks” what is measured.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11392,6 +11719,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::FoldButton</name>
+    <message>
+        <source>Hide the fields of %1</source>
+        <translation>Felder von „%1“ ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the fields of %1</source>
+        <translation>Felder von „%1“ zeigen</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ForcePlot</name>
     <message>
         <source>Force of the last seconds</source>
@@ -11476,8 +11814,8 @@
         <translation>Histogramm mit dem Wertebereich</translation>
     </message>
     <message>
-        <source>How many samples have which value (logarithmic). Drag the handles: what lies between is the segment.</source>
-        <translation>Wie viele Abtastwerte welchen Wert haben (logarithmisch). Ziehen Sie die Griffe: Was dazwischen liegt, ist das Segment.</translation>
+        <source>Number of samples of each value (logarithmic). Drag the handles: the values between them are the segment.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11529,16 +11867,16 @@
         <translation>Das Ergebnis jeder Methode für dieses Loch zeigen</translation>
     </message>
     <message>
-        <source>Look at it: %1.</source>
-        <translation>Bitte ansehen: %1.</translation>
-    </message>
-    <message>
         <source>Thickness</source>
         <translation>Dicke</translation>
     </message>
     <message>
         <source>Thickness of the sheet&apos;s thin body, which grows to the side opposite to the normals: the triangles of the sheet stay where they are. Less where that would intersect anything; the log says what was reached.</source>
         <translation>Dicke des dünnen Körpers der Fläche, der zur Seite entgegen den Normalen wächst: Die Dreiecke der Fläche bleiben, wo sie sind. Weniger, wo das etwas durchdringen würde; das Protokoll sagt, was erreicht wurde.</translation>
+    </message>
+    <message>
+        <source>Check the patch: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11630,36 +11968,36 @@
         <translation>%1 s: %2</translation>
     </message>
     <message>
-        <source>Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.</source>
-        <translation>Leistung: Der Schnitt braucht %1 kW vom Motor, der %2 kW hat; die Spindel wird langsamer.</translation>
-    </message>
-    <message>
-        <source>Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.</source>
-        <translation>Drehmoment: Der Schnitt braucht %1 N·m an der Spindel, die %2 N·m hat; die Spindel bleibt stehen.</translation>
-    </message>
-    <message>
-        <source>L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.</source>
-        <translation>L/D: Das Werkstück ragt das %1-Fache seines Durchmessers heraus; die Regel ist das %2-Fache. Stützen Sie es ab.</translation>
-    </message>
-    <message>
-        <source>Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.</source>
-        <translation>Durchbiegung: Das Werkstück weicht aus und bleibt hier %1 mm dicker; die Grenze ist %2 mm.</translation>
-    </message>
-    <message>
-        <source>Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.</source>
-        <translation>Rattern: %1 mm Schnitttiefe; bis %2 mm ist es bei jeder Drehzahl stabil.</translation>
-    </message>
-    <message>
-        <source>Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.</source>
-        <translation>Reiben: Ein Span von %1 mm wird nicht geschnitten, sondern gerieben; %2 mm ist das Mindeste.</translation>
-    </message>
-    <message>
         <source>Crashes and warnings</source>
         <translation>Kollisionen und Warnungen</translation>
     </message>
     <message>
-        <source>What met what, which rule was broken, and when. A crash stops the spindle.</source>
-        <translation>Was sich traf, welche Regel verletzt wurde und wann. Eine Kollision hält die Spindel an.</translation>
+        <source>Power: the cut needs %1 kW, and the motor has %2 kW; the spindle slows down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque: the cut needs %1 N·m, and the spindle has %2 N·m; the spindle stalls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L/D: the work protrudes by %1 times its diameter; at most %2 times is recommended. Support it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deflection: the work bends away and is left %1 mm thicker here; the limit is %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chatter: the depth of cut is %1 mm; up to %2 mm is stable at any spindle speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rubbing: a chip thickness of %1 mm is too small to be cut; at least %2 mm is needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11681,20 +12019,12 @@
         <translation>kW</translation>
     </message>
     <message>
-        <source>Of the motor, and what it has</source>
-        <translation>Des Motors, und was er hat</translation>
-    </message>
-    <message>
         <source>Torque</source>
         <translation>Drehmoment</translation>
     </message>
     <message>
         <source>N·m</source>
         <translation>N·m</translation>
-    </message>
-    <message>
-        <source>At the spindle, and what it has</source>
-        <translation>An der Spindel, und was sie hat</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -11705,20 +12035,12 @@
         <translation>%1 1/min</translation>
     </message>
     <message>
-        <source>Its speed now. A cut beyond power or torque slows it down.</source>
-        <translation>Ihre Drehzahl jetzt. Ein Schnitt über Leistung oder Drehmoment bremst sie.</translation>
-    </message>
-    <message>
         <source>Cutting speed</source>
         <translation>Schnittgeschwindigkeit</translation>
     </message>
     <message>
         <source>%1 m/min</source>
         <translation>%1 m/min</translation>
-    </message>
-    <message>
-        <source>At the middle of the cut</source>
-        <translation>In der Mitte des Schnitts</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -11729,10 +12051,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Of the cut, across its way</source>
-        <translation>Des Schnitts, quer zu seinem Weg</translation>
-    </message>
-    <message>
         <source>Feed</source>
         <translation>Vorschub</translation>
     </message>
@@ -11741,20 +12059,12 @@
         <translation>%1 mm/U</translation>
     </message>
     <message>
-        <source>In a turn of the spindle</source>
-        <translation>Je Umdrehung der Spindel</translation>
-    </message>
-    <message>
         <source>Law</source>
         <translation>Gesetz</translation>
     </message>
     <message>
         <source>Kosilova</source>
         <translation>Kosilova</translation>
-    </message>
-    <message>
-        <source>The law of the cutting force was not made for such a cut of %1.</source>
-        <translation>Das Gesetz der Schnittkraft wurde nicht für einen solchen Schnitt in %1 gemacht.</translation>
     </message>
     <message>
         <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
@@ -11769,16 +12079,44 @@
         <translation>%1 µm</translation>
     </message>
     <message>
-        <source>Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or disk have taken off since</source>
-        <translation>Rauheit des Teils an der Stelle des Werkzeugs: aus Vorschub und Eckenradius und aus dem, was Feile, Schleifpapier oder Schleifscheibe seither abgetragen haben</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <source>Of the cut, of all three components, and what the exercise allows</source>
-        <translation>Des Schnitts, aus allen drei Komponenten, und was die Übung erlaubt</translation>
+        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power taken from the motor, and its rated power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque at the spindle, and the torque available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface speed at the middle of the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of cut, measured across the feed direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed per revolution of the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The law of the cutting force is not valid for such a cut of %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11979,6 +12317,22 @@
         <source>From the workpiece zero as it was touched off; away from the chuck is positive</source>
         <translation>Vom Werkstücknullpunkt aus, wie er angekratzt wurde; vom Futter weg ist positiv</translation>
     </message>
+    <message>
+        <source>Touching off</source>
+        <translation>Ankratzen</translation>
+    </message>
+    <message>
+        <source>Constant surface speed</source>
+        <translation>Konstante Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Thread and rapid traverse</source>
+        <translation>Gewinde und Eilgang</translation>
+    </message>
+    <message>
+        <source>Handwheels</source>
+        <translation>Handräder</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -12031,8 +12385,8 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>The material that came back is where it was, so the tool was taken out of it.</source>
-        <translation>Das zurückgekommene Material ist dort, wo es stand; daher wurde das Werkzeug herausgefahren.</translation>
+        <source>The restored material is where the tool was, so the tool was moved out of it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12164,6 +12518,13 @@
     <message>
         <source>Log</source>
         <translation>Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LongTextRow</name>
+    <message>
+        <source>Ctrl+Return, or leaving the field, takes the text; Esc gives it back as it was.</source>
+        <translation>Strg+Eingabetaste oder das Verlassen des Felds übernimmt den Text; Esc stellt ihn wieder her, wie er war.</translation>
     </message>
 </context>
 <context>
@@ -12352,6 +12713,14 @@
         <source>&amp;Undo %1</source>
         <translation>&amp;Rückgängig: %1</translation>
     </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples and exercises</source>
+        <translation>Beis&amp;piele und Übungen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -12512,6 +12881,14 @@
         <source>Opens a sample scan with holes. Press N to see the first one, then Enter to close it.</source>
         <translation>Öffnet einen Beispiel-Scan mit Löchern. N zeigt das erste, die Eingabetaste schließt es.</translation>
     </message>
+    <message>
+        <source>Repair by &amp;volume</source>
+        <translation>&amp;Volumetrisch reparieren</translation>
+    </message>
+    <message>
+        <source>Replace everything by the surface of the volume that is enclosed: closed and free of self-intersections, without details smaller than a voxel</source>
+        <translation>Alles durch die Oberfläche des eingeschlossenen Volumens ersetzen: geschlossen und frei von Selbstdurchdringungen, ohne Einzelheiten, die kleiner als ein Voxel sind</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -12629,10 +13006,6 @@
         <translation>Bahn &amp;abspielen</translation>
     </message>
     <message>
-        <source>Plays the path on a time line, with its clearance and what collides</source>
-        <translation>Spielt die Bahn auf einer Zeitleiste ab, mit Abstand und Kollisionen</translation>
-    </message>
-    <message>
         <source>Path</source>
         <translation>Bahn</translation>
     </message>
@@ -12676,12 +13049,16 @@
         <source>; collision: %1 with %2</source>
         <translation>; Kollision: %1 mit %2</translation>
     </message>
+    <message>
+        <source>Plays the path on a time line, with its clearance and its collisions</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PathGuides</name>
     <message>
-        <source>Finding the way along %1</source>
-        <translation>Weg entlang %1 wird ermittelt</translation>
+        <source>Finding the curve along %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12945,10 +13322,6 @@
         <translation>Erstellen</translation>
     </message>
     <message>
-        <source>Have a program written: of the recorded passes, or for the target</source>
-        <translation>Ein Programm schreiben lassen: aus den aufgezeichneten Schnitten oder für das Ziel</translation>
-    </message>
-    <message>
         <source>Dialect</source>
         <translation>Dialekt</translation>
     </message>
@@ -13009,16 +13382,20 @@
         <translation>Zeile %1, Spalte %2: </translation>
     </message>
     <message>
-        <source>What the tool numbers of the program are: noses, holders, offsets</source>
-        <translation>Was die Werkzeugnummern des Programms bedeuten: Schneidenecken, Halter, Korrekturen</translation>
-    </message>
-    <message>
         <source>&amp;Tools…</source>
         <translation>&amp;Werkzeuge…</translation>
     </message>
     <message>
         <source>&amp;Tools (%1)…</source>
         <translation>&amp;Werkzeuge (%1)…</translation>
+    </message>
+    <message>
+        <source>Generate a program from the recorded passes or for the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool table of the program: nose radii, holders and offsets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13044,10 +13421,6 @@
         <translation>Abspielgeschwindigkeit</translation>
     </message>
     <message>
-        <source>How many times as fast as the machine it plays</source>
-        <translation>Wievielmal so schnell wie die Maschine es abspielt</translation>
-    </message>
-    <message>
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
@@ -13058,6 +13431,10 @@
     <message>
         <source>Pause</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Speed relative to that of the machine</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13185,10 +13562,6 @@
         <translation>Programm aus Schnitten</translation>
     </message>
     <message>
-        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo brings the present text back.</source>
-        <translation>Die Schnitte, aus denen dieses Teil entstand, werden zu einem Programm im gewählten Dialekt. Es erscheint im Editor; „Rückgängig“ holt den jetzigen Text zurück.</translation>
-    </message>
-    <message>
         <source>&amp;Write</source>
         <translation>&amp;Schreiben</translation>
     </message>
@@ -13221,16 +13594,8 @@
         <translation>mm</translation>
     </message>
     <message>
-        <source>Of a roughing cut, on the radius</source>
-        <translation>Eines Schruppschnitts, am Radius</translation>
-    </message>
-    <message>
         <source>Allowance</source>
         <translation>Aufmaß</translation>
-    </message>
-    <message>
-        <source>Left for the finishing cut</source>
-        <translation>Bleibt für den Schlichtschnitt</translation>
     </message>
     <message>
         <source>Nose radius</source>
@@ -13255,10 +13620,6 @@
     <message>
         <source>m/min</source>
         <translation>m/min</translation>
-    </message>
-    <message>
-        <source>Greatest spindle speed</source>
-        <translation>Höchste Drehzahl</translation>
     </message>
     <message>
         <source>Writing and simulating the cycles</source>
@@ -13328,10 +13689,6 @@
         <translation>%1 ausführen</translation>
     </message>
     <message>
-        <source>Cut: %1 mm³ removed. Undo brings them back.</source>
-        <translation>Bearbeitet: %1 mm³ abgetragen. „Rückgängig“ holt sie zurück.</translation>
-    </message>
-    <message>
         <source>Cutting up to the line</source>
         <translation>Schnitte bis zur Zeile werden berechnet</translation>
     </message>
@@ -13346,14 +13703,6 @@
     <message>
         <source>Drill for the bore</source>
         <translation>Bohrer für die Bohrung</translation>
-    </message>
-    <message>
-        <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
-        <translation>Kraft: bis zu %1 N, wo die Drehmaschine der Übung %2 N verträgt. Das wird bewertet.</translation>
-    </message>
-    <message>
-        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked.</source>
-        <translation>Leistung: bis zu %1 kW, wo die Drehmaschine der Übung %2 kW hat. Das wird bewertet.</translation>
     </message>
     <message>
         <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
@@ -13377,10 +13726,6 @@
     <message>
         <source>Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
         <translation>Durchmesser. Eine Durchgangs- oder Sacklochbohrung wird gebohrt und mit einem Innendrehmeißel geschruppt und geschlichtet; 0 lässt sie, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Cut the part as the program does. Its collisions are shown and asked about before.</source>
-        <translation>Das Teil schneiden wie das Programm. Kollisionen werden vorher gezeigt, und es wird nachgefragt.</translation>
     </message>
     <message>
         <source>The view shows the part as it is. Run the program to see what it would cut.</source>
@@ -13417,16 +13762,37 @@
         <source>The program was changed since: run it again.</source>
         <translation>Das Programm wurde seitdem geändert: Führen Sie es erneut aus.</translation>
     </message>
-</context>
-<context>
-    <name>handwheel::PropertyList</name>
     <message>
-        <source>Hide the fields of %1</source>
-        <translation>Felder von „%1“ ausblenden</translation>
+        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the fields of %1</source>
-        <translation>Felder von „%1“ zeigen</translation>
+        <source>Depth of a roughing cut, on the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowance for the finishing cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
+        <translation>Leistung: bis zu %1 kW, wo die Drehmaschine der Übung %2 kW hat. Das steht im Bericht der Übung.</translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does. If it collides, its collisions are shown first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut: %1 mm³ removed. Undo restores them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13583,6 +13949,57 @@
     </message>
 </context>
 <context>
+    <name>handwheel::RemeshAction</name>
+    <message>
+        <source>Make &amp;mesh…</source>
+        <translation>&amp;Netz erzeugen…</translation>
+    </message>
+    <message>
+        <source>Open the surface as a mesh, with as many triangles as are wanted</source>
+        <translation>Die Oberfläche als Netz öffnen, mit so vielen Dreiecken wie gewünscht</translation>
+    </message>
+    <message>
+        <source>Make a mesh</source>
+        <translation>Ein Netz erzeugen</translation>
+    </message>
+    <message>
+        <source>The mesh becomes a document of its own. It is closed and manifold, and meets itself nowhere.</source>
+        <translation>Das Netz wird ein eigenes Dokument. Es ist geschlossen und mannigfaltig und durchdringt sich nirgends.</translation>
+    </message>
+    <message>
+        <source>&amp;Make mesh</source>
+        <translation>&amp;Netz erzeugen</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>being counted…</source>
+        <translation>wird gezählt…</translation>
+    </message>
+    <message>
+        <source>Counting triangles</source>
+        <translation>Dreiecke werden gezählt</translation>
+    </message>
+    <message>
+        <source>Making the mesh</source>
+        <translation>Netz wird erzeugt</translation>
+    </message>
+    <message>
+        <source>The mesh was not made</source>
+        <translation>Das Netz wurde nicht erzeugt</translation>
+    </message>
+    <message>
+        <source>Mesh made of %1 triangle(s): %2 of them left</source>
+        <translation>Netz aus %1 Dreieck(en) erzeugt: %2 davon übrig</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::RepairActions</name>
     <message>
         <source>&amp;Repair all</source>
@@ -13663,6 +14080,14 @@
     <message>
         <source>Undo all that “Repair all” has changed</source>
         <translation>Alles rückgängig machen, was „Alles reparieren“ geändert hat</translation>
+    </message>
+    <message>
+        <source>Repair by &amp;volume…</source>
+        <translation>Vol&amp;umetrisch reparieren…</translation>
+    </message>
+    <message>
+        <source>Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed</source>
+        <translation>Die Größe der Voxel wählen und alles durch die Oberfläche des eingeschlossenen Volumens ersetzen</translation>
     </message>
 </context>
 <context>
@@ -13812,13 +14237,6 @@
             <numerusform>%Ln ganze Stücke gelöscht</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) are gone from %1.</source>
-        <translation>
-            <numerusform>%Ln Dreieck ist aus %1 verschwunden.</numerusform>
-            <numerusform>%Ln Dreiecke sind aus %1 verschwunden.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
@@ -13839,9 +14257,16 @@
         <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
         <translation>Mehr ließ sich nicht ohne Schaden reparieren. Die Liste der Fehler nennt die bekannten Gründe.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) were removed from %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Look at the patch of %1: %2.</source>
-        <translation>Bitte die Füllfläche von %1 ansehen: %2.</translation>
+        <source>Check the patch of %1: %2.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13861,10 +14286,6 @@
     <message>
         <source>Replay</source>
         <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>Nothing was cut yet. What you cut can be played here.</source>
-        <translation>Es wurde noch nichts zerspant. Was Sie zerspanen, kann hier abgespielt werden.</translation>
     </message>
     <message>
         <source>Preparing the replay</source>
@@ -13935,12 +14356,83 @@
         <translation>%1 lässt sich nicht vergleichen</translation>
     </message>
     <message>
-        <source>It is no workpiece that something was cut from.</source>
-        <translation>Es ist kein Werkstück, von dem etwas zerspant wurde.</translation>
-    </message>
-    <message>
         <source>&amp;Leave %1</source>
         <translation>&amp;Vergleich mit %1 beenden</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet. Recorded passes can be played here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not a workpiece that was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ReshapeActions</name>
+    <message>
+        <source>Make s&amp;hell…</source>
+        <translation>&amp;Schale erzeugen…</translation>
+    </message>
+    <message>
+        <source>Leave a wall along the surface</source>
+        <translation>Eine Wand entlang der Oberfläche stehen lassen</translation>
+    </message>
+    <message>
+        <source>Move s&amp;urface…</source>
+        <translation>&amp;Oberfläche versetzen…</translation>
+    </message>
+    <message>
+        <source>Move the surface out or in</source>
+        <translation>Die Oberfläche nach außen oder innen versetzen</translation>
+    </message>
+    <message>
+        <source>C&amp;ombine…</source>
+        <translation>&amp;Kombinieren…</translation>
+    </message>
+    <message>
+        <source>Unite with another document or file, subtract it, or keep what both have</source>
+        <translation>Mit einem anderen Dokument oder einer Datei vereinigen, dieses oder diese abziehen, oder behalten, was beide gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>Remove &amp;debris…</source>
+        <translation>B&amp;ruchstücke entfernen…</translation>
+    </message>
+    <message>
+        <source>Take small parts away</source>
+        <translation>Kleine Teile entfernen</translation>
+    </message>
+    <message>
+        <source>Close &amp;gaps…</source>
+        <translation>&amp;Lücken schließen…</translation>
+    </message>
+    <message>
+        <source>Fill gaps, cracks and pits</source>
+        <translation>Lücken, Risse und Vertiefungen füllen</translation>
+    </message>
+    <message>
+        <source>Smooth &amp;all…</source>
+        <translation>&amp;Alles glätten…</translation>
+    </message>
+    <message>
+        <source>Take small bumps and dents off</source>
+        <translation>Kleine Beulen und Dellen abtragen</translation>
+    </message>
+    <message>
+        <source>Change &amp;whole volume</source>
+        <translation>&amp;Ganzes Volumen ändern</translation>
+    </message>
+    <message>
+        <source>Shell, moved surface, combination with another body, debris, gaps, smoothing</source>
+        <translation>Schale, versetzte Oberfläche, Kombination mit einem anderen Körper, Bruchstücke, Lücken, Glättung</translation>
+    </message>
+    <message>
+        <source>The volume cannot be changed like that</source>
+        <translation>Das Volumen lässt sich so nicht ändern</translation>
+    </message>
+    <message>
+        <source>Combine with</source>
+        <translation>Kombinieren mit</translation>
     </message>
 </context>
 <context>
@@ -13956,6 +14448,10 @@
     <message>
         <source>Sort by “%1”</source>
         <translation>Sortieren nach „%1“</translation>
+    </message>
+    <message>
+        <source>First column of the results</source>
+        <translation>Erste Spalte der Ergebnisse</translation>
     </message>
 </context>
 <context>
@@ -14067,10 +14563,6 @@
         <translation>&amp;Neue Zelle mit mitgeliefertem Roboter…</translation>
     </message>
     <message>
-        <source>Begin a cell with a robot of the library, by its makers&apos; tables</source>
-        <translation>Beginnt eine Zelle mit einem Roboter der Bibliothek nach den Tabellen des Herstellers</translation>
-    </message>
-    <message>
         <source>New cell</source>
         <translation>Neue Zelle</translation>
     </message>
@@ -14091,10 +14583,6 @@
         <translation>Beispiel-Roboter&amp;zelle öffnen</translation>
     </message>
     <message>
-        <source>Open a robot before a block on a table, with a path along its edge</source>
-        <translation>Einen Roboter vor einem Block auf einem Tisch öffnen, mit einer Bahn entlang der Blockkante</translation>
-    </message>
-    <message>
         <source>Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.</source>
         <translation>Öffnet eine Beispielzelle. Planen Sie eine Bahn von links nach rechts, oder führen Sie den Roboter von Hand an einer Kante entlang.</translation>
     </message>
@@ -14103,16 +14591,8 @@
         <translation>Roboter von Hand &amp;führen</translation>
     </message>
     <message>
-        <source>Lead the robot&apos;s tool; the arm follows, never through anything</source>
-        <translation>Das Werkzeug des Roboters führen; der Arm folgt, nie durch etwas hindurch</translation>
-    </message>
-    <message>
         <source>&amp;Choose the arm&apos;s configuration</source>
         <translation>&amp;Stellung des Arms wählen</translation>
-    </message>
-    <message>
-        <source>See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
-        <translation>Alle Stellungen sehen, in denen der Arm eine Pose seines Werkzeugs erreicht: Schulter, Ellbogen und Handgelenk</translation>
     </message>
     <message>
         <source>Lay a body &amp;face to face</source>
@@ -14165,6 +14645,22 @@
     <message>
         <source>Pro&amp;grams</source>
         <translation>Progra&amp;mme</translation>
+    </message>
+    <message>
+        <source>Lead the robot&apos;s tool by hand; the arm follows without collisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a robot in front of a block on a table, with a path along its edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create a cell with a robot of the library, from its manufacturer&apos;s data</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14263,10 +14759,6 @@
         <translation>&amp;Segmentierung</translation>
     </message>
     <message>
-        <source>Choose what of a scan is material, in its slices</source>
-        <translation>In den Schichten eines Scans wählen, was davon Material ist</translation>
-    </message>
-    <message>
         <source>Segmentation</source>
         <translation>Segmentierung</translation>
     </message>
@@ -14318,10 +14810,6 @@
         <translation>Vom Punkt aus wachsen</translation>
     </message>
     <message>
-        <source>The point, of value %1, is not in the segment. Click where it is coloured, or choose a range with this value.</source>
-        <translation>Der Punkt mit dem Wert %1 liegt nicht im Segment. Klicken Sie, wo es farbig ist, oder wählen Sie einen Bereich mit diesem Wert.</translation>
-    </message>
-    <message>
         <source>Making the surface</source>
         <translation>Oberfläche wird erzeugt</translation>
     </message>
@@ -14332,6 +14820,14 @@
     <message>
         <source>Make surface</source>
         <translation>Oberfläche erzeugen</translation>
+    </message>
+    <message>
+        <source>Choose the material of a scan in its slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point (value %1) is not in the segment. Click a coloured place, or choose a range that includes this value.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14349,24 +14845,12 @@
         <translation>&amp;Otsu</translation>
     </message>
     <message>
-        <source>From the value on that parts the image best in two</source>
-        <translation>Ab dem Wert, der das Bild am besten in zwei trennt</translation>
-    </message>
-    <message>
         <source>&amp;Bone</source>
         <translation>&amp;Knochen</translation>
     </message>
     <message>
-        <source>From 300 Hounsfield units on</source>
-        <translation>Ab 300 Hounsfield-Einheiten</translation>
-    </message>
-    <message>
         <source>&amp;Skin</source>
         <translation>&amp;Haut</translation>
-    </message>
-    <message>
-        <source>From -200 Hounsfield units on: all but air</source>
-        <translation>Ab -200 Hounsfield-Einheiten: alles außer Luft</translation>
     </message>
     <message>
         <source>Values</source>
@@ -14381,40 +14865,16 @@
         <translation>Nur größter &amp;Teil</translation>
     </message>
     <message>
-        <source>Keeps what hangs together and is the largest</source>
-        <translation>Behält, was zusammenhängt und am größten ist</translation>
-    </message>
-    <message>
-        <source>How many of the largest parts are kept</source>
-        <translation>Wie viele der größten Teile behalten werden</translation>
-    </message>
-    <message>
         <source>&amp;Keep so many</source>
         <translation>&amp;So viele behalten</translation>
-    </message>
-    <message>
-        <source>Keeps the largest parts, so many of them</source>
-        <translation>Behält die größten Teile, so viele davon</translation>
-    </message>
-    <message>
-        <source>Size of parts below which they are debris</source>
-        <translation>Größe, unter der Teile Bruchstücke sind</translation>
     </message>
     <message>
         <source>&amp;Remove debris</source>
         <translation>&amp;Bruchstücke entfernen</translation>
     </message>
     <message>
-        <source>Removes the parts that are smaller</source>
-        <translation>Entfernt die Teile, die kleiner sind</translation>
-    </message>
-    <message>
         <source>S&amp;mooth</source>
         <translation>&amp;Glätten</translation>
-    </message>
-    <message>
-        <source>Removes specks and evens steps: each sample becomes what most of the 27 around are</source>
-        <translation>Entfernt Flecken und ebnet Stufen: Jeder Abtastwert wird, was die meisten der 27 ringsum sind</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -14449,20 +14909,12 @@
         <translation>&amp;Vom Punkt aus wachsen</translation>
     </message>
     <message>
-        <source>Click a point of the segment: what hangs together with it stays</source>
-        <translation>Klicken Sie einen Punkt des Segments an: Was mit ihm zusammenhängt, bleibt</translation>
-    </message>
-    <message>
         <source>Radius of the brush</source>
         <translation>Radius des Pinsels</translation>
     </message>
     <message>
         <source>Ball (&amp;3D)</source>
         <translation>Kugel (&amp;3D)</translation>
-    </message>
-    <message>
-        <source>The brush reaches into the slices around, else it stays in one</source>
-        <translation>Der Pinsel reicht in die Schichten ringsum, sonst bleibt er in einer</translation>
     </message>
     <message>
         <source>In the slices</source>
@@ -14501,16 +14953,8 @@
         <translation>Oberfläche g&amp;lätten</translation>
     </message>
     <message>
-        <source>Takes the steps of voxels off the surface</source>
-        <translation>Nimmt die Stufen der Voxel von der Oberfläche</translation>
-    </message>
-    <message>
         <source>Make s&amp;urface</source>
         <translation>Oberfläche &amp;erzeugen</translation>
-    </message>
-    <message>
-        <source>Makes the volume of the segment, to be shaped, drilled, saved; undo brings back the one before</source>
-        <translation>Erzeugt das Volumen des Segments, zum Formen, Bohren, Speichern; „Rückgängig“ bringt das vorige zurück</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -14519,14 +14963,6 @@
     <message>
         <source>Voxel</source>
         <translation>Voxel</translation>
-    </message>
-    <message>
-        <source>Changed by hand: another range starts anew (undo brings this back).</source>
-        <translation>Von Hand geändert: Ein anderer Bereich beginnt von vorn („Rückgängig“ bringt dies zurück).</translation>
-    </message>
-    <message>
-        <source>Nothing has values of this range.</source>
-        <translation>Nichts hat Werte in diesem Bereich.</translation>
     </message>
     <message numerus="yes">
         <source>%n part(s), %1 mm³; the largest is %2 % of it</source>
@@ -14548,12 +14984,72 @@
         <translation>Unter %1 mm³: %2 von %3 Teilen, %4 mm³</translation>
     </message>
     <message>
-        <source>About %1 MB of the %2 MB that are left</source>
-        <translation>Etwa %1 MB der %2 MB, die frei sind</translation>
+        <source>From Otsu&apos;s threshold upwards, which best separates the values into two classes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A larger voxel takes less.</source>
-        <translation>Ein größerer Voxel braucht weniger.</translation>
+        <source>300 Hounsfield units and above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>-200 Hounsfield units and above: everything except air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps only the largest connected part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of largest parts to keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps this number of the largest parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume below which parts are debris</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all parts smaller than this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes specks and smooths steps: each sample follows the majority of its 3 × 3 × 3 neighbourhood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a point of the segment: only the part connected to it is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brush is a ball that reaches into neighbouring slices; otherwise it paints in one slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooths the voxel steps of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Creates the volume of the segment, which can be shaped, drilled and saved; undo restores the previous one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edited by hand: choosing another range discards these edits (undo restores them).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sample has a value in this range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About %1 MB of %2 MB available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger voxels need less.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14903,8 +15399,8 @@
         <translation>Das Beispiel ist nicht installiert.</translation>
     </message>
     <message>
-        <source>Repair scans, practise at the lathe, arrange robot cells.</source>
-        <translation>Scans reparieren, an der Drehmaschine üben, Roboterzellen einrichten.</translation>
+        <source>Repair scans, shape clay, practise at lathe and drill, arrange robot cells.</source>
+        <translation>Scans reparieren, Ton formen, an Drehmaschine und Bohrer üben, Roboterzellen einrichten.</translation>
     </message>
 </context>
 <context>
@@ -14960,6 +15456,14 @@
     <message>
         <source>No holes</source>
         <translation>Keine Löcher</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>self-intersections not known yet</source>
+        <translation>Selbstdurchdringungen noch nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -15077,14 +15581,6 @@
         <translation>&amp;Abweichung in Farben</translation>
     </message>
     <message>
-        <source>Read what the part is to become, from STEP, DXF, SVG or a workpiece</source>
-        <translation>Einlesen, was aus dem Teil werden soll, aus STEP, DXF, SVG oder einem Werkstück</translation>
-    </message>
-    <message>
-        <source>Compare the part with nothing</source>
-        <translation>Das Teil mit nichts vergleichen</translation>
-    </message>
-    <message>
         <source>Show where the part is larger or smaller than the target</source>
         <translation>Zeigen, wo das Teil größer oder kleiner als das Ziel ist</translation>
     </message>
@@ -15109,20 +15605,12 @@
         <translation>%1 wird gelesen</translation>
     </message>
     <message>
-        <source>%1 is no target</source>
-        <translation>%1 ist kein Ziel</translation>
-    </message>
-    <message>
         <source>Import target</source>
         <translation>Ziel importieren</translation>
     </message>
     <message>
         <source>Target read from %1</source>
         <translation>Ziel aus %1 gelesen</translation>
-    </message>
-    <message>
-        <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told</source>
-        <translation>blau: Ra höchstens %1 µm, weiß: %2, rot: mindestens %3, grau: nicht bekannt</translation>
     </message>
     <message>
         <source>&amp;Target in the view</source>
@@ -15155,6 +15643,22 @@
     <message>
         <source>&amp;Import</source>
         <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import the target shape of the part from STEP, DXF, SVG or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not compare the part with a target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as a target</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15417,10 +15921,6 @@
         <translation>Werkzeuge des Programms</translation>
     </message>
     <message>
-        <source>What the numbers T of the program are. Of a tool of the lathe the holder, the post and the slide are looked at, too. What is not listed has the nose radius of the panel.</source>
-        <translation>Was die Nummern T des Programms bedeuten. Bei einem Werkzeug der Drehmaschine werden auch Halter, Stahlhalter und Schlitten betrachtet. Was nicht aufgeführt ist, hat den Eckenradius aus dem Feld.</translation>
-    </message>
-    <message>
         <source>T</source>
         <translation>T</translation>
     </message>
@@ -15459,6 +15959,10 @@
     <message>
         <source>A nose alone</source>
         <translation>Nur eine Schneidenecke</translation>
+    </message>
+    <message>
+        <source>The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15679,12 +16183,20 @@
         <translation>Neuer S&amp;chädel</translation>
     </message>
     <message>
-        <source>Start with a skull to be drilled, made of no patient</source>
-        <translation>Mit einem Schädel zum Bohren beginnen, der von keinem Patienten stammt</translation>
-    </message>
-    <message>
         <source>Making the skull</source>
         <translation>Schädel wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Shape clay</source>
+        <translation>Ton formen</translation>
+    </message>
+    <message>
+        <source>Starts with a ball of clay. Add, carve and smooth it by hand.</source>
+        <translation>Beginnt mit einer Kugel aus Ton. Tragen Sie von Hand Ton auf und ab, und glätten Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Start with a synthetic skull to be drilled, not that of a patient</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15704,10 +16216,6 @@
     <message>
         <source>Stock of %1.</source>
         <translation>Rohteil %1.</translation>
-    </message>
-    <message>
-        <source>Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
-        <translation>Im Bereich daneben lassen sich andere Maße eingeben, auch als „2in“ oder „50/2“. „Speichern unter“ schreibt auch STEP.</translation>
     </message>
     <message>
         <source>&amp;New workpiece</source>
@@ -15786,20 +16294,12 @@
         <translation>Kraft und Leistung werden geprüft</translation>
     </message>
     <message>
-        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.</source>
-        <translation>Die Schnittkraft dieses Schnitts betrug bis zu %1 N; die Drehmaschine der Übung verträgt %2 N.</translation>
-    </message>
-    <message>
         <source>The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
         <translation>Die Leistung dieses Schnitts betrug bis zu %1 kW; die Drehmaschine der Übung hat %2 kW.</translation>
     </message>
     <message>
         <source>Too heavy a cut</source>
         <translation>Zu schwerer Schnitt</translation>
-    </message>
-    <message>
-        <source>It is marked. Undo it, and take less depth or feed.</source>
-        <translation>Er wird bewertet. Machen Sie ihn rückgängig, und nehmen Sie weniger Schnitttiefe oder Vorschub.</translation>
     </message>
     <message>
         <source>%1 is a program for a lathe</source>
@@ -15820,6 +16320,18 @@
     <message>
         <source>Programs (%1)</source>
         <translation>Programme (%1)</translation>
+    </message>
+    <message>
+        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

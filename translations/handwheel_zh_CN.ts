@@ -33,15 +33,15 @@
         <source>out of reach</source>
         <translation>无法到达</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln way(s) there</source>
-        <translation>
-            <numerusform>%Ln 种到达方式</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 (on %2)</source>
         <translation>%1（在 %2 上）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln configuration(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -782,10 +782,6 @@
         <translation>练习内容为“%1”，本程序无法对其评分</translation>
     </message>
     <message>
-        <source>the exercise does not say what it is about</source>
-        <translation>练习未说明其内容</translation>
-    </message>
-    <message>
         <source>Open it with a newer version of the program.</source>
         <translation>请用较新版本的程序打开。</translation>
     </message>
@@ -950,10 +946,6 @@
         <translation>请在块以外用可见的直线、圆弧或多段线绘制半剖面。</translation>
     </message>
     <message>
-        <source>the file contains %1 separate outlines, and a profile is one</source>
-        <translation>文件含 %1 条独立的轮廓线，而轮廓只能有一条</translation>
-    </message>
-    <message>
         <source>Remove frames, dimensions and other views, or join the ends of the lines.</source>
         <translation>请移除图框、尺寸标注和其他视图，或连接线端。</translation>
     </message>
@@ -988,10 +980,6 @@
     <message>
         <source>Remove that feature, or choose to ignore what is not turned.</source>
         <translation>请移除该特征，或选择忽略非回转的部分。</translation>
-    </message>
-    <message>
-        <source>the file contains %1 solids, and a target is one</source>
-        <translation>文件含 %1 个实体，而目标只能有一个</translation>
     </message>
     <message>
         <source>Save the turned part alone in a file.</source>
@@ -1036,10 +1024,6 @@
     <message>
         <source>Take a smaller nose.</source>
         <translation>请减小刀尖圆弧半径。</translation>
-    </message>
-    <message>
-        <source>the outline goes to and fro too often to be checked</source>
-        <translation>轮廓线往返次数过多，无法检查</translation>
     </message>
     <message>
         <source>Draw it with fewer lines, for example without hatching.</source>
@@ -1110,10 +1094,6 @@
         <translation>机械臂无法沿直线到达 %1：在 %2 % 处停止</translation>
     </message>
     <message>
-        <source>Move to it by the joints, or choose the same configuration at both ends.</source>
-        <translation>请以关节运动到达，或在两端选择相同的位形。</translation>
-    </message>
-    <message>
         <source>the robot cannot reach where motion %1 ends</source>
         <translation>机器人无法到达运动 %1 的终点</translation>
     </message>
@@ -1136,10 +1116,6 @@
     <message>
         <source>Write the path as CSV or JSON.</source>
         <translation>请将路径写为 CSV 或 JSON。</translation>
-    </message>
-    <message>
-        <source>joint %2 of the arm is a slide, which %1 programs have none of</source>
-        <translation>机械臂的关节 %2 是移动关节，%1 程序不支持</translation>
     </message>
     <message>
         <source>the path has %1 motions, and a program can have %2</source>
@@ -1186,14 +1162,6 @@
         <translation>在曲线的第 %1 / %2 点（X %3 Y %4 Z %5 mm）机器人发生碰撞：%6 与 %7</translation>
     </message>
     <message>
-        <source>Lean the tool away, keep a distance from the part, or allow this pair.</source>
-        <translation>请倾斜工具、与零件保持距离，或允许该对接触。</translation>
-    </message>
-    <message>
-        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a leap of a joint</source>
-        <translation>机械臂无法沿曲线到达第 %1 / %2 点（X %3 Y %4 Z %5 mm）而不发生关节跳变</translation>
-    </message>
-    <message>
         <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
         <translation>请拆分曲线、转动工具，或允许工具绕自身轴线转动。</translation>
     </message>
@@ -1210,14 +1178,6 @@
         <translation>请指定上述类型之一的文件，或机器人名称，如 irb120 或 ur5。</translation>
     </message>
     <message>
-        <source>the surface does not lead from place %1 of the curve to place %2</source>
-        <translation>曲面无法从曲线的位置 %1 连到位置 %2</translation>
-    </message>
-    <message>
-        <source>Draw around what is between, or place more points.</source>
-        <translation>请绕过中间的部分绘制，或放置更多的点。</translation>
-    </message>
-    <message>
         <source>the cell already has a configuration or a target called &apos;%1&apos;</source>
         <translation>单元中已有名为“%1”的位形或目标点</translation>
     </message>
@@ -1230,24 +1190,12 @@
         <translation>请撤销该操作，或移除该目标点。</translation>
     </message>
     <message>
-        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm, turned like that</source>
-        <translation>机械臂无法以该姿态将其工具移到 X %1 Y %2 Z %3 mm</translation>
-    </message>
-    <message>
         <source>Choose a nearer place, or turn the tool.</source>
         <translation>请选择较近的位置，或转动工具。</translation>
     </message>
     <message>
-        <source>to bring the tool to X %1 Y %2 Z %3 mm, turned like that, the joint %4 would leave its limits</source>
-        <translation>若以该姿态将工具移到 X %1 Y %2 Z %3 mm，关节 %4 会超出其限位</translation>
-    </message>
-    <message>
         <source>Choose another place, or turn the tool.</source>
         <translation>请选择其他位置，或转动工具。</translation>
-    </message>
-    <message>
-        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides, whichever way it stands: %4 with %5</source>
-        <translation>工具位于 X %1 Y %2 Z %3 mm 时，机器人无论取何种位形都会碰撞：%4 与 %5</translation>
     </message>
     <message>
         <source>Choose another place, turn the tool, or require less clearance.</source>
@@ -1278,14 +1226,6 @@
         <translation>在到 %1 的直线上机器人发生碰撞：%2 与 %3</translation>
     </message>
     <message>
-        <source>Move to it by the joints, set it or the place before elsewhere, or allow this pair.</source>
-        <translation>请以关节运动到达，将该位置或前一位置设到别处，或允许该对接触。</translation>
-    </message>
-    <message>
-        <source>the cell would have %2 %1, and it can hold %3</source>
-        <translation>单元将有 %2 个%1，而最多只能容纳 %3 个</translation>
-    </message>
-    <message>
         <source>Remove what is not needed any more, or plan it in another cell.</source>
         <translation>请移除不再需要的内容，或在另一个单元中规划。</translation>
     </message>
@@ -1314,16 +1254,8 @@
         <translation>请先添加另一个机器人，再移除它。</translation>
     </message>
     <message>
-        <source>the base of %1 is what all of the cell is measured from</source>
-        <translation>%1 的基座是整个单元的测量基准</translation>
-    </message>
-    <message>
         <source>Move the other robots and the bodies instead.</source>
         <translation>请改为移动其他机器人和物体。</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is of another robot than the one that is planned for: %2</source>
-        <translation>“%1”属于另一个机器人 %2，而非当前规划的机器人</translation>
     </message>
     <message>
         <source>Choose that robot first; on the command line: --arm.</source>
@@ -1334,20 +1266,8 @@
         <translation>请为练习的此字段指定其他值。</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not read, and may change where or whether the robot moves</source>
-        <translation>“%1”未被读取，而它可能影响机器人是否移动以及移动到何处</translation>
-    </message>
-    <message>
         <source>In a copy of the program, replace it by the motions that it leads to, or remove it.</source>
         <translation>请在程序的副本中用它所产生的运动替换它，或将其删除。</translation>
-    </message>
-    <message>
-        <source>motion %1 is a line at %2 mm/s, and %3 controllers take %4 mm/s at most</source>
-        <translation>运动 %1 是速度为 %2 mm/s 的直线，而 %3 控制器最高只接受 %4 mm/s</translation>
-    </message>
-    <message>
-        <source>Give the place that it leads to a lower speed.</source>
-        <translation>请为该运动到达的位置设置较低的速度。</translation>
     </message>
     <message>
         <source>voxels of %1 mm are too fine for a part of %2 mm</source>
@@ -1358,32 +1278,16 @@
         <translation>请选择不小于 %3 mm 的体素。</translation>
     </message>
     <message>
-        <source>voxels of %1 mm would take %2 MB, and %3 MB are left</source>
-        <translation>%1 mm 的体素需要 %2 MB，而只剩 %3 MB</translation>
-    </message>
-    <message>
         <source>Choose larger voxels, or close other programs.</source>
         <translation>请选择更大的体素，或关闭其他程序。</translation>
-    </message>
-    <message>
-        <source>the surface encloses nothing</source>
-        <translation>曲面未围成任何空间</translation>
     </message>
     <message>
         <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
         <translation>如果内外颠倒，请使其各面朝外；平的片体没有内部。</translation>
     </message>
     <message>
-        <source>voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB</source>
-        <translation>边长 %1 mm 的体素会得到 %2 MB 的体素模型，而一个文档最多容纳 %3 MB</translation>
-    </message>
-    <message>
         <source>Choose larger voxels, or work on a piece of the part.</source>
         <translation>请选择更大的体素，或只处理零件的一部分。</translation>
-    </message>
-    <message>
-        <source>no voxel of %1 mm lies inside: the part is thinner than they are</source>
-        <translation>没有边长 %1 mm 的体素位于内部：零件比体素还薄</translation>
     </message>
     <message>
         <source>Choose smaller voxels.</source>
@@ -1392,10 +1296,6 @@
     <message>
         <source>Import a target, or turn a model solution and take it as the target.</source>
         <translation>请导入目标，或车削一个参考答案并将其设为目标。</translation>
-    </message>
-    <message>
-        <source>nothing was turned in the work that was begun; it is the bar itself</source>
-        <translation>已开始的作业中没有车削任何内容；它仍是原棒料</translation>
     </message>
     <message>
         <source>Turn the part first, or import the target from a drawing.</source>
@@ -1430,28 +1330,160 @@
         <translation>“handwheel help drill”列出所有材料。</translation>
     </message>
     <message>
-        <source>the path takes %1 s, and %2 s can be drilled at this rate</source>
-        <translation>路径需要 %1 s，而以此频率最多只能钻 %2 s</translation>
-    </message>
-    <message>
-        <source>Choose fewer cycles a second, or a part of the path.</source>
-        <translation>请减少每秒周期数，或只取路径的一部分。</translation>
-    </message>
-    <message>
-        <source>nothing has a value from %1 to %2: those of the image go from %3 to %4</source>
-        <translation>没有任何部分的值在 %1 至 %2 之间：图像的值为 %3 至 %4</translation>
-    </message>
-    <message>
         <source>Choose another range; bone in a CT begins at about 300.</source>
         <translation>请选择其他范围；CT 中骨骼约从 300 开始。</translation>
     </message>
     <message>
-        <source>nothing was drilled in the work that was begun</source>
-        <translation>已开始的作业中没有钻任何孔</translation>
+        <source>Use a joint motion, or choose the same configuration at both ends.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drill the hole first: its way becomes the planned path.</source>
-        <translation>请先钻孔：其路线将成为规划路径。</translation>
+        <source>the path &apos;%1&apos; leads along the curve where &apos;%2&apos; was when it was planned</source>
+        <translation>路径“%1”沿规划时“%2”所在位置的曲线</translation>
+    </message>
+    <message>
+        <source>Plan it again, or write it as it is; on the command line: --outdated.</source>
+        <translation>请重新规划，或按原样写入；命令行：--outdated。</translation>
+    </message>
+    <message>
+        <source>Use a joint motion, change this place or the one before, or allow this pair.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>places %1 and %2 of the curve are not connected by the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around the gap, or place more points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt the tool away, keep a distance from the part, or allow this pair.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell would have %2 %1, and it can contain %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the base of %1 is the origin of the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another robot than the one to plan for: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exercise does not specify its subject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was turned in this work; it is the bar itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was drilled in this work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drill the hole first; it becomes the planned path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 separate outlines, and a profile is a single one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline has too many reversals to be checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 solids, and a target is a single one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %2 of the arm is prismatic, which %1 programs do not support</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not supported, and may change where or whether the robot moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion %1 is a line at %2 mm/s, and %3 controllers accept at most %4 mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the speed of the place at its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would need %2 MB, and %3 MB are available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm make a volume of %2 MB, and a document can contain %3 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an image of %1 MB with %2 MB of voxels is too large: %3 MB is the most</source>
+        <translation>%1 MB 的图像加上 %2 MB 的体素过大：最多 %3 MB</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels; &apos;handwheel segment&apos; keeps no image.</source>
+        <translation>请选择更大的体素；“handwheel segment”不保留图像。</translation>
+    </message>
+    <message>
+        <source>no voxel of %1 mm lies inside the part, which is thinner than that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface encloses no volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is left of the material</source>
+        <translation>没有剩余材料</translation>
+    </message>
+    <message>
+        <source>Check where the bodies are, or choose a smaller distance.</source>
+        <translation>请检查物体的位置，或选择更小的距离。</translation>
+    </message>
+    <message>
+        <source>a wall of %1 mm is thinner than two voxels of %2 mm</source>
+        <translation>%1 mm 的壁比两个 %2 mm 的体素还薄</translation>
+    </message>
+    <message>
+        <source>Choose a thicker wall, or voxels of at most %3 mm.</source>
+        <translation>请选择更厚的壁，或不大于 %3 mm 的体素。</translation>
+    </message>
+    <message>
+        <source>the path takes %1 s, and at most %2 s can be drilled at this rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a lower rate, or a part of the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sample has a value from %1 to %2: the values of the image range from %3 to %4</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2145,10 +2177,6 @@
         <translation>半径不大于零</translation>
     </message>
     <message>
-        <source>its code is no number</source>
-        <translation>其代码不是数字</translation>
-    </message>
-    <message>
         <source>it has no extent</source>
         <translation>没有大小</translation>
     </message>
@@ -2237,10 +2265,6 @@
         <translation>不可能</translation>
     </message>
     <message>
-        <source>it is no object</source>
-        <translation>不是对象</translation>
-    </message>
-    <message>
         <source>it is not 1</source>
         <translation>不是 1</translation>
     </message>
@@ -2257,16 +2281,8 @@
         <translation>过长</translation>
     </message>
     <message>
-        <source>it names a criterion that there is not</source>
-        <translation>引用了不存在的评分项</translation>
-    </message>
-    <message>
         <source>its kind is unknown</source>
         <translation>其类型未知</translation>
-    </message>
-    <message>
-        <source>its lists differ in length, or do not ascend</source>
-        <translation>其各列表长度不同或不是升序</translation>
     </message>
     <message>
         <source>its time is impossible</source>
@@ -2397,10 +2413,6 @@
         <translation>它什么都没有接触</translation>
     </message>
     <message>
-        <source>the points go back in z</source>
-        <translation>点在 Z 方向上倒退</translation>
-    </message>
-    <message>
         <source>the bore is not open at an end of the part</source>
         <translation>内孔在零件两端均未开口</translation>
     </message>
@@ -2433,10 +2445,6 @@
         <translation>起点和终点的每个关节都需要一个数值</translation>
     </message>
     <message>
-        <source>one of them is no box, cylinder or sphere</source>
-        <translation>其中一个不是长方体、圆柱或球</translation>
-    </message>
-    <message>
         <source>it has too many joints</source>
         <translation>关节过多</translation>
     </message>
@@ -2451,10 +2459,6 @@
     <message>
         <source>the planned joints are not in order</source>
         <translation>被规划的关节顺序不对</translation>
-    </message>
-    <message>
-        <source>the tip does not hang on the base</source>
-        <translation>末端不在基座的链上</translation>
     </message>
     <message>
         <source>a joint is geared</source>
@@ -2661,10 +2665,6 @@
         <translation>CalcRobT 的工具或坐标系与运动的不同</translation>
     </message>
     <message>
-        <source>it is not told which routine is first</source>
-        <translation>未指明首先执行哪个例行程序</translation>
-    </message>
-    <message>
         <source>routines call each other endlessly</source>
         <translation>例行程序之间无限地相互调用</translation>
     </message>
@@ -2673,20 +2673,8 @@
         <translation>其中 %1 个数据块丢失或提前结束</translation>
     </message>
     <message>
-        <source>full and empty blocks have nothing between them</source>
-        <translation>实块与空块之间没有任何内容</translation>
-    </message>
-    <message>
-        <source>it is no number of chunks</source>
-        <translation>不是数据块的数目</translation>
-    </message>
-    <message>
         <source>it is no place</source>
         <translation>不是位置</translation>
-    </message>
-    <message>
-        <source>it is no size of a voxel</source>
-        <translation>不是体素的尺寸</translation>
     </message>
     <message>
         <source>a saved document as a robot</source>
@@ -2721,16 +2709,8 @@
         <translation>没有浮点数网格</translation>
     </message>
     <message>
-        <source>its voxels are no cubes along the axes</source>
-        <translation>其体素不是沿坐标轴的立方体</translation>
-    </message>
-    <message>
         <source>it bounds no material</source>
         <translation>未围成任何材料</translation>
-    </message>
-    <message>
-        <source>it is no number that scales</source>
-        <translation>不是可用于缩放的数字</translation>
     </message>
     <message>
         <source>bytes of samples</source>
@@ -2753,10 +2733,6 @@
         <translation>不是有限值</translation>
     </message>
     <message>
-        <source>it is no distance of samples</source>
-        <translation>不是采样点的间距</translation>
-    </message>
-    <message>
         <source>the axes lie in one plane</source>
         <translation>各轴位于同一平面内</translation>
     </message>
@@ -2773,22 +2749,6 @@
         <translation>数字的个数不足</translation>
     </message>
     <message>
-        <source>one is no number of samples</source>
-        <translation>其中一个不是采样点的数目</translation>
-    </message>
-    <message>
-        <source>it is no type of numbers</source>
-        <translation>不是数字的类型</translation>
-    </message>
-    <message>
-        <source>it is no number of values</source>
-        <translation>不是值的数目</translation>
-    </message>
-    <message>
-        <source>it is more than there is</source>
-        <translation>超出实际所有</translation>
-    </message>
-    <message>
         <source>a MetaImage object other than an image</source>
         <translation>非图像的 MetaImage 对象</translation>
     </message>
@@ -2801,16 +2761,8 @@
         <translation>分为多个数据文件的图像</translation>
     </message>
     <message>
-        <source>it is no number of axes</source>
-        <translation>不是轴的数目</translation>
-    </message>
-    <message>
         <source>an image of colours or complex numbers</source>
         <translation>彩色或复数图像</translation>
-    </message>
-    <message>
-        <source>it is no place behind the header</source>
-        <translation>不是文件头之后的位置</translation>
     </message>
     <message>
         <source>an image in a pair of .hdr and .img</source>
@@ -2821,16 +2773,8 @@
         <translation>并非每个轴各有一个</translation>
     </message>
     <message>
-        <source>one is no vector in space</source>
-        <translation>其中一个不是空间向量</translation>
-    </message>
-    <message>
         <source>a sample of more than 1000 values</source>
         <translation>超过 1000 个值的采样点</translation>
-    </message>
-    <message>
-        <source>it is no number of lines</source>
-        <translation>不是行的数目</translation>
     </message>
     <message>
         <source>an encoding other than raw, gzip or text</source>
@@ -2839,10 +2783,6 @@
     <message>
         <source>it is not three numbers</source>
         <translation>不是三个数字</translation>
-    </message>
-    <message>
-        <source>it is no number</source>
-        <translation>不是数字</translation>
     </message>
     <message>
         <source>it is not three numbers of samples</source>
@@ -2913,14 +2853,6 @@
         <translation>不是钻头</translation>
     </message>
     <message>
-        <source>it is no list of holes</source>
-        <translation>不是孔的列表</translation>
-    </message>
-    <message>
-        <source>it is no volume</source>
-        <translation>不是体素模型</translation>
-    </message>
-    <message>
         <source>points were expected: time, depth, beside, across, in order of time</source>
         <translation>应为点：时间、深度、偏离、横向，按时间顺序排列</translation>
     </message>
@@ -2935,6 +2867,122 @@
     <message>
         <source>three numbers were expected, with “;” between them</source>
         <translation>应为三个数字，之间以“;”分隔</translation>
+    </message>
+    <message>
+        <source>its voxels are not cubes along the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a scale factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a distance of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one is not a number of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a type of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is more than the file contains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a position after the header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one is not a vector in space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a grid of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of its samples are lost</source>
+        <translation>其中 %1 个采样点丢失</translation>
+    </message>
+    <message>
+        <source>its samples are lost</source>
+        <translation>其采样点丢失</translation>
+    </message>
+    <message>
+        <source>it is no range of values</source>
+        <translation>不是值的范围</translation>
+    </message>
+    <message>
+        <source>part of what was painted is lost</source>
+        <translation>部分涂绘内容丢失</translation>
+    </message>
+    <message>
+        <source>full and empty blocks have no surface between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a number of chunks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not the size of a voxel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its code is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of them is not a box, cylinder or sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tip is not connected to the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the z of the points is not ascending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it refers to a criterion that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its lists differ in length, or are not ascending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not specify which routine is the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a list of holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a volume</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3805,10 +3853,6 @@
         <translation>证明运动无碰撞的分辨率</translation>
     </message>
     <message>
-        <source>free motions along obstacles that are refused</source>
-        <translation>沿障碍物的无碰撞运动中被拒绝的部分</translation>
-    </message>
-    <message>
         <source>CPU time to prove a motion free</source>
         <translation>证明一个运动无碰撞的 CPU 时间</translation>
     </message>
@@ -3825,18 +3869,6 @@
         <translation>规划并缩短一条路径的 CPU 时间</translation>
     </message>
     <message>
-        <source>Step at which motions that are not proven free are looked at</source>
-        <translation>检查未证明无碰撞的运动时的步长</translation>
-    </message>
-    <message>
-        <source>colliding motions that looks at this step alone take for free</source>
-        <translation>仅按此步长检查会误认为无碰撞的碰撞运动</translation>
-    </message>
-    <message>
-        <source>CPU time to look at a motion</source>
-        <translation>检查一个运动的 CPU 时间</translation>
-    </message>
-    <message>
         <source>Tolerance of inverse kinematics by iteration</source>
         <translation>迭代法逆运动学的公差</translation>
     </message>
@@ -3847,6 +3879,22 @@
     <message>
         <source>CPU time of a solution</source>
         <translation>求一个解的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>collision-free motions near obstacles that are rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step of the checks of motions that are not proven free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colliding motions that checks at this step alone miss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time to check a motion</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4031,16 +4079,8 @@
         <translation>轴向力</translation>
     </message>
     <message>
-        <source>Reference (3-22)</source>
-        <translation>参考值 (3-22)</translation>
-    </message>
-    <message>
         <source>Torque</source>
         <translation>扭矩</translation>
-    </message>
-    <message>
-        <source>Reference (3-23)</source>
-        <translation>参考值 (3-23)</translation>
     </message>
     <message>
         <source>Depth of the tip</source>
@@ -4089,6 +4129,14 @@
     <message>
         <source>Drilling</source>
         <translation>钻孔</translation>
+    </message>
+    <message>
+        <source>Thrust reference (He 2008)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque reference (He 2008)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4168,16 +4216,16 @@
         <translation>关于 Handwheel</translation>
     </message>
     <message>
-        <source>Repairs scanned meshes, prepares workpieces and robot cells.</source>
-        <translation>修复扫描网格,准备工件和机器人单元。</translation>
-    </message>
-    <message>
         <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat.</source>
         <translation>自由软件,遵循 GNU 通用公共许可证第 3 版或更高版本。&lt;br&gt;使用 Qt、VTK、CGAL、Open CASCADE、Eigen、libzip 和 expat 构建。</translation>
     </message>
     <message>
         <source>Currently available</source>
         <translation>当前可用</translation>
+    </message>
+    <message>
+        <source>Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and marks exercises.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4276,10 +4324,6 @@
         <translation>切深超过了切削刃的长度。</translation>
     </message>
     <message>
-        <source>The cut needed more than the motor has.</source>
-        <translation>切削所需超过了电机的能力。</translation>
-    </message>
-    <message>
         <source>There is no such tool.</source>
         <translation>没有这种刀具。</translation>
     </message>
@@ -4294,6 +4338,10 @@
     <message>
         <source>There is no room for it here. Move the slides away from the work first.</source>
         <translation>此处空间不够。请先将拖板移离工件。</translation>
+    </message>
+    <message>
+        <source>The cut needed more power than the motor has.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4528,6 +4576,10 @@
             <numerusform>打开时翻转了 %Ln 个三角形。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Closed. Looking for self-intersections…</source>
+        <translation>封闭。正在查找自相交…</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -4562,10 +4614,6 @@
     <message>
         <source>The file: %1.</source>
         <translation>文件：%1。</translation>
-    </message>
-    <message>
-        <source>Vertices moved by the smallest possible amount, so that the file does not weld them: %1.</source>
-        <translation>为避免文件将其合并而以最小量移动的顶点：%1。</translation>
     </message>
     <message>
         <source>The single precision of the format moved vertices by up to %1 mm; the number of self-intersections may change by that.</source>
@@ -4616,10 +4664,6 @@
         <translation>如果数值以毫米为单位，则部件尺寸为 %1 × %2 × %3 mm：文件未注明单位。</translation>
     </message>
     <message>
-        <source>there is no such surface along all of the range</source>
-        <translation>整个范围内没有这样的表面</translation>
-    </message>
-    <message>
         <source>at Z %1 mm</source>
         <translation>在 Z %1 mm 处</translation>
     </message>
@@ -4652,24 +4696,12 @@
         <translation>此指标未知</translation>
     </message>
     <message>
-        <source>the scheme does not say where to measure</source>
-        <translation>评分标准未说明测量位置</translation>
-    </message>
-    <message>
-        <source>the part is not what its recorded passes cut</source>
-        <translation>零件与所记录走刀的切削结果不符</translation>
-    </message>
-    <message>
         <source>there are too many passes to measure it</source>
         <translation>走刀过多，无法测量</translation>
     </message>
     <message>
         <source>nothing was cut</source>
         <translation>没有切削任何材料</translation>
-    </message>
-    <message>
-        <source>the surface was not cut along all of the range</source>
-        <translation>并非整个范围内的表面都经过切削</translation>
     </message>
     <message>
         <source>up to %1 µm, at Z %2 mm</source>
@@ -4736,24 +4768,12 @@
         <translation>%1 条牙槽，各与螺距相差不超过 %2 mm</translation>
     </message>
     <message>
-        <source>Parts of the lathe met at Z %1 mm, ⌀%2 mm.</source>
-        <translation>车床部件在 Z %1 mm、⌀%2 mm 处相碰。</translation>
-    </message>
-    <message>
         <source>The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm.</source>
         <translation>快速移动在 Z %1 mm、⌀%2 mm 处撞上工件。</translation>
     </message>
     <message>
-        <source>The edge was pushed into work at rest at Z %1 mm, ⌀%2 mm.</source>
-        <translation>切削刃在 Z %1 mm、⌀%2 mm 处压入静止的工件。</translation>
-    </message>
-    <message>
         <source>The spindle turned the wrong way at Z %1 mm, ⌀%2 mm.</source>
         <translation>主轴在 Z %1 mm、⌀%2 mm 处旋转方向错误。</translation>
-    </message>
-    <message>
-        <source>The cut was deeper than the edge is high at Z %1 mm, ⌀%2 mm.</source>
-        <translation>在 Z %1 mm、⌀%2 mm 处切深超过了切削刃的高度。</translation>
     </message>
     <message>
         <source>The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.</source>
@@ -4784,32 +4804,12 @@
         <translation>文件中的螺纹只有包络外形，没有牙槽：%1。</translation>
     </message>
     <message>
-        <source>the scheme has no limit for it</source>
-        <translation>评分标准未给出其限值</translation>
-    </message>
-    <message>
         <source>there is no arc: the surface is up to %1 mm from any circle</source>
         <translation>没有圆弧：表面与任何圆的偏差达 %1 mm</translation>
     </message>
     <message>
-        <source>the arc bulges the other way</source>
-        <translation>圆弧向相反方向凸起</translation>
-    </message>
-    <message>
-        <source>the tool that cut it has no nose radius, or was fed further than that</source>
-        <translation>所用刀具没有刀尖圆弧半径，或进给量超过了刀尖圆弧</translation>
-    </message>
-    <message>
-        <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where %4 is the most.</source>
-        <translation>在 Z %1 mm、⌀%2 mm 处进给过大：每转 %3 mm，最大允许 %4。</translation>
-    </message>
-    <message>
         <source>there is no such surface in the range</source>
         <translation>该范围内没有这样的表面</translation>
-    </message>
-    <message>
-        <source>fed too fast %1 times, with up to %2 mm per revolution, where %3 is the most; other collisions: %4</source>
-        <translation>进给过快 %1 次，最大达每转 %2 mm，最大允许 %3；其他碰撞：%4</translation>
     </message>
     <message>
         <source>File: %1</source>
@@ -4868,60 +4868,12 @@
         <translation>%1 / %2 分</translation>
     </message>
     <message>
-        <source>A description cannot hold a model solution that was made by hand. It has none.</source>
-        <translation>描述文件无法包含手工完成的参考答案。其中没有参考答案。</translation>
-    </message>
-    <message>
         <source>The work is not in the description.</source>
         <translation>作业不在描述文件中。</translation>
     </message>
     <message>
         <source>The numbered columns are the points of these criteria:</source>
         <translation>带编号的各列为以下评分项的得分：</translation>
-    </message>
-    <message>
-        <source>The file does not say how far its samples are apart: 1 mm is taken.</source>
-        <translation>文件未注明采样点间距：按 1 mm 处理。</translation>
-    </message>
-    <message>
-        <source>Samples that are no numbers count as the least value (%1).</source>
-        <translation>非数字的采样点按最小值处理（%1）。</translation>
-    </message>
-    <message>
-        <source>Of several values or images (%1) the first is read.</source>
-        <translation>有多个值或图像（%1），只读取第一个。</translation>
-    </message>
-    <message>
-        <source>The slices are tilted by %1° against the way that they follow each other; that is corrected.</source>
-        <translation>切片相对其排列方向倾斜 %1°；已校正。</translation>
-    </message>
-    <message>
-        <source>The slices are from %1 to %2 mm apart; even ones were put between them.</source>
-        <translation>切片间距为 %1 至 %2 mm；已在其间插值为等间距切片。</translation>
-    </message>
-    <message>
-        <source>Slices are missing (%1); those beside fill their places.</source>
-        <translation>缺少切片（%1）；已用相邻切片填补。</translation>
-    </message>
-    <message>
-        <source>Slices of other series are left out (%1).</source>
-        <translation>已略去其他序列的切片（%1）。</translation>
-    </message>
-    <message>
-        <source>Slices in the place of another are left out (%1).</source>
-        <translation>已略去与其他切片位置重复的切片（%1）。</translation>
-    </message>
-    <message>
-        <source>Files that are no images in grey, or damaged, are left out (%1).</source>
-        <translation>已略去非灰度图像或已损坏的文件（%1）。</translation>
-    </message>
-    <message>
-        <source>The file holds densities: what is denser than a half is material.</source>
-        <translation>文件包含密度：密度大于二分之一处为材料。</translation>
-    </message>
-    <message>
-        <source>Further grids of the file are left out (%1).</source>
-        <translation>已略去文件中的其他网格（%1）。</translation>
     </message>
     <message>
         <source>Contact.</source>
@@ -4988,22 +4940,6 @@
         <translation>钻头不得进入禁区</translation>
     </message>
     <message>
-        <source>Nothing is left for facing: a part is drilled as it is.</source>
-        <translation>不留端面余量：零件按原样钻孔。</translation>
-    </message>
-    <message>
-        <source>Planned path and forbidden region stay where they were. Set them for this volume; a hole that is drilled can be taken as the path.</source>
-        <translation>规划路径和禁区保持在原处。请针对此体素模型设置它们；可将已钻的孔设为路径。</translation>
-    </message>
-    <message>
-        <source>Values from %1 on are taken as material: that parts the image best. The panel Segmentation and &apos;handwheel segment&apos; take any other range.</source>
-        <translation>从 %1 起的值视为材料：这样对图像的划分最好。“分割”面板和“handwheel segment”可采用任何其他范围。</translation>
-    </message>
-    <message>
-        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. The panel Stock takes other sizes; for an exercise use Import target… in its panel.</source>
-        <translation>该图纸是新棒料 ⌀%1 × %2 mm 的目标，自由端留有 %3 mm 端面余量。可在“毛坯”面板中设置其他尺寸；对于练习，请使用其面板中的“导入目标…”。</translation>
-    </message>
-    <message>
         <source>The finished face, zero of the drawing and of programs, is %1 mm behind the free end of the bar, at Z %2 mm; %3 mm of the bar are left behind the part at the chuck&apos;s end.</source>
         <translation>完工端面即图纸和程序的零点，位于棒料自由端之后 %1 mm，Z %2 mm 处；零件之后的卡盘端剩余 %3 mm 棒料。</translation>
     </message>
@@ -5012,8 +4948,132 @@
         <translation>目标 ⌀%1 × %2 mm 放不进棒料 ⌀%3 × %4 mm。请先将棒料设为更大的尺寸，再设置端面余量。</translation>
     </message>
     <message>
-        <source>no points, as the work fails by “%1”</source>
-        <translation>不得分，因为作业在“%1”上不合格</translation>
+        <source>A description cannot contain a model solution that was made by hand; it was left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertices moved apart in the last digits that the file can hold, so that it does not weld them: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no facing allowance: a part is drilled as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The planned path and the forbidden region were not moved. Adapt them to this volume; a drilled hole can be taken as the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not give the spacing of its samples: 1 mm is assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples that are not numbers were replaced by the smallest value (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file contains several values or images (%1); only the first was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices are tilted by %1° against their stacking direction; this was corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices of other series were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slices at the position of another slice were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that are damaged, or are not greyscale images, were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values from %1 upwards are taken as material (Otsu&apos;s threshold). Choose any other range in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file contains densities: densities above 0.5 are taken as material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other grids of the file were ignored (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. Enter another size in the panel Stock; for an exercise use Import target… in its panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where at most %4 is allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the lathe collided at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool was fed into the work at rest at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was deeper than the cutting edge is long at Z %1 mm, ⌀%2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N.</source>
+        <translation>切削过重：切削力为 %1 N，而车床只能承受 %2 N。</translation>
+    </message>
+    <message>
+        <source>The cut was too heavy: a power of %1 kW, where the lathe has %2 kW.</source>
+        <translation>切削过重：功率为 %1 kW，而车床只有 %2 kW。</translation>
+    </message>
+    <message>
+        <source>there is no such surface along the whole range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc curves in the opposite direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the marking scheme does not specify where to measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part does not match its recorded passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface was not cut along the whole range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool that cut it has no nose radius, or the feed was larger than that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed too high %1 times, up to %2 mm per revolution where at most %3 is allowed; other collisions: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the marking scheme has no limit for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no points, because “%1” was not met</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5063,10 +5123,6 @@
         <translation>%1，%2</translation>
     </message>
     <message>
-        <source>free but for links without meshes, %1</source>
-        <translation>除无网格的连杆外无碰撞，%1</translation>
-    </message>
-    <message>
         <source>free, %1</source>
         <translation>无碰撞，%1</translation>
     </message>
@@ -5083,10 +5139,6 @@
         <translation>%1，间隙 %2</translation>
     </message>
     <message>
-        <source>free of collisions but for links without meshes (%1)</source>
-        <translation>除无网格的连杆外无碰撞（%1）</translation>
-    </message>
-    <message>
         <source>free of collisions (%1)</source>
         <translation>无碰撞（%1）</translation>
     </message>
@@ -5097,10 +5149,6 @@
     <message>
         <source>The straight line to place %1 leaves the reach of the arm or the limits of its joints.</source>
         <translation>到位置 %1 的直线超出机械臂的可达范围或其关节限位。</translation>
-    </message>
-    <message>
-        <source>Every motion is proven to keep %1 from everything.</source>
-        <translation>已证明每个运动与所有物体都至少保持 %1 的间隙。</translation>
     </message>
     <message>
         <source>Every motion is proven free of collisions.</source>
@@ -5149,10 +5197,6 @@
         <translation>请重新规划：%1 已移动</translation>
     </message>
     <message>
-        <source>It leads along the curve where %1 was when it was planned. Plan it again, and it follows the part.</source>
-        <translation>它沿规划时 %1 所在位置的曲线。重新规划后，它会跟随零件。</translation>
-    </message>
-    <message>
         <source>On the way to place %1: %2 with %3</source>
         <translation>前往位置 %1 途中：%2 与 %3</translation>
     </message>
@@ -5163,6 +5207,22 @@
     <message>
         <source>%1, as stored with the cell</source>
         <translation>%1，如单元中所存储</translation>
+    </message>
+    <message>
+        <source>free, except for links without meshes, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free of collisions, except for links without meshes (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It follows the curve at the former position of %1. Plan it again to follow the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion is proven to keep a clearance of %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6247,10 +6307,6 @@
         <translation>公称尺寸</translation>
     </message>
     <message>
-        <source>nobody gets them without a limit</source>
-        <translation>未设限值则无人能得分</translation>
-    </message>
-    <message>
         <source>Motor power, kW (0: no limit)</source>
         <translation>电机功率，kW（0：无限制）</translation>
     </message>
@@ -6359,10 +6415,6 @@
         <translation>到</translation>
     </message>
     <message>
-        <source>Where the robot stands</source>
-        <translation>机器人当前位置</translation>
-    </message>
-    <message>
         <source>Carried by</source>
         <translation>携带者</translation>
     </message>
@@ -6393,10 +6445,6 @@
     <message>
         <source>Length from there (0: all)</source>
         <translation>从该处起的长度（0：全部）</translation>
-    </message>
-    <message>
-        <source>The other way round</source>
-        <translation>反方向</translation>
     </message>
     <message>
         <source>Lead</source>
@@ -6495,10 +6543,6 @@
         <translation>第二端面，靠近 Z</translation>
     </message>
     <message>
-        <source>it is to say where to measure</source>
-        <translation>须说明测量位置</translation>
-    </message>
-    <message>
         <source>“To Z” must be above “From Z”</source>
         <translation>“到 Z”须大于“从 Z”</translation>
     </message>
@@ -6537,10 +6581,6 @@
     <message>
         <source>What meets</source>
         <translation>重合之处</translation>
-    </message>
-    <message>
-        <source>The middles of the faces</source>
-        <translation>两面的中心</translation>
     </message>
     <message>
         <source>The points clicked</source>
@@ -6585,14 +6625,6 @@
     <message>
         <source>Path to follow</source>
         <translation>要跟随的路径</translation>
-    </message>
-    <message>
-        <source>Drawn to it from</source>
-        <translation>开始吸附到路径的距离</translation>
-    </message>
-    <message>
-        <source>Behind the hand</source>
-        <translation>落后于手的距离</translation>
     </message>
     <message>
         <source>something is in the way</source>
@@ -6677,10 +6709,6 @@
     <message>
         <source>a drawn curve</source>
         <translation>绘制的曲线</translation>
-    </message>
-    <message>
-        <source>Robot that is planned for</source>
-        <translation>当前规划的机器人</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -7015,10 +7043,6 @@
         <translation>最大的部分</translation>
     </message>
     <message>
-        <source>Without it no points at all</source>
-        <translation>未达到此项则完全不得分</translation>
-    </message>
-    <message>
         <source>Hints</source>
         <translation>提示</translation>
     </message>
@@ -7113,6 +7137,146 @@
     <message>
         <source>Distance of the points of the curve</source>
         <translation>曲线点的间距</translation>
+    </message>
+    <message>
+        <source>Robot to plan for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they cannot be scored without a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No points at all if not met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place to measure is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The centres of the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attracted within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance behind the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opposite direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current position of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of a voxel</source>
+        <translation>体素的边长</translation>
+    </message>
+    <message>
+        <source>Close gaps up to a radius of</source>
+        <translation>封闭间隙的最大半径</translation>
+    </message>
+    <message>
+        <source>Memory for the voxels (MB)</source>
+        <translation>体素所需内存 (MB)</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>抽壳</translation>
+    </message>
+    <message>
+        <source>Move surface</source>
+        <translation>偏移表面</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>组合</translation>
+    </message>
+    <message>
+        <source>Remove debris</source>
+        <translation>移除碎片</translation>
+    </message>
+    <message>
+        <source>Close gaps</source>
+        <translation>封闭间隙</translation>
+    </message>
+    <message>
+        <source>Smooth all</source>
+        <translation>全部平滑</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation>组合对象</translation>
+    </message>
+    <message>
+        <source>Parts that go</source>
+        <translation>将移除的部件</translation>
+    </message>
+    <message>
+        <source>Material then (mm³)</source>
+        <translation>更改后的材料体积 (mm³)</translation>
+    </message>
+    <message>
+        <source>Difference (mm³)</source>
+        <translation>差值 (mm³)</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Unite</source>
+        <translation>并集</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>差集</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>交集</translation>
+    </message>
+    <message>
+        <source>Smaller than a ball of</source>
+        <translation>小于直径为此值的球</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁的位置</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>外侧</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>All of the surface</source>
+        <translation>表面的全部三角形</translation>
+    </message>
+    <message>
+        <source>Within a distance</source>
+        <translation>在一定距离内</translation>
+    </message>
+    <message>
+        <source>So many</source>
+        <translation>指定数量</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh</source>
+        <translation>网格的三角形数</translation>
     </message>
 </context>
 <context>
@@ -7561,12 +7725,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n gone with removed triangles</source>
-        <translation>
-            <numerusform>%n 个随被移除的三角形一起消失</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n kept open</source>
         <translation>
             <numerusform>%n 个保持开放</numerusform>
@@ -7605,9 +7763,21 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n outer boundary(ies) gone with removed triangles</source>
+        <source>%n removed together with other triangles</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n now part of the boundary of an open sheet</source>
         <translation>
-            <numerusform>%n 个外边界随被移除的三角形一起消失</numerusform>
+            <numerusform>%n 个现为开放片体边界的一部分</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outer boundary(ies) removed together with other triangles</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -8509,10 +8679,6 @@
         <translation>将机器人移到此处</translation>
     </message>
     <message>
-        <source>back to where the robot stands</source>
-        <translation>返回机器人当前位形</translation>
-    </message>
-    <message>
         <source>the cell is being prepared</source>
         <translation>单元正在准备中</translation>
     </message>
@@ -8525,10 +8691,6 @@
         <translation>会有关节超出限位</translation>
     </message>
     <message>
-        <source>the robot stands like that</source>
-        <translation>机器人已处于该位形</translation>
-    </message>
-    <message>
         <source>place the body there</source>
         <translation>将物体放到此处</translation>
     </message>
@@ -8537,16 +8699,8 @@
         <translation>选择另一个面</translation>
     </message>
     <message>
-        <source>choose the face that it shall lie on</source>
-        <translation>选择要贴放到的面</translation>
-    </message>
-    <message>
         <source>choose a face of the body to be placed</source>
         <translation>选择要放置的物体的一个面</translation>
-    </message>
-    <message>
-        <source>click the face that it shall lie on</source>
-        <translation>单击要贴放到的面</translation>
     </message>
     <message>
         <source>click a face of the body to be placed</source>
@@ -8567,10 +8721,6 @@
     <message>
         <source>Optimise path</source>
         <translation>优化路径</translation>
-    </message>
-    <message>
-        <source>move along an arrow, turn by a ring</source>
-        <translation>沿箭头移动，绕圆环转动</translation>
     </message>
     <message>
         <source>nothing is typed</source>
@@ -8723,6 +8873,102 @@
     <message>
         <source>beside the planned path</source>
         <translation>偏离规划路径</translation>
+    </message>
+    <message>
+        <source>back to the current pose of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot is already in this configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move a robot by its base</source>
+        <translation>通过基座移动机器人</translation>
+    </message>
+    <message>
+        <source>choose the face to place it on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click the face to place it on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move a body or a robot&apos;s base over the floor, along an arrow, turn by a ring</source>
+        <translation>在地面上或沿箭头移动物体或机器人基座，绕圆环转动</translation>
+    </message>
+    <message>
+        <source>move it up and down</source>
+        <translation>上下移动</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing, even with its holes closed</source>
+        <translation>即使封闭其孔洞，曲面也未围成任何空间</translation>
+    </message>
+    <message>
+        <source>the part is thinner than the voxels: choose smaller ones</source>
+        <translation>零件比体素还薄：请选择更小的体素</translation>
+    </message>
+    <message>
+        <source>the voxels need more memory than there is left: choose larger ones</source>
+        <translation>体素所需内存超过剩余内存：请选择更大的体素</translation>
+    </message>
+    <message>
+        <source>the voxels are too small for a part of this size: choose larger ones</source>
+        <translation>体素对于此大小的零件过小：请选择更大的体素</translation>
+    </message>
+    <message>
+        <source>there are no triangles, or they have coordinates that are not numbers</source>
+        <translation>没有三角形，或其坐标不是数字</translation>
+    </message>
+    <message>
+        <source>Repair by volume</source>
+        <translation>体素修复</translation>
+    </message>
+    <message>
+        <source>repair by volume</source>
+        <translation>体素修复</translation>
+    </message>
+    <message>
+        <source>apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>combine with a file</source>
+        <translation>与文件组合</translation>
+    </message>
+    <message>
+        <source>there is no material</source>
+        <translation>没有材料</translation>
+    </message>
+    <message>
+        <source>no other body is open; choose a file</source>
+        <translation>没有打开其他物体；请选择文件</translation>
+    </message>
+    <message>
+        <source>it is being computed</source>
+        <translation>正在计算</translation>
+    </message>
+    <message>
+        <source>Combine volumes</source>
+        <translation>组合体素模型</translation>
+    </message>
+    <message>
+        <source>Close gaps</source>
+        <translation>封闭间隙</translation>
+    </message>
+    <message>
+        <source>Smooth volume</source>
+        <translation>平滑体素模型</translation>
+    </message>
+    <message>
+        <source>Make shell</source>
+        <translation>抽壳</translation>
+    </message>
+    <message>
+        <source>Move surface</source>
+        <translation>偏移表面</translation>
     </message>
 </context>
 <context>
@@ -8903,10 +9149,6 @@
             <numerusform>意外结束的会话留下的 %Ln 个自动保存无法读取。</numerusform>
         </translation>
     </message>
-    <message>
-        <source>The Log names the files.</source>
-        <translation>日志中列出了这些文件。</translation>
-    </message>
     <message numerus="yes">
         <source>Discarded %Ln autosave(s)</source>
         <translation>
@@ -8942,6 +9184,10 @@
     <message>
         <source>Their contents are lost. They are kept until you discard them.</source>
         <translation>其内容已丢失。它们会一直保留，直到您将其丢弃。</translation>
+    </message>
+    <message>
+        <source>The files are listed in the Log.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9121,10 +9367,6 @@
         <translation>没有任何更改</translation>
     </message>
     <message>
-        <source>The bodies stay as they are</source>
-        <translation>物体保持不变</translation>
-    </message>
-    <message>
         <source>Link to an&amp;other file…</source>
         <translation>链接到其他文件(&amp;O)…</translation>
     </message>
@@ -9233,14 +9475,6 @@
         <translation>将物体从机器人上取下(&amp;R)</translation>
     </message>
     <message>
-        <source>Let the robot carry the selected body as a tool: its origin comes to the flange</source>
-        <translation>让机器人携带所选物体作为工具：其原点移到法兰处</translation>
-    </message>
-    <message>
-        <source>Leave the selected body where the robot holds it</source>
-        <translation>将所选物体留在机器人当前持有的位置</translation>
-    </message>
-    <message>
         <source>The robot does not carry it.</source>
         <translation>机器人没有携带它。</translation>
     </message>
@@ -9263,10 +9497,6 @@
     <message>
         <source>Give the selected body another name, in the list</source>
         <translation>在列表中为所选物体指定其他名称</translation>
-    </message>
-    <message>
-        <source>Say in which unit the numbers of its file are: STL, OBJ, PLY and OFF have none, and count as mm</source>
-        <translation>指定其文件中数值的单位：STL、OBJ、PLY 和 OFF 没有单位，按 mm 处理</translation>
     </message>
     <message>
         <source>Unlink the file first: it is read again with its own numbers.</source>
@@ -9307,6 +9537,22 @@
     <message>
         <source>Choose the unit…</source>
         <translation>选择单位…</translation>
+    </message>
+    <message>
+        <source>Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attach the selected body to the robot as a tool, with its origin at the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detach the selected body from the robot and leave it where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bodies were not changed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9371,20 +9617,8 @@
         <translation>读取允许接触的对 (S&amp;RDF)…</translation>
     </message>
     <message>
-        <source>Store where the robot stands under a name</source>
-        <translation>以名称保存机器人当前位形</translation>
-    </message>
-    <message>
         <source>Plan a path between configurations that is proven free of collisions</source>
         <translation>在位形之间规划一条已证明无碰撞的路径</translation>
-    </message>
-    <message>
-        <source>Let the robot come to the selected place earlier</source>
-        <translation>让机器人更早到达所选位置</translation>
-    </message>
-    <message>
-        <source>Let the robot come to the selected place later</source>
-        <translation>让机器人更晚到达所选位置</translation>
     </message>
     <message>
         <source>Move the tool&apos;s centre point to the place along a straight line</source>
@@ -9561,10 +9795,6 @@
         <translation>%1 已优化</translation>
     </message>
     <message>
-        <source>%1 stays as it is</source>
-        <translation>%1 保持不变</translation>
-    </message>
-    <message>
         <source>Store a &amp;target here</source>
         <translation>在此处保存目标点(&amp;T)</translation>
     </message>
@@ -9573,20 +9803,8 @@
         <translation>优化顺序和位形(&amp;C)</translation>
     </message>
     <message>
-        <source>Store where the tool is as a target; on the selected body, if one is: it moves with it</source>
-        <translation>将工具当前位置保存为目标点；若选中了物体，则保存在该物体上，并随其移动</translation>
-    </message>
-    <message>
         <source>Move the robot to the selected configuration, place or target</source>
         <translation>将机器人移到所选的位形、位置或目标点</translation>
-    </message>
-    <message>
-        <source>Replace the selected place or target by where the robot stands</source>
-        <translation>用机器人当前位形替换所选的位置或目标点</translation>
-    </message>
-    <message>
-        <source>Visit the critical places in the order, and reach them in the configurations, that take the least time</source>
-        <translation>以用时最少的顺序和位形经过各关键位置</translation>
     </message>
     <message>
         <source>Store a configuration or a target first: where the path is to begin or end.</source>
@@ -9633,16 +9851,8 @@
         <translation>%1 在规划期间被更改</translation>
     </message>
     <message>
-        <source>Your changes stay; what was planned is %1.</source>
-        <translation>您的更改已保留；规划结果为 %1。</translation>
-    </message>
-    <message>
         <source>The cell was changed while %1 was planned</source>
         <translation>规划 %1 期间单元被更改</translation>
-    </message>
-    <message>
-        <source>The result does not hold for the cell as it is now, and was thrown away.</source>
-        <translation>结果不适用于单元的当前状态，已被丢弃。</translation>
     </message>
     <message>
         <source>Plan it again</source>
@@ -9669,14 +9879,6 @@
         <translation>移除所选的位形、路径、位置、目标点或机器人</translation>
     </message>
     <message>
-        <source>Plan for the selected robot from now on; the others stand where they are</source>
-        <translation>从现在起为所选机器人规划；其他机器人保持不动</translation>
-    </message>
-    <message>
-        <source>Choose the robot that the path is of first.</source>
-        <translation>请先选择该路径所属的机器人。</translation>
-    </message>
-    <message>
         <source>Select a robot in the list first, in a cell with several.</source>
         <translation>在含多个机器人的单元中，请先在列表中选择一个机器人。</translation>
     </message>
@@ -9693,16 +9895,6 @@
         <translation>
             <numerusform>%Ln 个运动</numerusform>
         </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln point(s) of them looked at.</source>
-        <translation>
-            <numerusform>检查了其中 %Ln 个点。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 could not be planned anew, and stays as it is</source>
-        <translation>%1 无法重新规划，保持不变</translation>
     </message>
     <message>
         <source>%1 could not be planned</source>
@@ -9721,28 +9913,12 @@
         <translation>%1 已存在</translation>
     </message>
     <message>
-        <source>The name had no ending of a language, so that of %1 was added.</source>
-        <translation>名称没有任何语言的扩展名，因此添加了 %1 的扩展名。</translation>
-    </message>
-    <message>
         <source>Replace it</source>
         <translation>替换</translation>
     </message>
     <message>
         <source>Verif&amp;y all paths</source>
         <translation>验证所有路径(&amp;Y)</translation>
-    </message>
-    <message>
-        <source>Insert where the robot stands behind the selected place as a critical configuration; before the goal, if that or the path is selected</source>
-        <translation>将机器人当前位形作为关键位形插入到所选位置之后；若所选为终点或路径，则插入到终点之前</translation>
-    </message>
-    <message>
-        <source>Prove each motion of the selected path free of collisions, or list all that collides; also once more, if it is proven already</source>
-        <translation>证明所选路径的每个运动均无碰撞，或列出所有碰撞；已证明的也可重新验证</translation>
-    </message>
-    <message>
-        <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one that is planned for</source>
-        <translation>读取所选机器人（未选择时为当前规划的机器人）的允许接触的连杆对和命名状态</translation>
     </message>
     <message>
         <source>The cell has no path yet.</source>
@@ -9775,14 +9951,6 @@
         <translation>已为 %2 读取 %1</translation>
     </message>
     <message>
-        <source>Select the robot that the file is of, and read it again.</source>
-        <translation>请选择该文件所属的机器人，然后重新读取。</translation>
-    </message>
-    <message>
-        <source>It leads along the curve where %1 was when it was planned: plan the path again.</source>
-        <translation>它沿规划时 %1 所在位置的曲线：请重新规划路径。</translation>
-    </message>
-    <message>
         <source>%1 was planned</source>
         <translation>已规划 %1</translation>
     </message>
@@ -9799,10 +9967,6 @@
     <message>
         <source>Remo&amp;ve from the plan</source>
         <translation>从规划中移除(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Verify the paths of all robots that are not verified as they are now, each with the other robots where they stand</source>
-        <translation>验证所有机器人中当前状态尚未验证的路径，验证时其他机器人均处于当前位置</translation>
     </message>
     <message>
         <source>Give the selected configuration, path or target another name</source>
@@ -9841,6 +10005,132 @@
     <message>
         <source>The next places that are stored continue the path.</source>
         <translation>接下来保存的位置将延续该路径。</translation>
+    </message>
+    <message>
+        <source>%1 was not changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln point(s) checked.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln path(s) proven</source>
+        <translation>
+            <numerusform>已证明 %Ln 条路径</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln not</source>
+        <translation>
+            <numerusform>%Ln 条未证明</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The list has what is known of the others.</source>
+        <translation>列表中有其他路径的已知情况。</translation>
+    </message>
+    <message>
+        <source>%1 could not be planned again and was not changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your changes were kept; the planned path is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result is not valid for the cell as it is now, and was discarded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outdated</source>
+        <translation>%1 已过时</translation>
+    </message>
+    <message>
+        <source>%1 is not proven as it is now</source>
+        <translation>%1 的当前状态未经证明</translation>
+    </message>
+    <message>
+        <source>Only what is proven free of collisions is exported.</source>
+        <translation>只导出已证明无碰撞的内容。</translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
+        <translation>它沿规划时 %1 所在位置的曲线：工具不再与该零件接触。</translation>
+    </message>
+    <message>
+        <source>Export it as it is</source>
+        <translation>按原样导出</translation>
+    </message>
+    <message>
+        <source>The name had no extension of a robot language, so that of %1 was added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It follows the curve at the former position of %1: a comment of the program says so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store the current joint values under a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store the current pose of the tool as a target; on the selected body, if any, with which it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert the current joint values after the selected place as a critical configuration; before the goal, if that or the path is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the selected place or target by the current position of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected place towards the start of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selected place towards the end of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify that each motion of the selected path is free of collisions, or list all collisions; also if it was verified before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify the paths of all robots that are not verified in their current state, each with the other robots where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to plan for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the order of the critical places, and the configurations in which they are reached, that take the least time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan for the selected robot from now on; the others stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the robot of the path first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is being verified.</source>
+        <translation>正在验证路径。</translation>
+    </message>
+    <message>
+        <source>Select the robot that the file describes, and read it again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9885,14 +10175,6 @@
         <translation>从库中向单元再添加一个机器人</translation>
     </message>
     <message>
-        <source>Robot that is planned for</source>
-        <translation>当前规划的机器人</translation>
-    </message>
-    <message>
-        <source>The robot that is planned for; the others stand where they are</source>
-        <translation>当前规划的机器人；其他机器人保持不动</translation>
-    </message>
-    <message>
         <source>Open a robot cell first.</source>
         <translation>请先打开机器人单元。</translation>
     </message>
@@ -9925,27 +10207,35 @@
         <translation>添加机器人 %1</translation>
     </message>
     <message>
-        <source>The robots stay as they are</source>
-        <translation>机器人保持不变</translation>
-    </message>
-    <message>
-        <source>Remove the robot that is selected, or else the one that is planned for, with its configurations and paths</source>
-        <translation>移除所选的机器人；未选时移除当前规划的机器人，连同其位形和路径</translation>
-    </message>
-    <message>
         <source>%1 was removed</source>
         <translation>已移除 %1</translation>
     </message>
     <message>
-        <source>With it went %1 configurations and %2 paths. Undo brings all back.</source>
-        <translation>一并移除的还有 %1 个位形和 %2 条路径。撤销可全部恢复。</translation>
+        <source>Remove the selected robot, or else the one to plan for, with its configurations and paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot to plan for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot to plan for; the others stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 configurations and %2 paths were removed with it. Undo restores them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robots were not changed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellTargets</name>
     <message>
-        <source>Looking for ways to the targets</source>
-        <translation>正在查找到达目标点的方式</translation>
+        <source>Searching configurations for the targets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10535,10 +10825,6 @@
 <context>
     <name>handwheel::DrillView</name>
     <message>
-        <source>The forbidden region was entered by %1 mm: this try has failed</source>
-        <translation>已进入禁区 %1 mm：本次尝试失败</translation>
-    </message>
-    <message>
         <source>Breakthrough: stop. %1 mm beyond</source>
         <translation>已钻穿：请停止。超出 %1 mm</translation>
     </message>
@@ -10563,10 +10849,6 @@
         <translation>深 %1 mm，%2 N，%3 N·mm，+%4 K（估计值）</translation>
     </message>
     <message>
-        <source>The try has failed</source>
-        <translation>本次尝试失败</translation>
-    </message>
-    <message>
         <source>The drill entered the forbidden region.</source>
         <translation>钻头进入了禁区。</translation>
     </message>
@@ -10583,10 +10865,6 @@
         <translation>钻头偏离规划路径超过 %1 mm。</translation>
     </message>
     <message>
-        <source>Let go, undo the hole, and begin where the green rod meets the surface.</source>
-        <translation>请松开，撤销该孔，然后从绿色细杆与表面相交处开始。</translation>
-    </message>
-    <message>
         <source>Breakthrough</source>
         <translation>钻穿</translation>
     </message>
@@ -10595,8 +10873,20 @@
         <translation>钻头在 %1 s 后钻穿。</translation>
     </message>
     <message>
-        <source>Let go now: each further millimetre counts.</source>
-        <translation>请立即松开：每多一毫米都会计入。</translation>
+        <source>The forbidden region was entered by %1 mm: this attempt has failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt has failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release the button, undo the hole, and begin where the green rod meets the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release the button now: each further millimetre counts.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10760,10 +11050,6 @@
         <translation>设为参考答案(&amp;O)</translation>
     </message>
     <message>
-        <source>Keep the work that was begun from this exercise as its model solution</source>
-        <translation>将从此练习开始的作业保留为其参考答案</translation>
-    </message>
-    <message>
         <source>Take as &amp;target</source>
         <translation>设为目标(&amp;T)</translation>
     </message>
@@ -10790,10 +11076,6 @@
     <message>
         <source>First &amp;lesson at the lathe</source>
         <translation>车床第一课(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Turn a shoulder step by step, without having turned before</source>
-        <translation>逐步车削一个台阶，无需车削经验</translation>
     </message>
     <message>
         <source>Turn your first shoulder</source>
@@ -10844,10 +11126,6 @@
     <message>
         <source>New exercise</source>
         <translation>新建练习</translation>
-    </message>
-    <message>
-        <source>%1 points. Students get a copy without the answers.</source>
-        <translation>%1 分。学生得到不含答案的副本。</translation>
     </message>
     <message>
         <source>Opened %1: exercise “%2”</source>
@@ -10992,10 +11270,6 @@
         <translation>导入目标(&amp;I)…</translation>
     </message>
     <message>
-        <source>Read what students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
-        <translation>从 DXF、SVG、STEP、网格或工件读取学生要加工的形状</translation>
-    </message>
-    <message>
         <source>Import a target</source>
         <translation>导入目标</translation>
     </message>
@@ -11036,16 +11310,64 @@
         <translation>导入(&amp;I)</translation>
     </message>
     <message>
-        <source>“Task” says where it lies in the bar, “Marks” what is measured of it.</source>
-        <translation>“任务”说明它在棒料中的位置，“评分”说明要测量它的哪些项目。</translation>
-    </message>
-    <message>
         <source>The exercise was changed meanwhile.</source>
         <translation>练习在此期间已被更改。</translation>
     </message>
     <message>
         <source>Import the target again.</source>
         <translation>请重新导入目标。</translation>
+    </message>
+    <message>
+        <source>Keep the work that was started from this exercise as its model solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import the shape that students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn a shoulder step by step; no experience is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New exercise: %1</source>
+        <translation>新建练习：%1</translation>
+    </message>
+    <message>
+        <source>Drill a burr hole</source>
+        <translation>颅骨钻孔</translation>
+    </message>
+    <message>
+        <source>Opens an exercise on a skull: drill along the rod, and stop at the breakthrough.</source>
+        <translation>打开一个颅骨练习：沿细杆钻孔，并在钻穿时停止。</translation>
+    </message>
+    <message>
+        <source>Points: %1. Students get a copy without the answers.</source>
+        <translation>分数：%1。学生得到不含答案的副本。</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3.</source>
+        <translation>%1：%2 分（满分 %3 分）。</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 of %3.</source>
+        <translation>%1 至 %2 分（满分 %3 分）。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln file(s) could not be marked; the table says why.</source>
+        <translation>
+            <numerusform>%Ln 个文件无法评分；原因见表格。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln work(s) marked</source>
+        <translation>
+            <numerusform>已对 %Ln 份作业评分</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“Task” shows where it lies in the bar, “Marks” what is measured.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11324,6 +11646,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::FoldButton</name>
+    <message>
+        <source>Hide the fields of %1</source>
+        <translation>隐藏 %1 的字段</translation>
+    </message>
+    <message>
+        <source>Show the fields of %1</source>
+        <translation>显示 %1 的字段</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ForcePlot</name>
     <message>
         <source>Force of the last seconds</source>
@@ -11406,8 +11739,8 @@
         <translation>直方图和值的范围</translation>
     </message>
     <message>
-        <source>How many samples have which value (logarithmic). Drag the handles: what lies between is the segment.</source>
-        <translation>各个值的采样点数（对数）。拖动控制柄：其间的部分即为分割区域。</translation>
+        <source>Number of samples of each value (logarithmic). Drag the handles: the values between them are the segment.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11458,16 +11791,16 @@
         <translation>显示每种方法对此孔洞的结果</translation>
     </message>
     <message>
-        <source>Look at it: %1.</source>
-        <translation>请检查：%1。</translation>
-    </message>
-    <message>
         <source>Thickness</source>
         <translation>厚度</translation>
     </message>
     <message>
         <source>Thickness of the sheet&apos;s thin body, which grows to the side opposite to the normals: the triangles of the sheet stay where they are. Less where that would intersect anything; the log says what was reached.</source>
         <translation>片体薄实体的厚度，向法线的反方向增长：片体的三角形保持原位。会与其他部分相交处则更薄；日志说明达到的厚度。</translation>
+    </message>
+    <message>
+        <source>Check the patch: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11556,36 +11889,36 @@
         <translation>%1 s：%2</translation>
     </message>
     <message>
-        <source>Power: the cut takes %1 kW of the motor, which has %2 kW; the spindle slows down.</source>
-        <translation>功率：切削需要电机提供 %1 kW，而电机只有 %2 kW；主轴减速。</translation>
-    </message>
-    <message>
-        <source>Torque: the cut takes %1 N·m at the spindle, which has %2 N·m; the spindle stalls.</source>
-        <translation>扭矩：切削需要主轴提供 %1 N·m，而主轴只有 %2 N·m；主轴堵转。</translation>
-    </message>
-    <message>
-        <source>L/D: the work stands out %1 times its diameter; %2 times is the rule. Support it.</source>
-        <translation>长径比 (L/D)：工件伸出长度为其直径的 %1 倍；一般以 %2 倍为限。请加支承。</translation>
-    </message>
-    <message>
-        <source>Deflection: the work gives way and is left %1 mm thicker here; the limit is %2 mm.</source>
-        <translation>让刀：工件发生退让，此处会多留 %1 mm；限值为 %2 mm。</translation>
-    </message>
-    <message>
-        <source>Chatter: %1 mm of depth; up to %2 mm is stable at any spindle speed.</source>
-        <translation>颤振：切深 %1 mm；不超过 %2 mm 时在任何主轴转速下都稳定。</translation>
-    </message>
-    <message>
-        <source>Rubbing: a chip of %1 mm is not cut but rubbed; %2 mm is the least.</source>
-        <translation>挤擦：%1 mm 的切屑未被切下而只是挤擦；至少应为 %2 mm。</translation>
-    </message>
-    <message>
         <source>Crashes and warnings</source>
         <translation>碰撞与警告</translation>
     </message>
     <message>
-        <source>What met what, which rule was broken, and when. A crash stops the spindle.</source>
-        <translation>什么与什么相碰、违反了哪条规则以及发生的时间。碰撞会使主轴停止。</translation>
+        <source>Power: the cut needs %1 kW, and the motor has %2 kW; the spindle slows down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque: the cut needs %1 N·m, and the spindle has %2 N·m; the spindle stalls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L/D: the work protrudes by %1 times its diameter; at most %2 times is recommended. Support it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deflection: the work bends away and is left %1 mm thicker here; the limit is %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chatter: the depth of cut is %1 mm; up to %2 mm is stable at any spindle speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rubbing: a chip thickness of %1 mm is too small to be cut; at least %2 mm is needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11607,20 +11940,12 @@
         <translation>kW</translation>
     </message>
     <message>
-        <source>Of the motor, and what it has</source>
-        <translation>电机功率及其上限</translation>
-    </message>
-    <message>
         <source>Torque</source>
         <translation>扭矩</translation>
     </message>
     <message>
         <source>N·m</source>
         <translation>N·m</translation>
-    </message>
-    <message>
-        <source>At the spindle, and what it has</source>
-        <translation>主轴扭矩及其上限</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -11631,20 +11956,12 @@
         <translation>%1 r/min</translation>
     </message>
     <message>
-        <source>Its speed now. A cut beyond power or torque slows it down.</source>
-        <translation>当前转速。切削超出功率或扭矩时主轴会减速。</translation>
-    </message>
-    <message>
         <source>Cutting speed</source>
         <translation>切削速度</translation>
     </message>
     <message>
         <source>%1 m/min</source>
         <translation>%1 m/min</translation>
-    </message>
-    <message>
-        <source>At the middle of the cut</source>
-        <translation>切削中部处的速度</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -11655,10 +11972,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Of the cut, across its way</source>
-        <translation>切削深度，垂直于走刀方向</translation>
-    </message>
-    <message>
         <source>Feed</source>
         <translation>进给</translation>
     </message>
@@ -11667,20 +11980,12 @@
         <translation>%1 mm/r</translation>
     </message>
     <message>
-        <source>In a turn of the spindle</source>
-        <translation>主轴每转的进给</translation>
-    </message>
-    <message>
         <source>Law</source>
         <translation>定律</translation>
     </message>
     <message>
         <source>Kosilova</source>
         <translation>Kosilova</translation>
-    </message>
-    <message>
-        <source>The law of the cutting force was not made for such a cut of %1.</source>
-        <translation>该切削力定律不是为对 %1 的这种切削建立的。</translation>
     </message>
     <message>
         <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
@@ -11695,16 +12000,44 @@
         <translation>%1 µm</translation>
     </message>
     <message>
-        <source>Roughness of the part where the tool is: of feed and nose radius, and of what file, paper or disk have taken off since</source>
-        <translation>刀具所在处零件的粗糙度：由进给量和刀尖圆弧半径，以及此后锉刀、砂纸或砂轮的去除量得出</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <source>Of the cut, of all three components, and what the exercise allows</source>
-        <translation>切削力，即三个分量的合力，以及练习允许的值</translation>
+        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power taken from the motor, and its rated power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque at the spindle, and the torque available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface speed at the middle of the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of cut, measured across the feed direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed per revolution of the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The law of the cutting force is not valid for such a cut of %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11905,6 +12238,22 @@
         <source>From the workpiece zero as it was touched off; away from the chuck is positive</source>
         <translation>从对刀所定的工件零点算起；离开卡盘为正</translation>
     </message>
+    <message>
+        <source>Touching off</source>
+        <translation>对刀</translation>
+    </message>
+    <message>
+        <source>Constant surface speed</source>
+        <translation>恒线速度</translation>
+    </message>
+    <message>
+        <source>Thread and rapid traverse</source>
+        <translation>螺纹和快速移动</translation>
+    </message>
+    <message>
+        <source>Handwheels</source>
+        <translation>手轮</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -11957,8 +12306,8 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>The material that came back is where it was, so the tool was taken out of it.</source>
-        <translation>恢复的材料正处于刀具所在位置，因此已将刀具从中退出。</translation>
+        <source>The restored material is where the tool was, so the tool was moved out of it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12090,6 +12439,13 @@
     <message>
         <source>Log</source>
         <translation>日志</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LongTextRow</name>
+    <message>
+        <source>Ctrl+Return, or leaving the field, takes the text; Esc gives it back as it was.</source>
+        <translation>按 Ctrl+Return 或离开该字段即采用文本；按 Esc 恢复原来的文本。</translation>
     </message>
 </context>
 <context>
@@ -12278,6 +12634,14 @@
         <source>&amp;Undo %1</source>
         <translation>撤销 %1(&amp;U)</translation>
     </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>新建(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples and exercises</source>
+        <translation>示例与练习(&amp;M)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -12434,6 +12798,14 @@
         <source>Opens a sample scan with holes. Press N to see the first one, then Enter to close it.</source>
         <translation>打开一个带孔洞的示例扫描。按 N 查看第一个，再按回车键将其封闭。</translation>
     </message>
+    <message>
+        <source>Repair by &amp;volume</source>
+        <translation>体素修复(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Replace everything by the surface of the volume that is enclosed: closed and free of self-intersections, without details smaller than a voxel</source>
+        <translation>用所围体积的表面替换全部内容：封闭且无自相交，不含小于一个体素的细节</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -12550,10 +12922,6 @@
         <translation>播放路径(&amp;A)</translation>
     </message>
     <message>
-        <source>Plays the path on a time line, with its clearance and what collides</source>
-        <translation>在时间轴上播放路径，显示间隙和碰撞</translation>
-    </message>
-    <message>
         <source>Path</source>
         <translation>路径</translation>
     </message>
@@ -12597,12 +12965,16 @@
         <source>; collision: %1 with %2</source>
         <translation>；碰撞：%1 与 %2</translation>
     </message>
+    <message>
+        <source>Plays the path on a time line, with its clearance and its collisions</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PathGuides</name>
     <message>
-        <source>Finding the way along %1</source>
-        <translation>正在求沿 %1 的路线</translation>
+        <source>Finding the curve along %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12866,10 +13238,6 @@
         <translation>生成</translation>
     </message>
     <message>
-        <source>Have a program written: of the recorded passes, or for the target</source>
-        <translation>生成程序：根据记录的走刀，或针对目标</translation>
-    </message>
-    <message>
         <source>Dialect</source>
         <translation>代码格式</translation>
     </message>
@@ -12930,16 +13298,20 @@
         <translation>第 %1 行，第 %2 列： </translation>
     </message>
     <message>
-        <source>What the tool numbers of the program are: noses, holders, offsets</source>
-        <translation>程序中各刀具编号的含义：刀尖、刀杆、偏置</translation>
-    </message>
-    <message>
         <source>&amp;Tools…</source>
         <translation>刀具(&amp;T)…</translation>
     </message>
     <message>
         <source>&amp;Tools (%1)…</source>
         <translation>刀具 (%1)(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Generate a program from the recorded passes or for the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool table of the program: nose radii, holders and offsets</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12965,10 +13337,6 @@
         <translation>播放速度</translation>
     </message>
     <message>
-        <source>How many times as fast as the machine it plays</source>
-        <translation>播放速度为机床速度的倍数</translation>
-    </message>
-    <message>
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
@@ -12979,6 +13347,10 @@
     <message>
         <source>Pause</source>
         <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Speed relative to that of the machine</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13105,10 +13477,6 @@
         <translation>由走刀生成程序</translation>
     </message>
     <message>
-        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo brings the present text back.</source>
-        <translation>将切削此零件的走刀写成所选代码格式的程序。程序显示在编辑器中；撤销可恢复当前文本。</translation>
-    </message>
-    <message>
         <source>&amp;Write</source>
         <translation>写入(&amp;W)</translation>
     </message>
@@ -13141,16 +13509,8 @@
         <translation>mm</translation>
     </message>
     <message>
-        <source>Of a roughing cut, on the radius</source>
-        <translation>每次粗车的半径切深</translation>
-    </message>
-    <message>
         <source>Allowance</source>
         <translation>余量</translation>
-    </message>
-    <message>
-        <source>Left for the finishing cut</source>
-        <translation>留给精车</translation>
     </message>
     <message>
         <source>Nose radius</source>
@@ -13175,10 +13535,6 @@
     <message>
         <source>m/min</source>
         <translation>m/min</translation>
-    </message>
-    <message>
-        <source>Greatest spindle speed</source>
-        <translation>最高主轴转速</translation>
     </message>
     <message>
         <source>Writing and simulating the cycles</source>
@@ -13247,10 +13603,6 @@
         <translation>运行 %1</translation>
     </message>
     <message>
-        <source>Cut: %1 mm³ removed. Undo brings them back.</source>
-        <translation>切削：已去除 %1 mm³。撤销可恢复。</translation>
-    </message>
-    <message>
         <source>Cutting up to the line</source>
         <translation>正在切削到该行</translation>
     </message>
@@ -13265,14 +13617,6 @@
     <message>
         <source>Drill for the bore</source>
         <translation>内孔的钻头</translation>
-    </message>
-    <message>
-        <source>force: up to %1 N, where the lathe of the exercise takes %2 N. It is marked.</source>
-        <translation>力：最大 %1 N，而练习的车床只能承受 %2 N。将计入评分。</translation>
-    </message>
-    <message>
-        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is marked.</source>
-        <translation>功率：最大 %1 kW，而练习的车床只有 %2 kW。将计入评分。</translation>
     </message>
     <message>
         <source>collision: %3 meets %4, on the way to ⌀ %1, Z %2.</source>
@@ -13295,10 +13639,6 @@
     <message>
         <source>Diameter. A bore, through or blind, is drilled, roughed and finished with a boring bar; 0 leaves it as it is.</source>
         <translation>直径。内孔（通孔或盲孔）先钻孔，再用镗刀粗镗和精镗；0 表示保持原样。</translation>
-    </message>
-    <message>
-        <source>Cut the part as the program does. Its collisions are shown and asked about before.</source>
-        <translation>按程序切削零件。切削前会显示其碰撞并询问。</translation>
     </message>
     <message>
         <source>The view shows the part as it is. Run the program to see what it would cut.</source>
@@ -13334,16 +13674,37 @@
         <source>The program was changed since: run it again.</source>
         <translation>程序此后已更改：请重新运行。</translation>
     </message>
-</context>
-<context>
-    <name>handwheel::PropertyList</name>
     <message>
-        <source>Hide the fields of %1</source>
-        <translation>隐藏 %1 的字段</translation>
+        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the fields of %1</source>
-        <translation>显示 %1 的字段</translation>
+        <source>Depth of a roughing cut, on the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowance for the finishing cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
+        <translation>功率：最大 %1 kW，而练习的车床只有 %2 kW。将写入练习的报告。</translation>
+    </message>
+    <message>
+        <source>Cut the part as the program does. If it collides, its collisions are shown first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut: %1 mm³ removed. Undo restores them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13497,6 +13858,57 @@
     </message>
 </context>
 <context>
+    <name>handwheel::RemeshAction</name>
+    <message>
+        <source>Make &amp;mesh…</source>
+        <translation>生成网格(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Open the surface as a mesh, with as many triangles as are wanted</source>
+        <translation>将表面作为网格打开，三角形数量可自定</translation>
+    </message>
+    <message>
+        <source>Make a mesh</source>
+        <translation>生成网格</translation>
+    </message>
+    <message>
+        <source>The mesh becomes a document of its own. It is closed and manifold, and meets itself nowhere.</source>
+        <translation>网格成为单独的文档。它是封闭的流形，处处无自相交。</translation>
+    </message>
+    <message>
+        <source>&amp;Make mesh</source>
+        <translation>生成网格(&amp;M)</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>约 %1</translation>
+    </message>
+    <message>
+        <source>being counted…</source>
+        <translation>正在计数…</translation>
+    </message>
+    <message>
+        <source>Counting triangles</source>
+        <translation>正在计算三角形数量</translation>
+    </message>
+    <message>
+        <source>Making the mesh</source>
+        <translation>正在生成网格</translation>
+    </message>
+    <message>
+        <source>The mesh was not made</source>
+        <translation>未生成网格</translation>
+    </message>
+    <message>
+        <source>Mesh made of %1 triangle(s): %2 of them left</source>
+        <translation>已由 %1 个三角形生成网格：保留其中 %2 个</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::RepairActions</name>
     <message>
         <source>&amp;Repair all</source>
@@ -13577,6 +13989,14 @@
     <message>
         <source>Undo all that “Repair all” has changed</source>
         <translation>撤销“全部修复”所做的所有更改</translation>
+    </message>
+    <message>
+        <source>Repair by &amp;volume…</source>
+        <translation>体素修复(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed</source>
+        <translation>选择体素大小，并用所围体积的表面替换全部内容</translation>
     </message>
 </context>
 <context>
@@ -13724,12 +14144,6 @@
             <numerusform>已删除 %Ln 个完整部分</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) are gone from %1.</source>
-        <translation>
-            <numerusform>%1 中已移除 %Ln 个三角形。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Undo</source>
         <translation>撤销</translation>
@@ -13750,9 +14164,15 @@
         <source>Nothing more could be repaired without damage. The list of defects gives the reasons that are known.</source>
         <translation>在不造成损坏的前提下已无法再修复。缺陷列表给出已知的原因。</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) were removed from %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Look at the patch of %1: %2.</source>
-        <translation>请检查 %1 的补片：%2。</translation>
+        <source>Check the patch of %1: %2.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13772,10 +14192,6 @@
     <message>
         <source>Replay</source>
         <translation>回放</translation>
-    </message>
-    <message>
-        <source>Nothing was cut yet. What you cut can be played here.</source>
-        <translation>尚未切削。您的切削过程可在此处回放。</translation>
     </message>
     <message>
         <source>Preparing the replay</source>
@@ -13846,12 +14262,83 @@
         <translation>无法比较 %1</translation>
     </message>
     <message>
-        <source>It is no workpiece that something was cut from.</source>
-        <translation>它不是经过切削的工件。</translation>
-    </message>
-    <message>
         <source>&amp;Leave %1</source>
         <translation>结束与 %1 的比较(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Nothing has been cut yet. Recorded passes can be played here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not a workpiece that was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ReshapeActions</name>
+    <message>
+        <source>Make s&amp;hell…</source>
+        <translation>抽壳(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Leave a wall along the surface</source>
+        <translation>沿表面留出一层壁</translation>
+    </message>
+    <message>
+        <source>Move s&amp;urface…</source>
+        <translation>偏移表面(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Move the surface out or in</source>
+        <translation>将表面向外或向内偏移</translation>
+    </message>
+    <message>
+        <source>C&amp;ombine…</source>
+        <translation>组合(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Unite with another document or file, subtract it, or keep what both have</source>
+        <translation>与另一文档或文件合并、减去它，或保留两者共有的部分</translation>
+    </message>
+    <message>
+        <source>Remove &amp;debris…</source>
+        <translation>移除碎片(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Take small parts away</source>
+        <translation>移除小的部分</translation>
+    </message>
+    <message>
+        <source>Close &amp;gaps…</source>
+        <translation>封闭间隙(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Fill gaps, cracks and pits</source>
+        <translation>填补间隙、裂缝和凹坑</translation>
+    </message>
+    <message>
+        <source>Smooth &amp;all…</source>
+        <translation>全部平滑(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Take small bumps and dents off</source>
+        <translation>去除小的凸起和凹陷</translation>
+    </message>
+    <message>
+        <source>Change &amp;whole volume</source>
+        <translation>更改整个体素模型(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Shell, moved surface, combination with another body, debris, gaps, smoothing</source>
+        <translation>抽壳、偏移表面、与其他物体组合、碎片、间隙、平滑</translation>
+    </message>
+    <message>
+        <source>The volume cannot be changed like that</source>
+        <translation>无法这样更改体素模型</translation>
+    </message>
+    <message>
+        <source>Combine with</source>
+        <translation>组合对象</translation>
     </message>
 </context>
 <context>
@@ -13867,6 +14354,10 @@
     <message>
         <source>Sort by “%1”</source>
         <translation>按“%1”排序</translation>
+    </message>
+    <message>
+        <source>First column of the results</source>
+        <translation>结果的第一列</translation>
     </message>
 </context>
 <context>
@@ -13973,10 +14464,6 @@
         <translation>使用内置机器人新建单元(&amp;N)…</translation>
     </message>
     <message>
-        <source>Begin a cell with a robot of the library, by its makers&apos; tables</source>
-        <translation>用库中的机器人（按制造商参数）新建单元</translation>
-    </message>
-    <message>
         <source>New cell</source>
         <translation>新建单元</translation>
     </message>
@@ -13997,10 +14484,6 @@
         <translation>打开示例机器人单元(&amp;C)</translation>
     </message>
     <message>
-        <source>Open a robot before a block on a table, with a path along its edge</source>
-        <translation>打开一个机器人，其前方桌上有方块，并有一条沿其边的路径</translation>
-    </message>
-    <message>
         <source>Opens a sample cell. Plan a path from left to right, or lead the robot along an edge by hand.</source>
         <translation>打开示例单元。从左到右规划路径，或手动引导机器人沿边移动。</translation>
     </message>
@@ -14009,16 +14492,8 @@
         <translation>手动引导机器人(&amp;L)</translation>
     </message>
     <message>
-        <source>Lead the robot&apos;s tool; the arm follows, never through anything</source>
-        <translation>引导机器人的工具；机械臂随之移动，绝不穿过任何物体</translation>
-    </message>
-    <message>
         <source>&amp;Choose the arm&apos;s configuration</source>
         <translation>选择机械臂的位形(&amp;C)</translation>
-    </message>
-    <message>
-        <source>See all ways in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
-        <translation>查看机械臂到达其工具某一位姿的所有方式：肩部、肘部和腕部</translation>
     </message>
     <message>
         <source>Lay a body &amp;face to face</source>
@@ -14071,6 +14546,22 @@
     <message>
         <source>Pro&amp;grams</source>
         <translation>程序(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Lead the robot&apos;s tool by hand; the arm follows without collisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a robot in front of a block on a table, with a path along its edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create a cell with a robot of the library, from its manufacturer&apos;s data</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14169,10 +14660,6 @@
         <translation>分割(&amp;S)</translation>
     </message>
     <message>
-        <source>Choose what of a scan is material, in its slices</source>
-        <translation>在扫描的切片中选择哪些是材料</translation>
-    </message>
-    <message>
         <source>Segmentation</source>
         <translation>分割</translation>
     </message>
@@ -14223,10 +14710,6 @@
         <translation>从点生长</translation>
     </message>
     <message>
-        <source>The point, of value %1, is not in the segment. Click where it is coloured, or choose a range with this value.</source>
-        <translation>该点的值为 %1，不在分割区域内。请单击着色处，或选择包含此值的范围。</translation>
-    </message>
-    <message>
         <source>Making the surface</source>
         <translation>正在生成表面</translation>
     </message>
@@ -14237,6 +14720,14 @@
     <message>
         <source>Make surface</source>
         <translation>生成表面</translation>
+    </message>
+    <message>
+        <source>Choose the material of a scan in its slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point (value %1) is not in the segment. Click a coloured place, or choose a range that includes this value.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14254,24 +14745,12 @@
         <translation>大津法(&amp;O)</translation>
     </message>
     <message>
-        <source>From the value on that parts the image best in two</source>
-        <translation>从能将图像最佳地一分为二的值起</translation>
-    </message>
-    <message>
         <source>&amp;Bone</source>
         <translation>骨骼(&amp;B)</translation>
     </message>
     <message>
-        <source>From 300 Hounsfield units on</source>
-        <translation>从 300 亨氏单位起</translation>
-    </message>
-    <message>
         <source>&amp;Skin</source>
         <translation>皮肤(&amp;S)</translation>
-    </message>
-    <message>
-        <source>From -200 Hounsfield units on: all but air</source>
-        <translation>从 -200 亨氏单位起：除空气外的一切</translation>
     </message>
     <message>
         <source>Values</source>
@@ -14286,40 +14765,16 @@
         <translation>仅最大的部分(&amp;L)</translation>
     </message>
     <message>
-        <source>Keeps what hangs together and is the largest</source>
-        <translation>保留相连且最大的部分</translation>
-    </message>
-    <message>
-        <source>How many of the largest parts are kept</source>
-        <translation>保留多少个最大的部分</translation>
-    </message>
-    <message>
         <source>&amp;Keep so many</source>
         <translation>保留此数量(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Keeps the largest parts, so many of them</source>
-        <translation>保留最大的部分，数量如此处所设</translation>
-    </message>
-    <message>
-        <source>Size of parts below which they are debris</source>
-        <translation>小于此大小的部分视为碎片</translation>
     </message>
     <message>
         <source>&amp;Remove debris</source>
         <translation>移除碎片(&amp;R)</translation>
     </message>
     <message>
-        <source>Removes the parts that are smaller</source>
-        <translation>移除更小的部分</translation>
-    </message>
-    <message>
         <source>S&amp;mooth</source>
         <translation>平滑(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Removes specks and evens steps: each sample becomes what most of the 27 around are</source>
-        <translation>移除斑点并抹平台阶：每个采样点取其周围 27 个采样点中的多数</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -14354,20 +14809,12 @@
         <translation>从点生长(&amp;G)</translation>
     </message>
     <message>
-        <source>Click a point of the segment: what hangs together with it stays</source>
-        <translation>单击分割区域中的一点：与其相连的部分保留</translation>
-    </message>
-    <message>
         <source>Radius of the brush</source>
         <translation>画笔半径</translation>
     </message>
     <message>
         <source>Ball (&amp;3D)</source>
         <translation>球 (&amp;3D)</translation>
-    </message>
-    <message>
-        <source>The brush reaches into the slices around, else it stays in one</source>
-        <translation>画笔延伸到相邻的切片，否则只作用于一个切片</translation>
     </message>
     <message>
         <source>In the slices</source>
@@ -14406,16 +14853,8 @@
         <translation>使其平滑(&amp;I)</translation>
     </message>
     <message>
-        <source>Takes the steps of voxels off the surface</source>
-        <translation>消除表面上的体素台阶</translation>
-    </message>
-    <message>
         <source>Make s&amp;urface</source>
         <translation>生成表面(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Makes the volume of the segment, to be shaped, drilled, saved; undo brings back the one before</source>
-        <translation>生成分割区域的体素模型，可用于塑造、钻孔和保存；撤销可恢复之前的体素模型</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -14424,14 +14863,6 @@
     <message>
         <source>Voxel</source>
         <translation>体素边长</translation>
-    </message>
-    <message>
-        <source>Changed by hand: another range starts anew (undo brings this back).</source>
-        <translation>已手动更改：选择其他范围将重新开始（撤销可恢复此结果）。</translation>
-    </message>
-    <message>
-        <source>Nothing has values of this range.</source>
-        <translation>没有处于此范围内的值。</translation>
     </message>
     <message numerus="yes">
         <source>%n part(s), %1 mm³; the largest is %2 % of it</source>
@@ -14452,12 +14883,72 @@
         <translation>小于 %1 mm³：%3 个部分中的 %2 个，%4 mm³</translation>
     </message>
     <message>
-        <source>About %1 MB of the %2 MB that are left</source>
-        <translation>约 %1 MB，剩余 %2 MB</translation>
+        <source>From Otsu&apos;s threshold upwards, which best separates the values into two classes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A larger voxel takes less.</source>
-        <translation>体素越大，所需内存越少。</translation>
+        <source>300 Hounsfield units and above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>-200 Hounsfield units and above: everything except air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps only the largest connected part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of largest parts to keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps this number of the largest parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume below which parts are debris</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all parts smaller than this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes specks and smooths steps: each sample follows the majority of its 3 × 3 × 3 neighbourhood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a point of the segment: only the part connected to it is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brush is a ball that reaches into neighbouring slices; otherwise it paints in one slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooths the voxel steps of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Creates the volume of the segment, which can be shaped, drilled and saved; undo restores the previous one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edited by hand: choosing another range discards these edits (undo restores them).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sample has a value in this range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About %1 MB of %2 MB available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger voxels need less.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14804,8 +15295,8 @@
         <translation>示例未安装。</translation>
     </message>
     <message>
-        <source>Repair scans, practise at the lathe, arrange robot cells.</source>
-        <translation>修复扫描、练习车削、布置机器人单元。</translation>
+        <source>Repair scans, shape clay, practise at lathe and drill, arrange robot cells.</source>
+        <translation>修复扫描、塑造黏土、练习车削和钻孔、布置机器人单元。</translation>
     </message>
 </context>
 <context>
@@ -14857,6 +15348,14 @@
     <message>
         <source>No holes</source>
         <translation>没有孔</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>封闭</translation>
+    </message>
+    <message>
+        <source>self-intersections not known yet</source>
+        <translation>尚不清楚是否自相交</translation>
     </message>
 </context>
 <context>
@@ -14974,14 +15473,6 @@
         <translation>以颜色显示偏差(&amp;D)</translation>
     </message>
     <message>
-        <source>Read what the part is to become, from STEP, DXF, SVG or a workpiece</source>
-        <translation>从 STEP、DXF、SVG 或工件读取零件要加工成的形状</translation>
-    </message>
-    <message>
-        <source>Compare the part with nothing</source>
-        <translation>不将零件与任何目标比较</translation>
-    </message>
-    <message>
         <source>Show where the part is larger or smaller than the target</source>
         <translation>显示零件比目标大或小的位置</translation>
     </message>
@@ -15006,20 +15497,12 @@
         <translation>正在读取 %1</translation>
     </message>
     <message>
-        <source>%1 is no target</source>
-        <translation>%1 不是目标</translation>
-    </message>
-    <message>
         <source>Import target</source>
         <translation>导入目标</translation>
     </message>
     <message>
         <source>Target read from %1</source>
         <translation>已从 %1 读取目标</translation>
-    </message>
-    <message>
-        <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: not told</source>
-        <translation>蓝：Ra 不大于 %1 µm，白：%2，红：不小于 %3，灰：未知</translation>
     </message>
     <message>
         <source>&amp;Target in the view</source>
@@ -15052,6 +15535,22 @@
     <message>
         <source>&amp;Import</source>
         <translation>导入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import the target shape of the part from STEP, DXF, SVG or a workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not compare the part with a target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as a target</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15314,10 +15813,6 @@
         <translation>程序的刀具</translation>
     </message>
     <message>
-        <source>What the numbers T of the program are. Of a tool of the lathe the holder, the post and the slide are looked at, too. What is not listed has the nose radius of the panel.</source>
-        <translation>程序中各编号 T 对应的刀具。对于车床上的刀具，还会考虑刀杆、刀架和拖板。未列出的刀具采用面板中的刀尖圆弧半径。</translation>
-    </message>
-    <message>
         <source>T</source>
         <translation>T</translation>
     </message>
@@ -15356,6 +15851,10 @@
     <message>
         <source>A nose alone</source>
         <translation>仅刀尖</translation>
+    </message>
+    <message>
+        <source>The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15576,12 +16075,20 @@
         <translation>新建颅骨(&amp;S)</translation>
     </message>
     <message>
-        <source>Start with a skull to be drilled, made of no patient</source>
-        <translation>从一个可供钻孔的颅骨开始，并非取自任何患者</translation>
-    </message>
-    <message>
         <source>Making the skull</source>
         <translation>正在生成颅骨</translation>
+    </message>
+    <message>
+        <source>Shape clay</source>
+        <translation>塑造黏土</translation>
+    </message>
+    <message>
+        <source>Starts with a ball of clay. Add, carve and smooth it by hand.</source>
+        <translation>从一个黏土球开始。手动添加、挖去和平滑黏土。</translation>
+    </message>
+    <message>
+        <source>Start with a synthetic skull to be drilled, not that of a patient</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15601,10 +16108,6 @@
     <message>
         <source>Stock of %1.</source>
         <translation>毛坯 %1。</translation>
-    </message>
-    <message>
-        <source>Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
-        <translation>可在面板中输入其他尺寸,也可写作“2in”或“50/2”。“另存为”也能写 STEP。</translation>
     </message>
     <message>
         <source>&amp;New workpiece</source>
@@ -15683,20 +16186,12 @@
         <translation>正在检查切削力和功率</translation>
     </message>
     <message>
-        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise takes %2 N.</source>
-        <translation>此次走刀的切削力最大达 %1 N；练习所用车床可承受 %2 N。</translation>
-    </message>
-    <message>
         <source>The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
         <translation>此次走刀的功率最大达 %1 kW；练习所用车床为 %2 kW。</translation>
     </message>
     <message>
         <source>Too heavy a cut</source>
         <translation>切削过重</translation>
-    </message>
-    <message>
-        <source>It is marked. Undo it, and take less depth or feed.</source>
-        <translation>已计入评分。请撤销，并减小切深或进给。</translation>
     </message>
     <message>
         <source>%1 is a program for a lathe</source>
@@ -15717,6 +16212,18 @@
     <message>
         <source>Programs (%1)</source>
         <translation>程序 (%1)</translation>
+    </message>
+    <message>
+        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
