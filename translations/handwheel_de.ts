@@ -39,9 +39,9 @@
     </message>
     <message numerus="yes">
         <source>%Ln configuration(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Stellung</numerusform>
+            <numerusform>%Ln Stellungen</numerusform>
         </translation>
     </message>
 </context>
@@ -1336,7 +1336,7 @@
     </message>
     <message>
         <source>Use a joint motion, or choose the same configuration at both ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwenden Sie eine Gelenkbewegung, oder wählen Sie an beiden Enden dieselbe Stellung.</translation>
     </message>
     <message>
         <source>the path &apos;%1&apos; leads along the curve where &apos;%2&apos; was when it was planned</source>
@@ -1348,99 +1348,99 @@
     </message>
     <message>
         <source>Use a joint motion, change this place or the one before, or allow this pair.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwenden Sie eine Gelenkbewegung, ändern Sie diesen Punkt oder den davor, oder erlauben Sie dieses Paar.</translation>
     </message>
     <message>
         <source>places %1 and %2 of the curve are not connected by the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte %1 und %2 der Kurve sind nicht über die Oberfläche verbunden</translation>
     </message>
     <message>
         <source>Draw around the gap, or place more points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie um die Lücke herum, oder setzen Sie mehr Punkte.</translation>
     </message>
     <message>
         <source>Tilt the tool away, keep a distance from the part, or allow this pair.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigen Sie das Werkzeug weg, halten Sie Abstand vom Teil, oder erlauben Sie dieses Paar.</translation>
     </message>
     <message>
         <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>der Arm kann der Kurve nicht bis Punkt %1 von %2, bei X %3 Y %4 Z %5 mm, folgen, ohne dass ein Gelenk springt</translation>
     </message>
     <message>
         <source>the cell would have %2 %1, and it can contain %3</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zelle hätte %2 %1, und sie kann %3 aufnehmen</translation>
     </message>
     <message>
         <source>the base of %1 is the origin of the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>die Basis von %1 ist der Ursprung der Zelle</translation>
     </message>
     <message>
         <source>&apos;%1&apos; belongs to another robot than the one to plan for: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ gehört zu einem anderen Roboter als dem, für den geplant wird: %2</translation>
     </message>
     <message>
         <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>der Arm kann sein Werkzeug in dieser Ausrichtung nicht nach X %1 Y %2 Z %3 mm bringen</translation>
     </message>
     <message>
         <source>to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>um das Werkzeug in dieser Ausrichtung nach X %1 Y %2 Z %3 mm zu bringen, müsste das Gelenk %4 seine Grenzen überschreiten</translation>
     </message>
     <message>
         <source>with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5</source>
-        <translation type="unfinished"></translation>
+        <translation>mit dem Werkzeug bei X %1 Y %2 Z %3 mm kollidiert der Roboter in jeder Stellung: %4 mit %5</translation>
     </message>
     <message>
         <source>the exercise does not specify its subject</source>
-        <translation type="unfinished"></translation>
+        <translation>die Übung gibt ihren Gegenstand nicht an</translation>
     </message>
     <message>
         <source>nothing was turned in this work; it is the bar itself</source>
-        <translation type="unfinished"></translation>
+        <translation>an dieser Arbeit wurde nichts gedreht; sie ist die Stange selbst</translation>
     </message>
     <message>
         <source>nothing was drilled in this work</source>
-        <translation type="unfinished"></translation>
+        <translation>in dieser Arbeit wurde nichts gebohrt</translation>
     </message>
     <message>
         <source>Drill the hole first; it becomes the planned path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bohren Sie zuerst das Loch; es wird zur geplanten Bahn.</translation>
     </message>
     <message>
         <source>the file contains %1 separate outlines, and a profile is a single one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei enthält %1 getrennte Umrisse, und ein Profil ist ein einziger</translation>
     </message>
     <message>
         <source>the outline has too many reversals to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>der Umriss hat zu viele Richtungsumkehrungen, um geprüft zu werden</translation>
     </message>
     <message>
         <source>the file contains %1 solids, and a target is a single one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei enthält %1 Volumenkörper, und ein Ziel ist ein einziger</translation>
     </message>
     <message>
         <source>joint %2 of the arm is prismatic, which %1 programs do not support</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk %2 des Arms ist ein Schubgelenk, und Programme in %1 unterstützen das nicht</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not supported, and may change where or whether the robot moves</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wird nicht unterstützt und kann ändern, wohin oder ob sich der Roboter bewegt</translation>
     </message>
     <message>
         <source>motion %1 is a line at %2 mm/s, and %3 controllers accept at most %4 mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung %1 ist eine Linie mit %2 mm/s, und Steuerungen mit %3 nehmen höchstens %4 mm/s an</translation>
     </message>
     <message>
         <source>Lower the speed of the place at its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verringern Sie die Geschwindigkeit des Punkts an ihrem Ende.</translation>
     </message>
     <message>
         <source>voxels of %1 mm would need %2 MB, and %3 MB are available</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel von %1 mm würden %2 MB brauchen, und %3 MB sind verfügbar</translation>
     </message>
     <message>
         <source>voxels of %1 mm make a volume of %2 MB, and a document can contain %3 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel von %1 mm ergeben ein Volumen von %2 MB, und ein Dokument kann %3 MB enthalten</translation>
     </message>
     <message>
         <source>an image of %1 MB with %2 MB of voxels is too large: %3 MB is the most</source>
@@ -1452,11 +1452,11 @@
     </message>
     <message>
         <source>no voxel of %1 mm lies inside the part, which is thinner than that</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Voxel von %1 mm liegt innerhalb des Teils; es ist dünner als das</translation>
     </message>
     <message>
         <source>the surface encloses no volume</source>
-        <translation type="unfinished"></translation>
+        <translation>die Oberfläche schließt kein Volumen ein</translation>
     </message>
     <message>
         <source>nothing is left of the material</source>
@@ -1476,15 +1476,15 @@
     </message>
     <message>
         <source>the path takes %1 s, and at most %2 s can be drilled at this rate</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bahn dauert %1 s, und bei dieser Taktrate lassen sich höchstens %2 s bohren</translation>
     </message>
     <message>
         <source>Choose a lower rate, or a part of the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine niedrigere Taktrate oder einen Teil der Bahn.</translation>
     </message>
     <message>
         <source>no sample has a value from %1 to %2: the values of the image range from %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Abtastwert hat einen Wert von %1 bis %2: Die Werte des Bildes reichen von %3 bis %4</translation>
     </message>
 </context>
 <context>
@@ -2871,55 +2871,55 @@
     </message>
     <message>
         <source>its voxels are not cubes along the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Voxel sind keine Würfel entlang der Achsen</translation>
     </message>
     <message>
         <source>it is not a scale factor</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Skalierungsfaktor</translation>
     </message>
     <message>
         <source>it is not a distance of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Abstand von Abtastwerten</translation>
     </message>
     <message>
         <source>one is not a number of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Angabe ist keine Anzahl von Abtastwerten</translation>
     </message>
     <message>
         <source>it is not a type of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Zahlentyp</translation>
     </message>
     <message>
         <source>it is not a number of values</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Anzahl von Werten</translation>
     </message>
     <message>
         <source>it is more than the file contains</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist mehr, als die Datei enthält</translation>
     </message>
     <message>
         <source>it is not a number of axes</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Anzahl von Achsen</translation>
     </message>
     <message>
         <source>it is not a position after the header</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Position nach dem Dateikopf</translation>
     </message>
     <message>
         <source>one is not a vector in space</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Angabe ist kein Vektor im Raum</translation>
     </message>
     <message>
         <source>it is not a number of lines</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Anzahl von Zeilen</translation>
     </message>
     <message>
         <source>it is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Zahl</translation>
     </message>
     <message>
         <source>it is not a grid of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Gitter von Abtastwerten</translation>
     </message>
     <message>
         <source>%1 of its samples are lost</source>
@@ -2939,51 +2939,51 @@
     </message>
     <message>
         <source>full and empty blocks have no surface between them</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen vollen und leeren Blöcken liegt keine Oberfläche</translation>
     </message>
     <message>
         <source>it is not a number of chunks</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Anzahl von Blöcken</translation>
     </message>
     <message>
         <source>it is not the size of a voxel</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist nicht die Größe eines Voxels</translation>
     </message>
     <message>
         <source>its code is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>sein Code ist keine Zahl</translation>
     </message>
     <message>
         <source>one of them is not a box, cylinder or sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>eines davon ist weder Quader noch Zylinder noch Kugel</translation>
     </message>
     <message>
         <source>the tip is not connected to the base</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spitze ist nicht mit der Basis verbunden</translation>
     </message>
     <message>
         <source>the z of the points is not ascending</source>
-        <translation type="unfinished"></translation>
+        <translation>die Z-Werte der Punkte sind nicht aufsteigend</translation>
     </message>
     <message>
         <source>it refers to a criterion that does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>es verweist auf ein Kriterium, das es nicht gibt</translation>
     </message>
     <message>
         <source>its lists differ in length, or are not ascending</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Listen sind verschieden lang oder nicht aufsteigend</translation>
     </message>
     <message>
         <source>it does not specify which routine is the first</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist nicht angegeben, welche Routine die erste ist</translation>
     </message>
     <message>
         <source>it is not a list of holes</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Liste von Bohrlöchern</translation>
     </message>
     <message>
         <source>it is not a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Volumen</translation>
     </message>
 </context>
 <context>
@@ -3883,19 +3883,19 @@
     </message>
     <message>
         <source>collision-free motions near obstacles that are rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>abgelehnte kollisionsfreie Bewegungen nahe an Hindernissen</translation>
     </message>
     <message>
         <source>Step of the checks of motions that are not proven free</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite der Prüfung von Bewegungen, die nicht als frei bewiesen sind</translation>
     </message>
     <message>
         <source>colliding motions that checks at this step alone miss</source>
-        <translation type="unfinished"></translation>
+        <translation>kollidierende Bewegungen, die Prüfungen mit dieser Schrittweite allein übersehen</translation>
     </message>
     <message>
         <source>CPU time to check a motion</source>
-        <translation type="unfinished"></translation>
+        <translation>CPU-Zeit, um eine Bewegung zu prüfen</translation>
     </message>
 </context>
 <context>
@@ -4133,11 +4133,11 @@
     </message>
     <message>
         <source>Thrust reference (He 2008)</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz Vorschubkraft (He 2008)</translation>
     </message>
     <message>
         <source>Torque reference (He 2008)</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz Drehmoment (He 2008)</translation>
     </message>
 </context>
 <context>
@@ -4226,7 +4226,7 @@
     </message>
     <message>
         <source>Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and marks exercises.</source>
-        <translation type="unfinished"></translation>
+        <translation>Repariert gescannte Netze, formt und bohrt Volumen, dreht Werkstücke, plant Roboterzellen, stellt und bewertet Übungen.</translation>
     </message>
 </context>
 <context>
@@ -4342,7 +4342,7 @@
     </message>
     <message>
         <source>The cut needed more power than the motor has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt brauchte mehr Leistung, als der Motor hat.</translation>
     </message>
 </context>
 <context>
@@ -4957,87 +4957,87 @@
     </message>
     <message>
         <source>A description cannot contain a model solution that was made by hand; it was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Beschreibung kann keine Musterlösung enthalten, die von Hand gemacht wurde; sie wurde weggelassen.</translation>
     </message>
     <message>
         <source>Vertices moved apart in the last digits that the file can hold, so that it does not weld them: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>In den letzten Stellen, die die Datei darstellen kann, auseinandergerückte Eckpunkte, damit diese sie nicht verschweißt: %1.</translation>
     </message>
     <message>
         <source>There is no facing allowance: a part is drilled as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Aufmaß zum Plandrehen gibt es nicht: Ein Teil wird gebohrt, wie es ist.</translation>
     </message>
     <message>
         <source>The planned path and the forbidden region were not moved. Adapt them to this volume; a drilled hole can be taken as the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geplante Bahn und der verbotene Bereich wurden nicht verschoben. Passen Sie sie an dieses Volumen an; ein gebohrtes Loch kann als Bahn übernommen werden.</translation>
     </message>
     <message>
         <source>The file does not give the spacing of its samples: 1 mm is assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei gibt den Abstand ihrer Abtastwerte nicht an: 1 mm wird angenommen.</translation>
     </message>
     <message>
         <source>Samples that are not numbers were replaced by the smallest value (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Abtastwerte, die keine Zahlen sind, wurden durch den kleinsten Wert (%1) ersetzt.</translation>
     </message>
     <message>
         <source>The file contains several values or images (%1); only the first was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält mehrere Werte oder Bilder (%1); nur das erste wurde gelesen.</translation>
     </message>
     <message>
         <source>The slices are tilted by %1° against their stacking direction; this was corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schichten sind um %1° gegen ihre Stapelrichtung geneigt; das wurde korrigiert.</translation>
     </message>
     <message>
         <source>The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Abstand der Schichten schwankt zwischen %1 und %2 mm; Schichten in gleichmäßigem Abstand wurden interpoliert.</translation>
     </message>
     <message>
         <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten fehlen (%1); sie wurden aus ihren Nachbarn interpoliert.</translation>
     </message>
     <message>
         <source>Slices of other series were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten anderer Serien wurden ignoriert (%1).</translation>
     </message>
     <message>
         <source>Slices at the position of another slice were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten an der Position einer anderen Schicht wurden ignoriert (%1).</translation>
     </message>
     <message>
         <source>Files that are damaged, or are not greyscale images, were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien, die beschädigt oder keine Graustufenbilder sind, wurden ignoriert (%1).</translation>
     </message>
     <message>
         <source>Values from %1 upwards are taken as material (Otsu&apos;s threshold). Choose any other range in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte ab %1 gelten als Material (Otsu-Schwellenwert). Wählen Sie im Feld „Segmentierung“ oder mit „handwheel segment“ einen beliebigen anderen Bereich.</translation>
     </message>
     <message>
         <source>The file contains densities: densities above 0.5 are taken as material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält Dichten: Dichten über 0,5 gelten als Material.</translation>
     </message>
     <message>
         <source>Other grids of the file were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Gitter der Datei wurden ignoriert (%1).</translation>
     </message>
     <message>
         <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. Enter another size in the panel Stock; for an exercise use Import target… in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung ist das Ziel einer neuen Stange von ⌀%1 × %2 mm, mit %3 mm Aufmaß zum Plandrehen am freien Ende. Geben Sie im Feld „Rohteil“ ein anderes Maß ein; für eine Übung verwenden Sie „Ziel importieren…“ in ihrem Feld.</translation>
     </message>
     <message>
         <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where at most %4 is allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Vorschub war bei Z %1 mm, ⌀%2 mm zu hoch: %3 mm je Umdrehung, wo höchstens %4 erlaubt sind.</translation>
     </message>
     <message>
         <source>Parts of the lathe collided at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile der Drehmaschine kollidierten bei Z %1 mm, ⌀%2 mm.</translation>
     </message>
     <message>
         <source>The tool was fed into the work at rest at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug wurde bei Z %1 mm, ⌀%2 mm in das stehende Werkstück gefahren.</translation>
     </message>
     <message>
         <source>The cut was deeper than the cutting edge is long at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt war bei Z %1 mm, ⌀%2 mm tiefer, als die Schneide lang ist.</translation>
     </message>
     <message>
         <source>The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N.</source>
@@ -5049,39 +5049,39 @@
     </message>
     <message>
         <source>there is no such surface along the whole range</source>
-        <translation type="unfinished"></translation>
+        <translation>eine solche Fläche gibt es nicht über den ganzen Bereich</translation>
     </message>
     <message>
         <source>the arc curves in the opposite direction</source>
-        <translation type="unfinished"></translation>
+        <translation>der Bogen ist in die entgegengesetzte Richtung gekrümmt</translation>
     </message>
     <message>
         <source>the marking scheme does not specify where to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>das Bewertungsschema gibt nicht an, wo zu messen ist</translation>
     </message>
     <message>
         <source>the part does not match its recorded passes</source>
-        <translation type="unfinished"></translation>
+        <translation>das Teil stimmt nicht mit seinen aufgezeichneten Schnitten überein</translation>
     </message>
     <message>
         <source>the surface was not cut along the whole range</source>
-        <translation type="unfinished"></translation>
+        <translation>die Fläche wurde nicht über den ganzen Bereich bearbeitet</translation>
     </message>
     <message>
         <source>the tool that cut it has no nose radius, or the feed was larger than that</source>
-        <translation type="unfinished"></translation>
+        <translation>das Werkzeug, das sie erzeugt hat, hat keinen Eckenradius, oder der Vorschub war größer als dieser</translation>
     </message>
     <message>
         <source>feed too high %1 times, up to %2 mm per revolution where at most %3 is allowed; other collisions: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-mal zu hoher Vorschub, bis zu %2 mm je Umdrehung, wo höchstens %3 erlaubt sind; andere Kollisionen: %4</translation>
     </message>
     <message>
         <source>the marking scheme has no limit for it</source>
-        <translation type="unfinished"></translation>
+        <translation>das Bewertungsschema hat keine Grenze dafür</translation>
     </message>
     <message>
         <source>no points, because “%1” was not met</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Punkte, weil „%1“ nicht erfüllt wurde</translation>
     </message>
 </context>
 <context>
@@ -5219,19 +5219,19 @@
     </message>
     <message>
         <source>free, except for links without meshes, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>frei, außer für Glieder ohne Netze, %1</translation>
     </message>
     <message>
         <source>free of collisions, except for links without meshes (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>kollisionsfrei, außer für Glieder ohne Netze (%1)</translation>
     </message>
     <message>
         <source>It follows the curve at the former position of %1. Plan it again to follow the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie folgt der Kurve an der früheren Lage von %1. Planen Sie sie neu, damit sie dem Teil folgt.</translation>
     </message>
     <message>
         <source>Every motion is proven to keep a clearance of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für jede Bewegung ist bewiesen, dass sie einen Abstand von %1 einhält.</translation>
     </message>
 </context>
 <context>
@@ -7149,39 +7149,39 @@
     </message>
     <message>
         <source>Robot to plan for</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter, für den geplant wird</translation>
     </message>
     <message>
         <source>they cannot be scored without a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Grenze können sie nicht vergeben werden</translation>
     </message>
     <message>
         <source>No points at all if not met</source>
-        <translation type="unfinished"></translation>
+        <translation>Gar keine Punkte, wenn nicht erfüllt</translation>
     </message>
     <message>
         <source>the place to measure is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>der Messort fehlt</translation>
     </message>
     <message>
         <source>The centres of the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Mittelpunkte der Flächen</translation>
     </message>
     <message>
         <source>Attracted within</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezogen innerhalb von</translation>
     </message>
     <message>
         <source>Distance behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand hinter der Hand</translation>
     </message>
     <message>
         <source>Opposite direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Entgegengesetzte Richtung</translation>
     </message>
     <message>
         <source>Current position of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzige Stellung des Roboters</translation>
     </message>
     <message>
         <source>Edge of a voxel</source>
@@ -7808,9 +7808,9 @@
     </message>
     <message numerus="yes">
         <source>%n removed together with other triangles</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n zusammen mit anderen Dreiecken entfernt</numerusform>
+            <numerusform>%n zusammen mit anderen Dreiecken entfernt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -7822,9 +7822,9 @@
     </message>
     <message numerus="yes">
         <source>%n outer boundary(ies) removed together with other triangles</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Außenrand zusammen mit anderen Dreiecken entfernt</numerusform>
+            <numerusform>%n Außenränder zusammen mit anderen Dreiecken entfernt</numerusform>
         </translation>
     </message>
 </context>
@@ -8923,11 +8923,11 @@
     </message>
     <message>
         <source>back to the current pose of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>zurück zur jetzigen Stellung des Roboters</translation>
     </message>
     <message>
         <source>the robot is already in this configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>der Roboter steht schon in dieser Stellung</translation>
     </message>
     <message>
         <source>move a robot by its base</source>
@@ -8935,11 +8935,11 @@
     </message>
     <message>
         <source>choose the face to place it on</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche wählen, auf die er gelegt werden soll</translation>
     </message>
     <message>
         <source>click the face to place it on</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche anklicken, auf die er gelegt werden soll</translation>
     </message>
     <message>
         <source>move a body or a robot&apos;s base over the floor, along an arrow, turn by a ring</source>
@@ -9238,7 +9238,7 @@
     </message>
     <message>
         <source>The files are listed in the Log.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien sind im Protokoll aufgeführt.</translation>
     </message>
 </context>
 <context>
@@ -9591,19 +9591,19 @@
     </message>
     <message>
         <source>Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einheit der Zahlen seiner Datei angeben: STL, OBJ, PLY und OFF haben keine und gelten als mm</translation>
     </message>
     <message>
         <source>Attach the selected body to the robot as a tool, with its origin at the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ausgewählten Körper als Werkzeug am Roboter befestigen, mit seinem Ursprung am Flansch</translation>
     </message>
     <message>
         <source>Detach the selected body from the robot and leave it where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ausgewählten Körper vom Roboter lösen und dort lassen, wo er ist</translation>
     </message>
     <message>
         <source>The bodies were not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Körper wurden nicht geändert</translation>
     </message>
 </context>
 <context>
@@ -10068,13 +10068,13 @@
     </message>
     <message>
         <source>%1 was not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht geändert</translation>
     </message>
     <message numerus="yes">
         <source>%Ln point(s) checked.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Stelle geprüft.</numerusform>
+            <numerusform>%Ln Stellen geprüft.</numerusform>
         </translation>
     </message>
     <message>
@@ -10101,15 +10101,15 @@
     </message>
     <message>
         <source>%1 could not be planned again and was not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnte nicht neu geplant werden und wurde nicht geändert</translation>
     </message>
     <message>
         <source>Your changes were kept; the planned path is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Änderungen wurden behalten; die geplante Bahn ist %1.</translation>
     </message>
     <message>
         <source>The result is not valid for the cell as it is now, and was discarded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis gilt nicht für die Zelle, wie sie jetzt ist, und wurde verworfen.</translation>
     </message>
     <message>
         <source>%1 is outdated</source>
@@ -10133,59 +10133,59 @@
     </message>
     <message>
         <source>The name had no extension of a robot language, so that of %1 was added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name hatte keine Dateiendung einer Robotersprache, daher wurde die von %1 angefügt.</translation>
     </message>
     <message>
         <source>It follows the curve at the former position of %1: a comment of the program says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es folgt der Kurve an der früheren Lage von %1: Ein Kommentar im Programm sagt das.</translation>
     </message>
     <message>
         <source>Store the current joint values under a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert die jetzigen Gelenkwerte unter einem Namen</translation>
     </message>
     <message>
         <source>Store the current pose of the tool as a target; on the selected body, if any, with which it moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert die jetzige Pose des Werkzeugs als Ziel; auf dem gewählten Körper, falls einer gewählt ist, mit dem es sich dann bewegt</translation>
     </message>
     <message>
         <source>Insert the current joint values after the selected place as a critical configuration; before the goal, if that or the path is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt die jetzigen Gelenkwerte nach dem gewählten Punkt als kritische Stellung ein; vor dem Ziel der Bahn, wenn dieses oder die Bahn gewählt ist</translation>
     </message>
     <message>
         <source>Replace the selected place or target by the current position of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzt den gewählten Punkt oder das gewählte Ziel durch die jetzige Stellung des Roboters</translation>
     </message>
     <message>
         <source>Move the selected place towards the start of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt den gewählten Punkt zum Anfang der Bahn hin</translation>
     </message>
     <message>
         <source>Move the selected place towards the end of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt den gewählten Punkt zum Ende der Bahn hin</translation>
     </message>
     <message>
         <source>Verify that each motion of the selected path is free of collisions, or list all collisions; also if it was verified before</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüft, ob jede Bewegung der gewählten Bahn kollisionsfrei ist, und listet sonst alle Kollisionen auf; auch wenn sie schon geprüft wurde</translation>
     </message>
     <message>
         <source>Verify the paths of all robots that are not verified in their current state, each with the other robots where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen aller Roboter prüfen, die in ihrem jetzigen Zustand nicht geprüft sind, jede mit den anderen Robotern, wo sie sind</translation>
     </message>
     <message>
         <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to plan for</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest die Paare von Gliedern, die sich berühren dürfen, und benannte Stellungen: für den gewählten Roboter, sonst für den, für den geplant wird</translation>
     </message>
     <message>
         <source>Choose the order of the critical places, and the configurations in which they are reached, that take the least time</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt die Reihenfolge der kritischen Punkte und die Stellungen, in denen sie erreicht werden, so, dass die wenigste Zeit gebraucht wird</translation>
     </message>
     <message>
         <source>Plan for the selected robot from now on; the others stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Plant von jetzt an für den gewählten Roboter; die anderen bleiben stehen, wo sie sind</translation>
     </message>
     <message>
         <source>Choose the robot of the path first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst den Roboter der Bahn.</translation>
     </message>
     <message>
         <source>The path is being verified.</source>
@@ -10193,7 +10193,7 @@
     </message>
     <message>
         <source>Select the robot that the file describes, and read it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie den Roboter, den die Datei beschreibt, und lesen Sie sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -10275,30 +10275,30 @@
     </message>
     <message>
         <source>Remove the selected robot, or else the one to plan for, with its configurations and paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ausgewählten Roboter entfernen, sonst den, für den geplant wird, mit seinen Stellungen und Bahnen</translation>
     </message>
     <message>
         <source>Robot to plan for</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter, für den geplant wird</translation>
     </message>
     <message>
         <source>The robot to plan for; the others stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Roboter, für den geplant wird; die anderen bleiben stehen, wo sie sind</translation>
     </message>
     <message>
         <source>%1 configurations and %2 paths were removed with it. Undo restores them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Stellungen und %2 Bahnen wurden mit ihm entfernt. „Rückgängig“ stellt sie wieder her.</translation>
     </message>
     <message>
         <source>The robots were not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Roboter wurden nicht geändert</translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellTargets</name>
     <message>
         <source>Searching configurations for the targets</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellungen für die Ziele werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -10939,19 +10939,19 @@
     </message>
     <message>
         <source>The forbidden region was entered by %1 mm: this attempt has failed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm in den verbotenen Bereich eingedrungen: Dieser Versuch ist nicht bestanden</translation>
     </message>
     <message>
         <source>The attempt has failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Versuch ist nicht bestanden</translation>
     </message>
     <message>
         <source>Release the button, undo the hole, and begin where the green rod meets the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie die Taste los, machen Sie das Bohrloch rückgängig, und beginnen Sie, wo der grüne Stab auf die Oberfläche trifft.</translation>
     </message>
     <message>
         <source>Release the button now: each further millimetre counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie die Taste jetzt los: Jeder weitere Millimeter zählt.</translation>
     </message>
 </context>
 <context>
@@ -11386,15 +11386,15 @@
     </message>
     <message>
         <source>Keep the work that was started from this exercise as its model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Arbeit, die aus dieser Übung begonnen wurde, als Musterlösung behalten</translation>
     </message>
     <message>
         <source>Import the shape that students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form, die Schüler herstellen sollen, aus DXF, SVG, STEP, einem Netz oder einem Werkstück importieren</translation>
     </message>
     <message>
         <source>Turn a shoulder step by step; no experience is needed</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt für Schritt einen Absatz drehen; Vorkenntnisse sind nicht nötig</translation>
     </message>
     <message>
         <source>New exercise: %1</source>
@@ -11436,7 +11436,7 @@
     </message>
     <message>
         <source>“Task” shows where it lies in the bar, “Marks” what is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Aufgabe“ zeigt, wo es in der Stange liegt, „Bewertung“, was gemessen wird.</translation>
     </message>
 </context>
 <context>
@@ -11815,7 +11815,7 @@
     </message>
     <message>
         <source>Number of samples of each value (logarithmic). Drag the handles: the values between them are the segment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Abtastwerte je Wert (logarithmisch). Ziehen Sie die Griffe: Die Werte dazwischen sind das Segment.</translation>
     </message>
 </context>
 <context>
@@ -11876,7 +11876,7 @@
     </message>
     <message>
         <source>Check the patch: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie die Füllfläche: %1.</translation>
     </message>
 </context>
 <context>
@@ -11973,31 +11973,31 @@
     </message>
     <message>
         <source>Power: the cut needs %1 kW, and the motor has %2 kW; the spindle slows down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung: Der Schnitt braucht %1 kW, und der Motor hat %2 kW; die Spindel wird langsamer.</translation>
     </message>
     <message>
         <source>Torque: the cut needs %1 N·m, and the spindle has %2 N·m; the spindle stalls.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment: Der Schnitt braucht %1 N·m, und die Spindel hat %2 N·m; die Spindel bleibt stehen.</translation>
     </message>
     <message>
         <source>L/D: the work protrudes by %1 times its diameter; at most %2 times is recommended. Support it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L/D: Das Werkstück steht um das %1-Fache seines Durchmessers vor; empfohlen ist höchstens das %2-Fache. Stützen Sie es ab.</translation>
     </message>
     <message>
         <source>Deflection: the work bends away and is left %1 mm thicker here; the limit is %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchbiegung: Das Werkstück biegt sich weg und bleibt hier %1 mm dicker; die Grenze ist %2 mm.</translation>
     </message>
     <message>
         <source>Chatter: the depth of cut is %1 mm; up to %2 mm is stable at any spindle speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rattern: Die Schnitttiefe ist %1 mm; bis %2 mm ist der Schnitt bei jeder Drehzahl stabil.</translation>
     </message>
     <message>
         <source>Rubbing: a chip thickness of %1 mm is too small to be cut; at least %2 mm is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiben: Eine Spanungsdicke von %1 mm ist zu klein, um geschnitten zu werden; mindestens %2 mm sind nötig.</translation>
     </message>
     <message>
         <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kollisionen mit den beteiligten Teilen und Warnungen mit der verletzten Regel, jeweils mit der Zeit. Eine Kollision hält die Spindel an.</translation>
     </message>
 </context>
 <context>
@@ -12084,39 +12084,39 @@
     </message>
     <message>
         <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultierende der drei Komponenten der Schnittkraft, und die Grenze der Übung</translation>
     </message>
     <message>
         <source>Power taken from the motor, and its rated power</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung, die dem Motor entnommen wird, und seine Nennleistung</translation>
     </message>
     <message>
         <source>Torque at the spindle, and the torque available</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment an der Spindel, und das verfügbare Drehmoment</translation>
     </message>
     <message>
         <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzige Drehzahl der Spindel. Ein Schnitt über der verfügbaren Leistung oder dem verfügbaren Drehmoment bremst sie.</translation>
     </message>
     <message>
         <source>Surface speed at the middle of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittgeschwindigkeit in der Mitte des Schnitts</translation>
     </message>
     <message>
         <source>Depth of cut, measured across the feed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitttiefe, quer zur Vorschubrichtung gemessen</translation>
     </message>
     <message>
         <source>Feed per revolution of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub je Umdrehung der Spindel</translation>
     </message>
     <message>
         <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauheit des Teils am Werkzeug, aus Vorschub und Eckenradius und aus späterer Bearbeitung mit Feile, Schleifpapier oder Schleifscheibe</translation>
     </message>
     <message>
         <source>The law of the cutting force is not valid for such a cut of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesetz der Schnittkraft gilt nicht für einen solchen Schnitt in %1.</translation>
     </message>
 </context>
 <context>
@@ -12386,7 +12386,7 @@
     </message>
     <message>
         <source>The restored material is where the tool was, so the tool was moved out of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das wiederhergestellte Material ist dort, wo das Werkzeug war; daher wurde das Werkzeug herausgefahren.</translation>
     </message>
 </context>
 <context>
@@ -13051,14 +13051,14 @@
     </message>
     <message>
         <source>Plays the path on a time line, with its clearance and its collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Spielt die Bahn auf einer Zeitleiste ab, mit Abstand und Kollisionen</translation>
     </message>
 </context>
 <context>
     <name>handwheel::PathGuides</name>
     <message>
         <source>Finding the curve along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve entlang %1 wird ermittelt</translation>
     </message>
 </context>
 <context>
@@ -13391,11 +13391,11 @@
     </message>
     <message>
         <source>Generate a program from the recorded passes or for the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm erzeugen: aus den aufgezeichneten Schnitten oder für das Ziel</translation>
     </message>
     <message>
         <source>Tool table of the program: nose radii, holders and offsets</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugtabelle des Programms: Eckenradien, Halter und Korrekturen</translation>
     </message>
 </context>
 <context>
@@ -13434,7 +13434,7 @@
     </message>
     <message>
         <source>Speed relative to that of the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit im Verhältnis zu der der Maschine</translation>
     </message>
 </context>
 <context>
@@ -13764,23 +13764,23 @@
     </message>
     <message>
         <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schnitte, aus denen dieses Teil entstand, werden zu einem Programm im gewählten Dialekt. Es erscheint im Editor; „Rückgängig“ stellt den jetzigen Text wieder her.</translation>
     </message>
     <message>
         <source>Depth of a roughing cut, on the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe eines Schruppschnitts, am Radius</translation>
     </message>
     <message>
         <source>Allowance for the finishing cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufmaß für den Schlichtschnitt</translation>
     </message>
     <message>
         <source>Largest spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Drehzahl</translation>
     </message>
     <message>
         <source>force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft: bis zu %1 N, wo die Drehmaschine der Übung %2 N erlaubt. Das steht im Bericht der Übung.</translation>
     </message>
     <message>
         <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
@@ -13788,11 +13788,11 @@
     </message>
     <message>
         <source>Cut the part as the program does. If it collides, its collisions are shown first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil schneiden wie das Programm. Wenn es kollidiert, werden vorher seine Kollisionen gezeigt.</translation>
     </message>
     <message>
         <source>Cut: %1 mm³ removed. Undo restores them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeitet: %1 mm³ abgetragen. „Rückgängig“ stellt sie wieder her.</translation>
     </message>
 </context>
 <context>
@@ -14259,14 +14259,14 @@
     </message>
     <message numerus="yes">
         <source>%Ln triangle(s) were removed from %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln Dreieck wurde aus %1 entfernt.</numerusform>
+            <numerusform>%Ln Dreiecke wurden aus %1 entfernt.</numerusform>
         </translation>
     </message>
     <message>
         <source>Check the patch of %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie die Füllfläche von %1: %2.</translation>
     </message>
 </context>
 <context>
@@ -14361,11 +14361,11 @@
     </message>
     <message>
         <source>Nothing has been cut yet. Recorded passes can be played here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde noch nichts zerspant. Aufgezeichnete Schnitte können hier abgespielt werden.</translation>
     </message>
     <message>
         <source>It is not a workpiece that was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist kein Werkstück, das bearbeitet wurde.</translation>
     </message>
 </context>
 <context>
@@ -14648,19 +14648,19 @@
     </message>
     <message>
         <source>Lead the robot&apos;s tool by hand; the arm follows without collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug des Roboters von Hand führen; der Arm folgt ohne Kollisionen</translation>
     </message>
     <message>
         <source>Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Stellungen zeigen, in denen der Arm eine Pose seines Werkzeugs erreicht: Schulter, Ellbogen und Handgelenk</translation>
     </message>
     <message>
         <source>Open a robot in front of a block on a table, with a path along its edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Roboter vor einem Block auf einem Tisch öffnen, mit einer Bahn entlang der Blockkante</translation>
     </message>
     <message>
         <source>Create a cell with a robot of the library, from its manufacturer&apos;s data</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zelle mit einem Roboter der Bibliothek erstellen, nach den Daten seines Herstellers</translation>
     </message>
 </context>
 <context>
@@ -14823,11 +14823,11 @@
     </message>
     <message>
         <source>Choose the material of a scan in its slices</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Material eines Scans in seinen Schichten wählen</translation>
     </message>
     <message>
         <source>The point (value %1) is not in the segment. Click a coloured place, or choose a range that includes this value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Punkt (Wert %1) liegt nicht im Segment. Klicken Sie eine farbige Stelle an, oder wählen Sie einen Bereich, der diesen Wert enthält.</translation>
     </message>
 </context>
 <context>
@@ -14985,71 +14985,71 @@
     </message>
     <message>
         <source>From Otsu&apos;s threshold upwards, which best separates the values into two classes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab dem Otsu-Schwellenwert, der die Werte am besten in zwei Klassen trennt</translation>
     </message>
     <message>
         <source>300 Hounsfield units and above</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab 300 Hounsfield-Einheiten</translation>
     </message>
     <message>
         <source>-200 Hounsfield units and above: everything except air</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab -200 Hounsfield-Einheiten: alles außer Luft</translation>
     </message>
     <message>
         <source>Keeps only the largest connected part</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält nur den größten zusammenhängenden Teil</translation>
     </message>
     <message>
         <source>Number of largest parts to keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der größten Teile, die behalten werden</translation>
     </message>
     <message>
         <source>Keeps this number of the largest parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält diese Anzahl der größten Teile</translation>
     </message>
     <message>
         <source>Volume below which parts are debris</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen, unter dem Teile Bruchstücke sind</translation>
     </message>
     <message>
         <source>Removes all parts smaller than this</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt alle Teile, die kleiner sind als dies</translation>
     </message>
     <message>
         <source>Removes specks and smooths steps: each sample follows the majority of its 3 × 3 × 3 neighbourhood</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt Flecken und glättet Stufen: Jeder Abtastwert folgt der Mehrheit seiner Umgebung von 3 × 3 × 3</translation>
     </message>
     <message>
         <source>Click a point of the segment: only the part connected to it is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie einen Punkt des Segments an: Nur der Teil, der mit ihm zusammenhängt, wird behalten</translation>
     </message>
     <message>
         <source>The brush is a ball that reaches into neighbouring slices; otherwise it paints in one slice</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Pinsel ist eine Kugel, die in benachbarte Schichten reicht; sonst malt er in einer Schicht</translation>
     </message>
     <message>
         <source>Smooths the voxel steps of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättet die Voxelstufen der Oberfläche</translation>
     </message>
     <message>
         <source>Creates the volume of the segment, which can be shaped, drilled and saved; undo restores the previous one</source>
-        <translation type="unfinished"></translation>
+        <translation>Erzeugt das Volumen des Segments, das geformt, gebohrt und gespeichert werden kann; „Rückgängig“ stellt das vorige wieder her</translation>
     </message>
     <message>
         <source>Edited by hand: choosing another range discards these edits (undo restores them).</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand bearbeitet: Die Wahl eines anderen Bereichs verwirft diese Änderungen („Rückgängig“ stellt sie wieder her).</translation>
     </message>
     <message>
         <source>No sample has a value in this range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Abtastwert hat einen Wert in diesem Bereich.</translation>
     </message>
     <message>
         <source>About %1 MB of %2 MB available</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa %1 MB der verfügbaren %2 MB</translation>
     </message>
     <message>
         <source>Larger voxels need less.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größere Voxel brauchen weniger.</translation>
     </message>
 </context>
 <context>
@@ -15646,19 +15646,19 @@
     </message>
     <message>
         <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>blau: Ra höchstens %1 µm, weiß: %2, rot: mindestens %3, grau: unbekannt</translation>
     </message>
     <message>
         <source>Import the target shape of the part from STEP, DXF, SVG or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zielform des Teils aus STEP, DXF, SVG oder einem Werkstück importieren</translation>
     </message>
     <message>
         <source>Do not compare the part with a target</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil nicht mit einem Ziel vergleichen</translation>
     </message>
     <message>
         <source>%1 cannot be used as a target</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann nicht als Ziel verwendet werden</translation>
     </message>
 </context>
 <context>
@@ -15962,7 +15962,7 @@
     </message>
     <message>
         <source>The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werkzeuge mit den T-Nummern des Programms. Mit einem Werkzeug der Drehmaschine werden auch sein Halter, der Stahlhalter und der Schlitten auf Kollisionen geprüft. Werkzeuge, die nicht aufgeführt sind, haben den Eckenradius aus dem Feld.</translation>
     </message>
 </context>
 <context>
@@ -16196,7 +16196,7 @@
     </message>
     <message>
         <source>Start with a synthetic skull to be drilled, not that of a patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem künstlichen Schädel zum Bohren beginnen, der von keinem Patienten stammt</translation>
     </message>
 </context>
 <context>
@@ -16323,15 +16323,15 @@
     </message>
     <message>
         <source>The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schnittkraft dieses Schnitts betrug bis zu %1 N; die Drehmaschine der Übung erlaubt %2 N.</translation>
     </message>
     <message>
         <source>It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er steht im Bericht und verringert die Punkte für Kraft und Leistung. Machen Sie ihn rückgängig, und verwenden Sie eine kleinere Schnitttiefe oder einen kleineren Vorschub.</translation>
     </message>
     <message>
         <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie in seinem Bereich ein anderes Maß ein, auch als „2in“ oder „50/2“. „Speichern unter“ schreibt auch STEP.</translation>
     </message>
 </context>
 </TS>

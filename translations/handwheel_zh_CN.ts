@@ -39,8 +39,8 @@
     </message>
     <message numerus="yes">
         <source>%Ln configuration(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%Ln 种位形</numerusform>
         </translation>
     </message>
 </context>
@@ -1335,7 +1335,7 @@
     </message>
     <message>
         <source>Use a joint motion, or choose the same configuration at both ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>请使用关节运动，或在两端选择相同的位形。</translation>
     </message>
     <message>
         <source>the path &apos;%1&apos; leads along the curve where &apos;%2&apos; was when it was planned</source>
@@ -1347,99 +1347,99 @@
     </message>
     <message>
         <source>Use a joint motion, change this place or the one before, or allow this pair.</source>
-        <translation type="unfinished"></translation>
+        <translation>请使用关节运动，更改该位置或前一位置，或允许该对接触。</translation>
     </message>
     <message>
         <source>places %1 and %2 of the curve are not connected by the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线的位置 %1 与 %2 未通过曲面相连</translation>
     </message>
     <message>
         <source>Draw around the gap, or place more points.</source>
-        <translation type="unfinished"></translation>
+        <translation>请绕过间隙绘制，或放置更多的点。</translation>
     </message>
     <message>
         <source>Tilt the tool away, keep a distance from the part, or allow this pair.</source>
-        <translation type="unfinished"></translation>
+        <translation>请倾斜工具、与零件保持距离，或允许该对接触。</translation>
     </message>
     <message>
         <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂无法沿曲线到达第 %1 / %2 点（X %3 Y %4 Z %5 mm）而不发生关节跳变</translation>
     </message>
     <message>
         <source>the cell would have %2 %1, and it can contain %3</source>
-        <translation type="unfinished"></translation>
+        <translation>单元将有 %2 个%1，而最多只能容纳 %3 个</translation>
     </message>
     <message>
         <source>the base of %1 is the origin of the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的基座是单元的原点</translation>
     </message>
     <message>
         <source>&apos;%1&apos; belongs to another robot than the one to plan for: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”属于另一个机器人 %2，而非当前规划的机器人</translation>
     </message>
     <message>
         <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂无法以该姿态将其工具移到 X %1 Y %2 Z %3 mm</translation>
     </message>
     <message>
         <source>to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>若以该姿态将工具移到 X %1 Y %2 Z %3 mm，关节 %4 会超出其限位</translation>
     </message>
     <message>
         <source>with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5</source>
-        <translation type="unfinished"></translation>
+        <translation>工具位于 X %1 Y %2 Z %3 mm 时，机器人无论取何种位形都会碰撞：%4 与 %5</translation>
     </message>
     <message>
         <source>the exercise does not specify its subject</source>
-        <translation type="unfinished"></translation>
+        <translation>练习未指定其内容</translation>
     </message>
     <message>
         <source>nothing was turned in this work; it is the bar itself</source>
-        <translation type="unfinished"></translation>
+        <translation>此作业中没有车削任何内容；它仍是原棒料</translation>
     </message>
     <message>
         <source>nothing was drilled in this work</source>
-        <translation type="unfinished"></translation>
+        <translation>此作业中没有钻任何孔</translation>
     </message>
     <message>
         <source>Drill the hole first; it becomes the planned path.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先钻孔；该孔将成为规划路径。</translation>
     </message>
     <message>
         <source>the file contains %1 separate outlines, and a profile is a single one</source>
-        <translation type="unfinished"></translation>
+        <translation>文件含 %1 条独立的轮廓线，而轮廓只能有一条</translation>
     </message>
     <message>
         <source>the outline has too many reversals to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓线的反向次数过多，无法检查</translation>
     </message>
     <message>
         <source>the file contains %1 solids, and a target is a single one</source>
-        <translation type="unfinished"></translation>
+        <translation>文件含 %1 个实体，而目标只能有一个</translation>
     </message>
     <message>
         <source>joint %2 of the arm is prismatic, which %1 programs do not support</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的关节 %2 是移动关节，%1 程序不支持</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not supported, and may change where or whether the robot moves</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不受支持，而它可能影响机器人是否移动以及移动到何处</translation>
     </message>
     <message>
         <source>motion %1 is a line at %2 mm/s, and %3 controllers accept at most %4 mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>运动 %1 是速度为 %2 mm/s 的直线，而 %3 控制器最高只接受 %4 mm/s</translation>
     </message>
     <message>
         <source>Lower the speed of the place at its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>请降低该运动终点位置的速度。</translation>
     </message>
     <message>
         <source>voxels of %1 mm would need %2 MB, and %3 MB are available</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm 的体素需要 %2 MB，而可用内存为 %3 MB</translation>
     </message>
     <message>
         <source>voxels of %1 mm make a volume of %2 MB, and a document can contain %3 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>边长 %1 mm 的体素会得到 %2 MB 的体素模型，而一个文档最多容纳 %3 MB</translation>
     </message>
     <message>
         <source>an image of %1 MB with %2 MB of voxels is too large: %3 MB is the most</source>
@@ -1451,11 +1451,11 @@
     </message>
     <message>
         <source>no voxel of %1 mm lies inside the part, which is thinner than that</source>
-        <translation type="unfinished"></translation>
+        <translation>没有边长 %1 mm 的体素位于零件内部：零件比体素还薄</translation>
     </message>
     <message>
         <source>the surface encloses no volume</source>
-        <translation type="unfinished"></translation>
+        <translation>曲面未围成任何体积</translation>
     </message>
     <message>
         <source>nothing is left of the material</source>
@@ -1475,15 +1475,15 @@
     </message>
     <message>
         <source>the path takes %1 s, and at most %2 s can be drilled at this rate</source>
-        <translation type="unfinished"></translation>
+        <translation>路径需要 %1 s，而以此频率最多只能钻 %2 s</translation>
     </message>
     <message>
         <source>Choose a lower rate, or a part of the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择较低的频率，或只取路径的一部分。</translation>
     </message>
     <message>
         <source>no sample has a value from %1 to %2: the values of the image range from %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>没有采样点的值在 %1 至 %2 之间：图像的值为 %3 至 %4</translation>
     </message>
 </context>
 <context>
@@ -2870,55 +2870,55 @@
     </message>
     <message>
         <source>its voxels are not cubes along the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>其体素不是沿坐标轴的立方体</translation>
     </message>
     <message>
         <source>it is not a scale factor</source>
-        <translation type="unfinished"></translation>
+        <translation>不是缩放系数</translation>
     </message>
     <message>
         <source>it is not a distance of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>不是采样点的间距</translation>
     </message>
     <message>
         <source>one is not a number of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>其中一个不是采样点的数目</translation>
     </message>
     <message>
         <source>it is not a type of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>不是数字的类型</translation>
     </message>
     <message>
         <source>it is not a number of values</source>
-        <translation type="unfinished"></translation>
+        <translation>不是值的数目</translation>
     </message>
     <message>
         <source>it is more than the file contains</source>
-        <translation type="unfinished"></translation>
+        <translation>超出文件所含的内容</translation>
     </message>
     <message>
         <source>it is not a number of axes</source>
-        <translation type="unfinished"></translation>
+        <translation>不是轴的数目</translation>
     </message>
     <message>
         <source>it is not a position after the header</source>
-        <translation type="unfinished"></translation>
+        <translation>不是文件头之后的位置</translation>
     </message>
     <message>
         <source>one is not a vector in space</source>
-        <translation type="unfinished"></translation>
+        <translation>其中一个不是空间向量</translation>
     </message>
     <message>
         <source>it is not a number of lines</source>
-        <translation type="unfinished"></translation>
+        <translation>不是行的数目</translation>
     </message>
     <message>
         <source>it is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>不是数字</translation>
     </message>
     <message>
         <source>it is not a grid of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>不是采样点网格</translation>
     </message>
     <message>
         <source>%1 of its samples are lost</source>
@@ -2938,51 +2938,51 @@
     </message>
     <message>
         <source>full and empty blocks have no surface between them</source>
-        <translation type="unfinished"></translation>
+        <translation>实块与空块之间没有表面</translation>
     </message>
     <message>
         <source>it is not a number of chunks</source>
-        <translation type="unfinished"></translation>
+        <translation>不是数据块的数目</translation>
     </message>
     <message>
         <source>it is not the size of a voxel</source>
-        <translation type="unfinished"></translation>
+        <translation>不是体素的尺寸</translation>
     </message>
     <message>
         <source>its code is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>其代码不是数字</translation>
     </message>
     <message>
         <source>one of them is not a box, cylinder or sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>其中一个不是长方体、圆柱或球</translation>
     </message>
     <message>
         <source>the tip is not connected to the base</source>
-        <translation type="unfinished"></translation>
+        <translation>末端未与基座相连</translation>
     </message>
     <message>
         <source>the z of the points is not ascending</source>
-        <translation type="unfinished"></translation>
+        <translation>各点的 Z 值不是升序</translation>
     </message>
     <message>
         <source>it refers to a criterion that does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>引用了不存在的评分项</translation>
     </message>
     <message>
         <source>its lists differ in length, or are not ascending</source>
-        <translation type="unfinished"></translation>
+        <translation>其各列表长度不同或不是升序</translation>
     </message>
     <message>
         <source>it does not specify which routine is the first</source>
-        <translation type="unfinished"></translation>
+        <translation>未指明首先执行哪个例行程序</translation>
     </message>
     <message>
         <source>it is not a list of holes</source>
-        <translation type="unfinished"></translation>
+        <translation>不是孔的列表</translation>
     </message>
     <message>
         <source>it is not a volume</source>
-        <translation type="unfinished"></translation>
+        <translation>不是体素模型</translation>
     </message>
 </context>
 <context>
@@ -3882,19 +3882,19 @@
     </message>
     <message>
         <source>collision-free motions near obstacles that are rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>障碍物附近的无碰撞运动中被拒绝的部分</translation>
     </message>
     <message>
         <source>Step of the checks of motions that are not proven free</source>
-        <translation type="unfinished"></translation>
+        <translation>检查未证明无碰撞的运动时的步长</translation>
     </message>
     <message>
         <source>colliding motions that checks at this step alone miss</source>
-        <translation type="unfinished"></translation>
+        <translation>仅按此步长检查会漏掉的碰撞运动</translation>
     </message>
     <message>
         <source>CPU time to check a motion</source>
-        <translation type="unfinished"></translation>
+        <translation>检查一个运动的 CPU 时间</translation>
     </message>
 </context>
 <context>
@@ -4132,11 +4132,11 @@
     </message>
     <message>
         <source>Thrust reference (He 2008)</source>
-        <translation type="unfinished"></translation>
+        <translation>轴向力参考值 (He 2008)</translation>
     </message>
     <message>
         <source>Torque reference (He 2008)</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩参考值 (He 2008)</translation>
     </message>
 </context>
 <context>
@@ -4225,7 +4225,7 @@
     </message>
     <message>
         <source>Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and marks exercises.</source>
-        <translation type="unfinished"></translation>
+        <translation>修复扫描网格，塑造体素模型并钻孔，车削工件，规划机器人单元，布置并评分练习。</translation>
     </message>
 </context>
 <context>
@@ -4341,7 +4341,7 @@
     </message>
     <message>
         <source>The cut needed more power than the motor has.</source>
-        <translation type="unfinished"></translation>
+        <translation>切削所需功率超过了电机的功率。</translation>
     </message>
 </context>
 <context>
@@ -4949,87 +4949,87 @@
     </message>
     <message>
         <source>A description cannot contain a model solution that was made by hand; it was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>描述文件无法包含手工完成的参考答案；已将其略去。</translation>
     </message>
     <message>
         <source>Vertices moved apart in the last digits that the file can hold, so that it does not weld them: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>为避免文件将其合并，在文件所能保存的最末几位数字上分开的顶点：%1。</translation>
     </message>
     <message>
         <source>There is no facing allowance: a part is drilled as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有端面余量：零件按原样钻孔。</translation>
     </message>
     <message>
         <source>The planned path and the forbidden region were not moved. Adapt them to this volume; a drilled hole can be taken as the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>规划路径和禁区未移动。请使其适应此体素模型；可将已钻的孔设为路径。</translation>
     </message>
     <message>
         <source>The file does not give the spacing of its samples: 1 mm is assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未给出采样点间距：假定为 1 mm。</translation>
     </message>
     <message>
         <source>Samples that are not numbers were replaced by the smallest value (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>非数字的采样点已替换为最小值（%1）。</translation>
     </message>
     <message>
         <source>The file contains several values or images (%1); only the first was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件包含多个值或图像（%1）；只读取了第一个。</translation>
     </message>
     <message>
         <source>The slices are tilted by %1° against their stacking direction; this was corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>切片相对其堆叠方向倾斜 %1°；已校正。</translation>
     </message>
     <message>
         <source>The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.</source>
-        <translation type="unfinished"></translation>
+        <translation>切片间距在 %1 至 %2 mm 之间变化；已插值为等间距切片。</translation>
     </message>
     <message>
         <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少切片（%1）；已由相邻切片插值得出。</translation>
     </message>
     <message>
         <source>Slices of other series were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>已忽略其他序列的切片（%1）。</translation>
     </message>
     <message>
         <source>Slices at the position of another slice were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>已忽略与其他切片位置重复的切片（%1）。</translation>
     </message>
     <message>
         <source>Files that are damaged, or are not greyscale images, were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>已忽略损坏的文件或非灰度图像的文件（%1）。</translation>
     </message>
     <message>
         <source>Values from %1 upwards are taken as material (Otsu&apos;s threshold). Choose any other range in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 起的值视为材料（大津阈值）。可在“分割”面板中或用“handwheel segment”选择任何其他范围。</translation>
     </message>
     <message>
         <source>The file contains densities: densities above 0.5 are taken as material.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件包含密度：大于 0.5 的密度视为材料。</translation>
     </message>
     <message>
         <source>Other grids of the file were ignored (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>已忽略文件中的其他网格（%1）。</translation>
     </message>
     <message>
         <source>The drawing is the target of a new bar of ⌀%1 × %2 mm, with %3 mm left for facing at the free end. Enter another size in the panel Stock; for an exercise use Import target… in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>该图纸是新棒料 ⌀%1 × %2 mm 的目标，自由端留有 %3 mm 端面余量。可在“毛坯”面板中输入其他尺寸；对于练习，请使用其面板中的“导入目标…”。</translation>
     </message>
     <message>
         <source>The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where at most %4 is allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 mm、⌀%2 mm 处进给过大：每转 %3 mm，最大允许 %4。</translation>
     </message>
     <message>
         <source>Parts of the lathe collided at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>车床部件在 Z %1 mm、⌀%2 mm 处发生碰撞。</translation>
     </message>
     <message>
         <source>The tool was fed into the work at rest at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具在 Z %1 mm、⌀%2 mm 处进给切入静止的工件。</translation>
     </message>
     <message>
         <source>The cut was deeper than the cutting edge is long at Z %1 mm, ⌀%2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 Z %1 mm、⌀%2 mm 处切深超过了切削刃的长度。</translation>
     </message>
     <message>
         <source>The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N.</source>
@@ -5041,39 +5041,39 @@
     </message>
     <message>
         <source>there is no such surface along the whole range</source>
-        <translation type="unfinished"></translation>
+        <translation>整个范围内没有这样的表面</translation>
     </message>
     <message>
         <source>the arc curves in the opposite direction</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧向相反方向弯曲</translation>
     </message>
     <message>
         <source>the marking scheme does not specify where to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>评分标准未指定测量位置</translation>
     </message>
     <message>
         <source>the part does not match its recorded passes</source>
-        <translation type="unfinished"></translation>
+        <translation>零件与其记录的走刀不符</translation>
     </message>
     <message>
         <source>the surface was not cut along the whole range</source>
-        <translation type="unfinished"></translation>
+        <translation>并非整个范围内的表面都经过切削</translation>
     </message>
     <message>
         <source>the tool that cut it has no nose radius, or the feed was larger than that</source>
-        <translation type="unfinished"></translation>
+        <translation>所用刀具没有刀尖圆弧半径，或进给量超过了刀尖圆弧半径</translation>
     </message>
     <message>
         <source>feed too high %1 times, up to %2 mm per revolution where at most %3 is allowed; other collisions: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>进给过快 %1 次，最大达每转 %2 mm，最大允许 %3；其他碰撞：%4</translation>
     </message>
     <message>
         <source>the marking scheme has no limit for it</source>
-        <translation type="unfinished"></translation>
+        <translation>评分标准未给出其限值</translation>
     </message>
     <message>
         <source>no points, because “%1” was not met</source>
-        <translation type="unfinished"></translation>
+        <translation>不得分，因为未达到“%1”</translation>
     </message>
 </context>
 <context>
@@ -5210,19 +5210,19 @@
     </message>
     <message>
         <source>free, except for links without meshes, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>除无网格的连杆外无碰撞，%1</translation>
     </message>
     <message>
         <source>free of collisions, except for links without meshes (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>除无网格的连杆外无碰撞（%1）</translation>
     </message>
     <message>
         <source>It follows the curve at the former position of %1. Plan it again to follow the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>它沿 %1 先前位置处的曲线。请重新规划，使其跟随零件。</translation>
     </message>
     <message>
         <source>Every motion is proven to keep a clearance of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>已证明每个运动都至少保持 %1 的间隙。</translation>
     </message>
 </context>
 <context>
@@ -7140,39 +7140,39 @@
     </message>
     <message>
         <source>Robot to plan for</source>
-        <translation type="unfinished"></translation>
+        <translation>要规划的机器人</translation>
     </message>
     <message>
         <source>they cannot be scored without a limit</source>
-        <translation type="unfinished"></translation>
+        <translation>未设限值则无法评分</translation>
     </message>
     <message>
         <source>No points at all if not met</source>
-        <translation type="unfinished"></translation>
+        <translation>未达到此项则完全不得分</translation>
     </message>
     <message>
         <source>the place to measure is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少测量位置</translation>
     </message>
     <message>
         <source>The centres of the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>两面的中心</translation>
     </message>
     <message>
         <source>Attracted within</source>
-        <translation type="unfinished"></translation>
+        <translation>吸附到路径的距离</translation>
     </message>
     <message>
         <source>Distance behind the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>落后于手的距离</translation>
     </message>
     <message>
         <source>Opposite direction</source>
-        <translation type="unfinished"></translation>
+        <translation>反方向</translation>
     </message>
     <message>
         <source>Current position of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人当前位置</translation>
     </message>
     <message>
         <source>Edge of a voxel</source>
@@ -7764,8 +7764,8 @@
     </message>
     <message numerus="yes">
         <source>%n removed together with other triangles</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个随其他三角形一起移除</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -7776,8 +7776,8 @@
     </message>
     <message numerus="yes">
         <source>%n outer boundary(ies) removed together with other triangles</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个外边界随其他三角形一起移除</numerusform>
         </translation>
     </message>
 </context>
@@ -8876,11 +8876,11 @@
     </message>
     <message>
         <source>back to the current pose of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>返回机器人当前位形</translation>
     </message>
     <message>
         <source>the robot is already in this configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人已处于该位形</translation>
     </message>
     <message>
         <source>move a robot by its base</source>
@@ -8888,11 +8888,11 @@
     </message>
     <message>
         <source>choose the face to place it on</source>
-        <translation type="unfinished"></translation>
+        <translation>选择要贴放到的面</translation>
     </message>
     <message>
         <source>click the face to place it on</source>
-        <translation type="unfinished"></translation>
+        <translation>单击要贴放到的面</translation>
     </message>
     <message>
         <source>move a body or a robot&apos;s base over the floor, along an arrow, turn by a ring</source>
@@ -9187,7 +9187,7 @@
     </message>
     <message>
         <source>The files are listed in the Log.</source>
-        <translation type="unfinished"></translation>
+        <translation>日志中列出了这些文件。</translation>
     </message>
 </context>
 <context>
@@ -9540,19 +9540,19 @@
     </message>
     <message>
         <source>Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm</source>
-        <translation type="unfinished"></translation>
+        <translation>指定其文件中数值的单位：STL、OBJ、PLY 和 OFF 没有单位，按 mm 处理</translation>
     </message>
     <message>
         <source>Attach the selected body to the robot as a tool, with its origin at the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选物体作为工具安装到机器人上，其原点位于法兰处</translation>
     </message>
     <message>
         <source>Detach the selected body from the robot and leave it where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选物体从机器人上卸下，并留在原处</translation>
     </message>
     <message>
         <source>The bodies were not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>物体未更改</translation>
     </message>
 </context>
 <context>
@@ -10008,12 +10008,12 @@
     </message>
     <message>
         <source>%1 was not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 未更改</translation>
     </message>
     <message numerus="yes">
         <source>%Ln point(s) checked.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已检查 %Ln 个点。</numerusform>
         </translation>
     </message>
     <message>
@@ -10038,15 +10038,15 @@
     </message>
     <message>
         <source>%1 could not be planned again and was not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 无法重新规划，未作更改</translation>
     </message>
     <message>
         <source>Your changes were kept; the planned path is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>您的更改已保留；规划出的路径为 %1。</translation>
     </message>
     <message>
         <source>The result is not valid for the cell as it is now, and was discarded.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果不适用于单元的当前状态，已被丢弃。</translation>
     </message>
     <message>
         <source>%1 is outdated</source>
@@ -10070,59 +10070,59 @@
     </message>
     <message>
         <source>The name had no extension of a robot language, so that of %1 was added.</source>
-        <translation type="unfinished"></translation>
+        <translation>名称没有任何机器人语言的扩展名，因此添加了 %1 的扩展名。</translation>
     </message>
     <message>
         <source>It follows the curve at the former position of %1: a comment of the program says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>它沿 %1 先前位置处的曲线：程序中有注释说明这一点。</translation>
     </message>
     <message>
         <source>Store the current joint values under a name</source>
-        <translation type="unfinished"></translation>
+        <translation>以名称保存当前关节值</translation>
     </message>
     <message>
         <source>Store the current pose of the tool as a target; on the selected body, if any, with which it moves</source>
-        <translation type="unfinished"></translation>
+        <translation>将工具当前位姿保存为目标点；若选中了物体，则保存在该物体上，并随其移动</translation>
     </message>
     <message>
         <source>Insert the current joint values after the selected place as a critical configuration; before the goal, if that or the path is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>将当前关节值作为关键位形插入到所选位置之后；若所选为终点或路径，则插入到终点之前</translation>
     </message>
     <message>
         <source>Replace the selected place or target by the current position of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>用机器人当前位置替换所选的位置或目标点</translation>
     </message>
     <message>
         <source>Move the selected place towards the start of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选位置向路径起点移动</translation>
     </message>
     <message>
         <source>Move the selected place towards the end of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>将所选位置向路径终点移动</translation>
     </message>
     <message>
         <source>Verify that each motion of the selected path is free of collisions, or list all collisions; also if it was verified before</source>
-        <translation type="unfinished"></translation>
+        <translation>验证所选路径的每个运动均无碰撞，或列出所有碰撞；已验证过的也会重新验证</translation>
     </message>
     <message>
         <source>Verify the paths of all robots that are not verified in their current state, each with the other robots where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>验证所有机器人中当前状态尚未验证的路径，验证时其他机器人均处于当前位置</translation>
     </message>
     <message>
         <source>Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to plan for</source>
-        <translation type="unfinished"></translation>
+        <translation>读取所选机器人（未选择时为要规划的机器人）的允许接触的连杆对和命名状态</translation>
     </message>
     <message>
         <source>Choose the order of the critical places, and the configurations in which they are reached, that take the least time</source>
-        <translation type="unfinished"></translation>
+        <translation>选择用时最少的关键位置顺序和到达各位置的位形</translation>
     </message>
     <message>
         <source>Plan for the selected robot from now on; the others stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>从现在起为所选机器人规划；其他机器人保持不动</translation>
     </message>
     <message>
         <source>Choose the robot of the path first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先选择路径的机器人。</translation>
     </message>
     <message>
         <source>The path is being verified.</source>
@@ -10130,7 +10130,7 @@
     </message>
     <message>
         <source>Select the robot that the file describes, and read it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择该文件所描述的机器人，然后重新读取。</translation>
     </message>
 </context>
 <context>
@@ -10212,30 +10212,30 @@
     </message>
     <message>
         <source>Remove the selected robot, or else the one to plan for, with its configurations and paths</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所选的机器人；未选时移除要规划的机器人，连同其位形和路径</translation>
     </message>
     <message>
         <source>Robot to plan for</source>
-        <translation type="unfinished"></translation>
+        <translation>要规划的机器人</translation>
     </message>
     <message>
         <source>The robot to plan for; the others stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>要规划的机器人；其他机器人保持不动</translation>
     </message>
     <message>
         <source>%1 configurations and %2 paths were removed with it. Undo restores them.</source>
-        <translation type="unfinished"></translation>
+        <translation>一并移除了 %1 个位形和 %2 条路径。撤销可恢复。</translation>
     </message>
     <message>
         <source>The robots were not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人未更改</translation>
     </message>
 </context>
 <context>
     <name>handwheel::CellTargets</name>
     <message>
         <source>Searching configurations for the targets</source>
-        <translation type="unfinished"></translation>
+        <translation>正在搜索到达目标点的位形</translation>
     </message>
 </context>
 <context>
@@ -10874,19 +10874,19 @@
     </message>
     <message>
         <source>The forbidden region was entered by %1 mm: this attempt has failed</source>
-        <translation type="unfinished"></translation>
+        <translation>已进入禁区 %1 mm：本次尝试失败</translation>
     </message>
     <message>
         <source>The attempt has failed</source>
-        <translation type="unfinished"></translation>
+        <translation>本次尝试失败</translation>
     </message>
     <message>
         <source>Release the button, undo the hole, and begin where the green rod meets the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>请松开按键，撤销该孔，然后从绿色细杆与表面相交处开始。</translation>
     </message>
     <message>
         <source>Release the button now: each further millimetre counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>请立即松开按键：每多一毫米都会计入。</translation>
     </message>
 </context>
 <context>
@@ -11319,15 +11319,15 @@
     </message>
     <message>
         <source>Keep the work that was started from this exercise as its model solution</source>
-        <translation type="unfinished"></translation>
+        <translation>将从此练习开始的作业保留为其参考答案</translation>
     </message>
     <message>
         <source>Import the shape that students are to make, from DXF, SVG, STEP, a mesh or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>从 DXF、SVG、STEP、网格或工件导入学生要加工的形状</translation>
     </message>
     <message>
         <source>Turn a shoulder step by step; no experience is needed</source>
-        <translation type="unfinished"></translation>
+        <translation>逐步车削一个台阶；无需经验</translation>
     </message>
     <message>
         <source>New exercise: %1</source>
@@ -11367,7 +11367,7 @@
     </message>
     <message>
         <source>“Task” shows where it lies in the bar, “Marks” what is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>“任务”显示它在棒料中的位置，“评分”显示测量的项目。</translation>
     </message>
 </context>
 <context>
@@ -11740,7 +11740,7 @@
     </message>
     <message>
         <source>Number of samples of each value (logarithmic). Drag the handles: the values between them are the segment.</source>
-        <translation type="unfinished"></translation>
+        <translation>各个值的采样点数（对数）。拖动控制柄：其间的值即为分割区域。</translation>
     </message>
 </context>
 <context>
@@ -11800,7 +11800,7 @@
     </message>
     <message>
         <source>Check the patch: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查补片：%1。</translation>
     </message>
 </context>
 <context>
@@ -11894,31 +11894,31 @@
     </message>
     <message>
         <source>Power: the cut needs %1 kW, and the motor has %2 kW; the spindle slows down.</source>
-        <translation type="unfinished"></translation>
+        <translation>功率：切削需要 %1 kW，而电机只有 %2 kW；主轴减速。</translation>
     </message>
     <message>
         <source>Torque: the cut needs %1 N·m, and the spindle has %2 N·m; the spindle stalls.</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩：切削需要 %1 N·m，而主轴只有 %2 N·m；主轴堵转。</translation>
     </message>
     <message>
         <source>L/D: the work protrudes by %1 times its diameter; at most %2 times is recommended. Support it.</source>
-        <translation type="unfinished"></translation>
+        <translation>长径比 (L/D)：工件伸出长度为其直径的 %1 倍；建议最多 %2 倍。请加支承。</translation>
     </message>
     <message>
         <source>Deflection: the work bends away and is left %1 mm thicker here; the limit is %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>让刀：工件弯曲退让，此处会多留 %1 mm；限值为 %2 mm。</translation>
     </message>
     <message>
         <source>Chatter: the depth of cut is %1 mm; up to %2 mm is stable at any spindle speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>颤振：切深为 %1 mm；不超过 %2 mm 时在任何主轴转速下都稳定。</translation>
     </message>
     <message>
         <source>Rubbing: a chip thickness of %1 mm is too small to be cut; at least %2 mm is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>挤擦：%1 mm 的切屑厚度过小，无法切下；至少需要 %2 mm。</translation>
     </message>
     <message>
         <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
-        <translation type="unfinished"></translation>
+        <translation>碰撞及相关部件、警告及所违反的规则，均附时间。碰撞会使主轴停止。</translation>
     </message>
 </context>
 <context>
@@ -12005,39 +12005,39 @@
     </message>
     <message>
         <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>切削力三个分量的合力，以及练习的限值</translation>
     </message>
     <message>
         <source>Power taken from the motor, and its rated power</source>
-        <translation type="unfinished"></translation>
+        <translation>电机输出的功率及其额定功率</translation>
     </message>
     <message>
         <source>Torque at the spindle, and the torque available</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴扭矩及可用扭矩</translation>
     </message>
     <message>
         <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
-        <translation type="unfinished"></translation>
+        <translation>当前主轴转速。切削超出可用功率或扭矩时主轴会减速。</translation>
     </message>
     <message>
         <source>Surface speed at the middle of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切削中部处的线速度</translation>
     </message>
     <message>
         <source>Depth of cut, measured across the feed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>切深，垂直于进给方向测量</translation>
     </message>
     <message>
         <source>Feed per revolution of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴每转的进给量</translation>
     </message>
     <message>
         <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
-        <translation type="unfinished"></translation>
+        <translation>刀具所在处零件的粗糙度，由进给量和刀尖圆弧半径，以及之后用锉刀、砂纸或砂轮的加工得出</translation>
     </message>
     <message>
         <source>The law of the cutting force is not valid for such a cut of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>该切削力定律不适用于对 %1 的这种切削。</translation>
     </message>
 </context>
 <context>
@@ -12307,7 +12307,7 @@
     </message>
     <message>
         <source>The restored material is where the tool was, so the tool was moved out of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复的材料正处于刀具所在位置，因此已将刀具从中退出。</translation>
     </message>
 </context>
 <context>
@@ -12967,14 +12967,14 @@
     </message>
     <message>
         <source>Plays the path on a time line, with its clearance and its collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间轴上播放路径，显示间隙和碰撞</translation>
     </message>
 </context>
 <context>
     <name>handwheel::PathGuides</name>
     <message>
         <source>Finding the curve along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在求沿 %1 的曲线</translation>
     </message>
 </context>
 <context>
@@ -13307,11 +13307,11 @@
     </message>
     <message>
         <source>Generate a program from the recorded passes or for the target</source>
-        <translation type="unfinished"></translation>
+        <translation>根据记录的走刀或针对目标生成程序</translation>
     </message>
     <message>
         <source>Tool table of the program: nose radii, holders and offsets</source>
-        <translation type="unfinished"></translation>
+        <translation>程序的刀具表：刀尖圆弧半径、刀杆和偏置</translation>
     </message>
 </context>
 <context>
@@ -13350,7 +13350,7 @@
     </message>
     <message>
         <source>Speed relative to that of the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>相对于机床速度的倍数</translation>
     </message>
 </context>
 <context>
@@ -13676,23 +13676,23 @@
     </message>
     <message>
         <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
-        <translation type="unfinished"></translation>
+        <translation>将切削此零件的走刀写成所选代码格式的程序。程序显示在编辑器中；撤销可恢复当前文本。</translation>
     </message>
     <message>
         <source>Depth of a roughing cut, on the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>每次粗车的切深（半径值）</translation>
     </message>
     <message>
         <source>Allowance for the finishing cut</source>
-        <translation type="unfinished"></translation>
+        <translation>精车余量</translation>
     </message>
     <message>
         <source>Largest spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>最高主轴转速</translation>
     </message>
     <message>
         <source>force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
-        <translation type="unfinished"></translation>
+        <translation>力：最大 %1 N，而练习的车床只允许 %2 N。已记入练习的报告。</translation>
     </message>
     <message>
         <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
@@ -13700,11 +13700,11 @@
     </message>
     <message>
         <source>Cut the part as the program does. If it collides, its collisions are shown first.</source>
-        <translation type="unfinished"></translation>
+        <translation>按程序切削零件。若有碰撞，会先显示其碰撞。</translation>
     </message>
     <message>
         <source>Cut: %1 mm³ removed. Undo restores them.</source>
-        <translation type="unfinished"></translation>
+        <translation>切削：已去除 %1 mm³。撤销可恢复。</translation>
     </message>
 </context>
 <context>
@@ -14166,13 +14166,13 @@
     </message>
     <message numerus="yes">
         <source>%Ln triangle(s) were removed from %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已从 %1 中移除 %Ln 个三角形。</numerusform>
         </translation>
     </message>
     <message>
         <source>Check the patch of %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查 %1 的补片：%2。</translation>
     </message>
 </context>
 <context>
@@ -14267,11 +14267,11 @@
     </message>
     <message>
         <source>Nothing has been cut yet. Recorded passes can be played here.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未切削。记录的走刀可在此处回放。</translation>
     </message>
     <message>
         <source>It is not a workpiece that was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>它不是经过切削的工件。</translation>
     </message>
 </context>
 <context>
@@ -14549,19 +14549,19 @@
     </message>
     <message>
         <source>Lead the robot&apos;s tool by hand; the arm follows without collisions</source>
-        <translation type="unfinished"></translation>
+        <translation>手动引导机器人的工具；机械臂随之移动而不发生碰撞</translation>
     </message>
     <message>
         <source>Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>显示机械臂到达其工具某一位姿的所有位形：肩部、肘部和腕部</translation>
     </message>
     <message>
         <source>Open a robot in front of a block on a table, with a path along its edge</source>
-        <translation type="unfinished"></translation>
+        <translation>打开一个机器人，其前方桌上有方块，并有一条沿其边的路径</translation>
     </message>
     <message>
         <source>Create a cell with a robot of the library, from its manufacturer&apos;s data</source>
-        <translation type="unfinished"></translation>
+        <translation>用库中的机器人新建单元，采用其制造商的数据</translation>
     </message>
 </context>
 <context>
@@ -14723,11 +14723,11 @@
     </message>
     <message>
         <source>Choose the material of a scan in its slices</source>
-        <translation type="unfinished"></translation>
+        <translation>在扫描的切片中选择其材料</translation>
     </message>
     <message>
         <source>The point (value %1) is not in the segment. Click a coloured place, or choose a range that includes this value.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点（值 %1）不在分割区域内。请单击着色处，或选择包含此值的范围。</translation>
     </message>
 </context>
 <context>
@@ -14884,71 +14884,71 @@
     </message>
     <message>
         <source>From Otsu&apos;s threshold upwards, which best separates the values into two classes</source>
-        <translation type="unfinished"></translation>
+        <translation>从大津阈值起，该阈值将值最佳地分为两类</translation>
     </message>
     <message>
         <source>300 Hounsfield units and above</source>
-        <translation type="unfinished"></translation>
+        <translation>300 亨氏单位及以上</translation>
     </message>
     <message>
         <source>-200 Hounsfield units and above: everything except air</source>
-        <translation type="unfinished"></translation>
+        <translation>-200 亨氏单位及以上：除空气外的一切</translation>
     </message>
     <message>
         <source>Keeps only the largest connected part</source>
-        <translation type="unfinished"></translation>
+        <translation>仅保留最大的相连部分</translation>
     </message>
     <message>
         <source>Number of largest parts to keep</source>
-        <translation type="unfinished"></translation>
+        <translation>要保留的最大部分的数量</translation>
     </message>
     <message>
         <source>Keeps this number of the largest parts</source>
-        <translation type="unfinished"></translation>
+        <translation>保留此数量的最大部分</translation>
     </message>
     <message>
         <source>Volume below which parts are debris</source>
-        <translation type="unfinished"></translation>
+        <translation>体积小于此值的部分视为碎片</translation>
     </message>
     <message>
         <source>Removes all parts smaller than this</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所有小于此值的部分</translation>
     </message>
     <message>
         <source>Removes specks and smooths steps: each sample follows the majority of its 3 × 3 × 3 neighbourhood</source>
-        <translation type="unfinished"></translation>
+        <translation>移除斑点并平滑台阶：每个采样点取其 3 × 3 × 3 邻域中的多数</translation>
     </message>
     <message>
         <source>Click a point of the segment: only the part connected to it is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>单击分割区域中的一点：仅保留与其相连的部分</translation>
     </message>
     <message>
         <source>The brush is a ball that reaches into neighbouring slices; otherwise it paints in one slice</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔为球形，延伸到相邻的切片；否则只在一个切片中涂绘</translation>
     </message>
     <message>
         <source>Smooths the voxel steps of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑表面的体素台阶</translation>
     </message>
     <message>
         <source>Creates the volume of the segment, which can be shaped, drilled and saved; undo restores the previous one</source>
-        <translation type="unfinished"></translation>
+        <translation>生成分割区域的体素模型，可进行塑造、钻孔和保存；撤销可恢复之前的体素模型</translation>
     </message>
     <message>
         <source>Edited by hand: choosing another range discards these edits (undo restores them).</source>
-        <translation type="unfinished"></translation>
+        <translation>已手动编辑：选择其他范围会丢弃这些编辑（撤销可恢复）。</translation>
     </message>
     <message>
         <source>No sample has a value in this range.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有采样点的值处于此范围内。</translation>
     </message>
     <message>
         <source>About %1 MB of %2 MB available</source>
-        <translation type="unfinished"></translation>
+        <translation>约 %1 MB，可用 %2 MB</translation>
     </message>
     <message>
         <source>Larger voxels need less.</source>
-        <translation type="unfinished"></translation>
+        <translation>体素越大，所需内存越少。</translation>
     </message>
 </context>
 <context>
@@ -15538,19 +15538,19 @@
     </message>
     <message>
         <source>blue: Ra %1 µm or less, white: %2, red: %3 or more, grey: unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>蓝：Ra 不大于 %1 µm，白：%2，红：不小于 %3，灰：未知</translation>
     </message>
     <message>
         <source>Import the target shape of the part from STEP, DXF, SVG or a workpiece</source>
-        <translation type="unfinished"></translation>
+        <translation>从 STEP、DXF、SVG 或工件导入零件的目标形状</translation>
     </message>
     <message>
         <source>Do not compare the part with a target</source>
-        <translation type="unfinished"></translation>
+        <translation>不将零件与目标比较</translation>
     </message>
     <message>
         <source>%1 cannot be used as a target</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不能用作目标</translation>
     </message>
 </context>
 <context>
@@ -15854,7 +15854,7 @@
     </message>
     <message>
         <source>The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>程序中各 T 编号对应的刀具。对于车床上的刀具，还会检查其刀杆、刀架和拖板的碰撞。未列出的刀具采用面板中的刀尖圆弧半径。</translation>
     </message>
 </context>
 <context>
@@ -16088,7 +16088,7 @@
     </message>
     <message>
         <source>Start with a synthetic skull to be drilled, not that of a patient</source>
-        <translation type="unfinished"></translation>
+        <translation>从一个可供钻孔的合成颅骨开始，并非取自患者</translation>
     </message>
 </context>
 <context>
@@ -16215,15 +16215,15 @@
     </message>
     <message>
         <source>The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>此次走刀的切削力最大达 %1 N；练习所用车床允许 %2 N。</translation>
     </message>
     <message>
         <source>It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.</source>
-        <translation type="unfinished"></translation>
+        <translation>已记入报告，并会降低力和功率的得分。请撤销，并使用较小的切深或进给。</translation>
     </message>
     <message>
         <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>可在其面板中输入其他尺寸，也可写作“2in”或“50/2”。“另存为”也能写 STEP。</translation>
     </message>
 </context>
 </TS>
