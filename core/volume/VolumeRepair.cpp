@@ -119,7 +119,7 @@ Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRep
                       *filled,
                       distanceFrom(mesh, made->kept, progress.part(0.55, 0.6))};
   if (options.isReduced && sampled.triangles.size() > surface.triangles.size() && !progress.cancelled())
-    repair = Reduction(mesh, made->kept, options.voxel)
+    repair = Reduction(mesh, made->kept, options.within * options.voxel)
                  .reduced(std::move(repair), surface.triangles.size(), progress.part(0.6, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return repair;

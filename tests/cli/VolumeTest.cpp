@@ -5,6 +5,7 @@
 #include "TestClass.h"
 
 #include <QTest>
+#include <map>
 
 using namespace handwheel;
 
@@ -183,6 +184,31 @@ class VolumeTest : public QObject {
     const Ran text = bench.run({"boolean", "a.off", "b.off", way, "-o", "c.handwheel", "--voxel", "0.5"});
     QCOMPARE(text.code, 0);
     QVERIFY(text.out.contains("voxels of 0.5 mm"));
+  }
+
+  // With sharp edges a block is the block, where marching cubes cut its edges off; and by densities it is nearly so.
+  void methods() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    std::map<QByteArray, double> off;
+    for (const QByteArray sampling : {"sign", "density"}) {
+      const Ran made = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--method", sampling});
+      QCOMPARE(made.err, QByteArray());
+      for (const QByteArray polygons : {"marching", "dual"}) {
+        QCOMPARE(bench.run({"remesh", "a.handwheel", "-o", "b.stl", "--method", polygons}).code, 0);
+        const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+        QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
+        QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
+        off[sampling + polygons] = std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0);
+      }
+    }
+    QVERIFY(off["signdual"] < 1e-4);
+    QVERIFY(off["signmarching"] > 10.0 * off["signdual"]);
+    QVERIFY(off["densitymarching"] < 0.02);
+    QCOMPARE(bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--fidelity", "volume.voxels=40"}).code, 0);
+    QCOMPARE(volumeJson(bench.run({"inspect", "a.handwheel", "--json"}).out)["document"]["voxel"].get<double>(), 0.5);
+    QVERIFY(
+        bench.run({"voxelize", "a.off", "-o", "a.vdb", "--fidelity", "snap.radius=2"}).err.contains("does not use"));
   }
 
   // A wall of 2 mm in a block of 20 mm: an empty cube of 16 mm within.
