@@ -130,6 +130,42 @@ class VolumeTest : public QObject {
     QVERIFY(text.out.contains("not verified"));
   }
 
+  // A hole of 12 mm in pecks of 5: the thrust is there three times, and falls to nothing between them; one without
+  // pecks has it once. Both take the same from the block.
+  void drillByProgram() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    const QByteArray begin = "G21 G90\nS1200 M3\nG0 X10 Y10 Z22\n", end = "G80\nM30\n";
+    bench.put("pecks.ngc", begin + "G83 Z8 R21 Q5 F300\n" + end);
+    bench.put("plain.ngc", begin + "G81 Z8 R21 F300\n" + end);
+    std::map<QString, double> removed;
+    for (const QString name : {"pecks", "plain"}) {
+      const Ran ran = bench.run({"drill", "a.off", "--program", name + ".ngc", "--tool", "ball:6", "--voxel", "0.35",
+                                 "--rate", "250", "--forces", name + ".csv", "--json"});
+      QCOMPARE(ran.err, QByteArray());
+      QCOMPARE(ran.code, 0);
+      removed[name] = volumeJson(ran.out)["removed_mm3"].get<double>();
+      // A cylinder from the top, less half a ball that the foremost point is ahead by.
+      QVERIFY(std::abs(removed[name] / (M_PI * 9.0 * 9.0 + 18.0 * M_PI) - 1.0) < 0.01);
+      int pecks = 0;
+      double last = -1.0;  // s, of a cycle with thrust
+      for (const QByteArray& line : bench.content(name + ".csv").split('\n').mid(1)) {
+        const QList<QByteArray> cells = line.split(',');
+        if (cells.size() < 5 || !(cells[4].toDouble() > 1.0)) continue;
+        const double time = cells[0].toDouble();
+        pecks += time - last > 0.15;
+        last = time;
+      }
+      QCOMPARE(pecks, name == "pecks" ? 3 : 1);
+    }
+    QVERIFY(std::abs(removed["pecks"] / removed["plain"] - 1.0) < 0.01);
+    bench.put("bad.ngc", begin + "G2 X3 Y4\n");
+    const Ran bad = bench.run({"drill", "a.off", "--program", "bad.ngc"});
+    QCOMPARE(bad.code, 1);
+    QVERIFY2(bad.err.contains("bad.ngc") && bad.err.contains("line 4") && bad.err.contains("G2"), bad.err);
+    QCOMPARE(bench.run({"drill", "a.off", "--program", "plain.ngc", "--path", "p.csv"}).code, 1);
+  }
+
   void whatCannotBeDrilled_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QByteArray>("says");
