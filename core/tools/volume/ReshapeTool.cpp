@@ -17,25 +17,25 @@
 namespace handwheel {
 namespace {
 
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kReshapeKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "apply")},
     {"file", "Shift+F", QT_TRANSLATE_NOOP("Tool", "combine with a file")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
 };
 
-constexpr std::array<const char*, ReshapeTool::kChanges> kNames = {
+constexpr std::array<const char*, ReshapeTool::kChanges> kChangeNames = {
     QT_TRANSLATE_NOOP("Property", "Shell"),      QT_TRANSLATE_NOOP("Property", "Move surface"),
     QT_TRANSLATE_NOOP("Property", "Combine"),    QT_TRANSLATE_NOOP("Property", "Remove debris"),
     QT_TRANSLATE_NOOP("Property", "Close gaps"), QT_TRANSLATE_NOOP("Property", "Smooth all"),
 };
 
 // To two digits, so that what is proposed is easily read.
-double roundedOff(double value) {
+double twoDigits(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return unit * std::round(value / unit);
 }
 
-Property figure(const char* id, const char* label, double value) {
+Property shownFigure(const char* id, const char* label, double value) {
   Property property{.id = id, .group = {}, .label = label, .value = value};
   property.editable = false;
   return property;
@@ -98,7 +98,7 @@ void ReshapeTool::chooseUsual() {
   for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
   const double extent = box.isEmpty() ? voxel : box.sizes().maxCoeff();
   const auto set = [&](Change change, const char* id, double value) {
-    takeSetting(m_values[static_cast<std::size_t>(change)], id, roundedOff(value));
+    takeSetting(m_values[static_cast<std::size_t>(change)], id, twoDigits(value));
   };
   set(Change::Shell, "wall", std::max(4.0 * voxel, 0.03 * extent));
   set(Change::Offset, "distance", std::max(2.0 * voxel, 0.01 * extent));
@@ -233,16 +233,16 @@ ToolReply ReshapeTool::undo() {
 }
 
 std::span<const ToolKey> ReshapeTool::keys() {
-  return kKeys;
+  return kReshapeKeys;
 }
 
 std::vector<ToolAction> ReshapeTool::actions() const {
   const char* const why = m_isToCommit ? QT_TRANSLATE_NOOP("Tool", "it is being computed") : obstacle();
-  ToolAction commit = actionOf(kKeys, "commit", !why);
+  ToolAction commit = actionOf(kReshapeKeys, "commit", !why);
   if (why) commit.reason = why;
   std::vector<ToolAction> all{commit};
-  if (m_change == Change::Boolean) all.push_back(actionOf(kKeys, "file"));
-  all.push_back(actionOf(kKeys, "revert"));
+  if (m_change == Change::Boolean) all.push_back(actionOf(kReshapeKeys, "file"));
+  all.push_back(actionOf(kReshapeKeys, "revert"));
   return all;
 }
 
@@ -257,7 +257,7 @@ ToolPreview ReshapeTool::preview() const {
 std::vector<Property> ReshapeTool::settings() const {
   const SparseVolume& volume = m_document.volume()->volume;
   std::vector<Property> all = {choiceSetting("change", QT_TRANSLATE_NOOP("Property", "Change"),
-                                             static_cast<int>(m_change), {kNames.begin(), kNames.end()})};
+                                             static_cast<int>(m_change), {kChangeNames.begin(), kChangeNames.end()})};
   if (m_change == Change::Boolean) {
     std::vector<std::string> names;
     for (const OtherBody& body : m_bodies) names.push_back(body.name);
@@ -272,15 +272,16 @@ std::vector<Property> ReshapeTool::settings() const {
     below.largest = m_parts && !m_parts->voxels().empty() ? diameterOf(m_parts->voxels().front(), volume.voxel())
                                                           : std::cbrt(2.0 * volume.material());
     if (m_made) {
-      all.push_back(figure("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_made->parts)));
-      all.push_back(figure("gone", QT_TRANSLATE_NOOP("Property", "Parts that go"),
-                           static_cast<double>(m_made->parts - m_made->kept)));
+      all.push_back(shownFigure("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_made->parts)));
+      all.push_back(shownFigure("gone", QT_TRANSLATE_NOOP("Property", "Parts that go"),
+                                static_cast<double>(m_made->parts - m_made->kept)));
     }
   }
   if (m_made) {
     const double after = m_made->shown->state->volume.material();
-    all.push_back(figure("after", QT_TRANSLATE_NOOP("Property", "Material then (mm³)"), after));
-    all.push_back(figure("difference", QT_TRANSLATE_NOOP("Property", "Difference (mm³)"), after - volume.material()));
+    all.push_back(shownFigure("after", QT_TRANSLATE_NOOP("Property", "Material then (mm³)"), after));
+    all.push_back(
+        shownFigure("difference", QT_TRANSLATE_NOOP("Property", "Difference (mm³)"), after - volume.material()));
   }
   return all;
 }
