@@ -43,7 +43,8 @@ QString Document::path() const {
 }
 
 QString Document::name() const {
-  return m_file.path.empty() ? tr("Untitled") : QFileInfo(path()).fileName();
+  if (!m_file.path.empty()) return QFileInfo(path()).fileName();
+  return m_file.title.empty() ? tr("Untitled") : QString::fromStdString(m_file.title);
 }
 
 void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp) {

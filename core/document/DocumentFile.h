@@ -24,6 +24,7 @@ class DocumentKind;
 struct DocumentFile {
   std::string id;                       // UUID; made when a document is imported, kept in containers
   std::string path;                     // absolute, as bytes; empty for a document that was never saved
+  std::string title = {};               // what a document without a file is called, UTF-8; empty: nothing
   std::optional<FileStamp> stamp = {};  // of that file as it was read or written; none where that is not known
   LengthUnit displayUnit = LengthUnit::Millimetre;
   std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made

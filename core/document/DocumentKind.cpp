@@ -243,13 +243,20 @@ bool isContainerName(const std::filesystem::path& path) {
   return ending == kContainerEnding;
 }
 
-Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
-                                   const std::filesystem::path& path, Compression compression, Progress progress) {
+Result<Container> containerOf(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                              const std::filesystem::path& path, Progress progress) {
   Container container = ownPart(kind, file, content, path);
   writeRecordings(file.recordings, container);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (file.unknown) container = merged(*file.unknown, std::move(container), file.known ? *file.known : Container());
-  return writeContainer(container, compression, progress.part(0.2, 1.0));
+  return container;
+}
+
+Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                   const std::filesystem::path& path, Compression compression, Progress progress) {
+  const Result<Container> container = containerOf(kind, file, content, path, progress.part(0.0, 0.2));
+  if (!container) return container.error();
+  return writeContainer(*container, compression, progress.part(0.2, 1.0));
 }
 
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,

@@ -135,8 +135,11 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress = {});
 
-// The bytes of the document's container. path: of the file that they are for, which links are relative to; may be
-// empty.
+// The document's container. path: of the file that it is for, which links are relative to; may be empty. Errors:
+// Cancelled.
+Result<Container> containerOf(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                              const std::filesystem::path& path, Progress progress = {});
+// Its bytes. Errors: those of writeContainer(), too.
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                    const std::filesystem::path& path, Compression compression, Progress progress = {});
 

@@ -88,6 +88,10 @@ void OrphanedAutosaves::look(const fs::path& file) {
   std::error_code ignored;
   leftover.bytes = fs::file_size(file, ignored);
   leftover.savedAt = timeOf(file);
+  if (const fs::path changes = changesFile(file); fs::exists(changes, ignored)) {
+    leftover.bytes += fs::file_size(changes, ignored);
+    leftover.savedAt = std::max(leftover.savedAt, timeOf(changes));
+  }
   leftover.isOutdated = !leftover.info.path.empty() && fs::exists(leftover.info.path, ignored) &&
                         timeOf(leftover.info.path) > leftover.savedAt;
   m_found.push_back(std::move(leftover));
@@ -95,13 +99,12 @@ void OrphanedAutosaves::look(const fs::path& file) {
 
 void OrphanedAutosaves::discard(const OrphanedAutosave& leftover) const {
   std::error_code ignored;
-  fs::remove(leftover.file, ignored);
+  removeAutosave(leftover.file);
   fs::remove(infoFile(leftover.file), ignored);
 }
 
 void OrphanedAutosaves::discardSkipped() const {
-  std::error_code ignored;
-  for (const Error& error : m_skipped) fs::remove(error.subject, ignored);
+  for (const Error& error : m_skipped) removeAutosave(error.subject);
 }
 
 }  // namespace handwheel

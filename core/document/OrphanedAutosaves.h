@@ -13,7 +13,7 @@ namespace handwheel {
 // An autosave that a session left when it ended or was killed.
 struct OrphanedAutosave {
   AutosaveInfo info;           // empty where it is damaged; the container knows its id and kind
-  std::filesystem::path file;  // a container
+  std::filesystem::path file;  // a container; to be read after joinChanges()
   std::uint64_t bytes = 0;
   std::int64_t savedAt = 0;  // milliseconds since 1970
   bool isOutdated = false;   // the file it belongs to was written later

@@ -3,6 +3,7 @@
 #include "document/Recovery.h"
 
 #include "document/AtomicFile.h"
+#include "document/AutosaveChanges.h"
 #include "document/OrphanedAutosaves.h"
 
 #include <QUuid>
@@ -17,12 +18,6 @@ Error writeFailed(const std::filesystem::path& path, const std::error_code& reas
   return {ErrorCode::WriteFailed, {reason.message()}, {}, path.string()};
 }
 
-// Its info stays: a store() that is under way may be about to put an autosave beside it.
-void removeAutosave(const std::filesystem::path& autosave) {
-  std::error_code ignored;
-  std::filesystem::remove(autosave, ignored);
-}
-
 }  // namespace
 
 RecoverySession::RecoverySession(std::filesystem::path root) : m_root(std::move(root)) {}
@@ -35,7 +30,10 @@ RecoverySession::~RecoverySession() {
 Status RecoverySession::openFolder() {
   std::error_code failed;
   if (m_lock && std::filesystem::exists(m_folder, failed)) return Done{};
-  for (auto& [key, slot] : m_slots) slot.info.reset();
+  for (auto& [key, slot] : m_slots) {
+    slot.info.reset();
+    slot.stored.reset();
+  }
   const std::string name = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
   const std::filesystem::path hidden = m_root / (kHiddenPrefix + name);
   std::filesystem::create_directories(hidden, failed);
@@ -50,8 +48,31 @@ Status RecoverySession::openFolder() {
   return Done{};
 }
 
+Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, const Container& container,
+                              Progress progress) {
+  std::shared_ptr<const StoredAutosave> stored;
+  {
+    const std::lock_guard guard(m_mutex);
+    Slot& slot = m_slots[key];
+    if (slot.isClosed) return Done{};
+    if (const Status open = openFolder(); !open) return open.error();
+    stored = slot.stored;
+  }
+  const std::optional<Container> changes = stored ? changesSince(*stored, container) : std::nullopt;
+  const Result<std::string> bytes =
+      writeContainer(changes ? *changes : container, Compression::None, progress.part(0.0, 0.4));
+  if (!bytes) return bytes.error();
+  if (!changes) stored = std::make_shared<const StoredAutosave>(storedAutosave(container, *bytes));
+  return store(key, info, *bytes, stored, changes ? Part::Changes : Part::Whole, progress.part(0.4, 1.0));
+}
+
 Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, std::string_view container,
                               Progress progress) {
+  return store(key, info, container, nullptr, Part::Whole, progress);
+}
+
+Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, std::string_view bytes,
+                              std::shared_ptr<const StoredAutosave> stored, Part part, Progress progress) {
   std::filesystem::path autosave;
   std::uint64_t removals = 0;
   bool infoIsThere = false;
@@ -63,28 +84,42 @@ Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, std::
     autosave = autosaveFile(m_folder, key);
     removals = slot.removals;
     infoIsThere = slot.info == info;
+    // Removed since the changes were found: they are of nothing. What is stored next is whole.
+    if (part == Part::Changes && slot.stored != stored) return Done{};
     slot.info.reset();
+    if (part == Part::Whole) slot.stored.reset();
   }
-  const Status written = write(autosave, info, infoIsThere, container, progress);
+  const Status written = write(autosave, info, infoIsThere, bytes, part, progress);
   const std::lock_guard guard(m_mutex);
   Slot& slot = m_slots[key];
-  if (slot.removals != removals) removeAutosave(autosave);
-  if (written) slot.info = info;
+  if (slot.removals != removals) {
+    removeAutosave(autosave);
+    stored.reset();
+  }
+  if (!written) return written;
+  slot.info = info;
+  slot.stored = std::move(stored);
   return written;
 }
 
-// The info first: an info without an autosave says nothing, and the autosave keeps its worth without the info.
+// The info first: an info without an autosave says nothing, and the autosave keeps its worth without the info. Changes
+// of the autosave that is replaced fit the new one no longer, so it does not matter when they go.
 Status RecoverySession::write(const std::filesystem::path& autosave, const AutosaveInfo& info, bool infoIsThere,
-                              std::string_view container, Progress progress) const {
+                              std::string_view bytes, Part part, Progress progress) const {
   if (!infoIsThere) {
     if (const Status done = writeFileAtomically(infoFile(autosave), infoText(info)); !done) return done.error();
   }
-  return writeFileAtomically(autosave, container, progress);
+  if (part == Part::Changes) return writeFileAtomically(changesFile(autosave), bytes, progress);
+  const Status written = writeFileAtomically(autosave, bytes, progress);
+  std::error_code ignored;
+  if (written) std::filesystem::remove(changesFile(autosave), ignored);
+  return written;
 }
 
 void RecoverySession::remove(std::uint64_t key) {
   const std::lock_guard guard(m_mutex);
   ++m_slots[key].removals;
+  m_slots[key].stored.reset();
   if (m_lock) removeAutosave(autosaveFile(m_folder, key));
 }
 

@@ -8,12 +8,15 @@
 #include "document/RecoveryLock.h"
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 
 namespace handwheel {
 
+struct Container;
 struct OrphanedAutosave;
+struct StoredAutosave;
 
 // Stores and removes the autosaves of a running program. They are in a folder of its own below the root, created when
 // it is first needed and locked as long as the session exists. Autosaves that remain at its end stay, and can be found
@@ -30,6 +33,9 @@ class RecoverySession {
   // one is still there. The key names the open document in this session: two copies of a file have the same document
   // id. Errors: WriteFailed, Cancelled.
   Status store(std::uint64_t key, const AutosaveInfo& info, std::string_view container, Progress progress = {});
+  // The same; but where most blobs of the container are in the key's autosave already, only the others are written,
+  // beside it. Errors: those of writeContainer(), too.
+  Status store(std::uint64_t key, const AutosaveInfo& info, const Container& container, Progress progress = {});
 
   // Removes the autosave, because the document no longer differs from its file. Not to be called when it was changed
   // again while it was saved: a store() that is under way may hold that change, and is undone.
@@ -44,13 +50,18 @@ class RecoverySession {
  private:
   struct Slot {
     std::uint64_t removals = 0;
-    std::optional<AutosaveInfo> info;  // as it is on the disk
+    std::optional<AutosaveInfo> info;              // as it is on the disk
+    std::shared_ptr<const StoredAutosave> stored;  // what of blobs is there; null: that is not known
     bool isClosed = false;
   };
 
+  enum class Part { Whole, Changes };
+
   Status openFolder();
+  Status store(std::uint64_t key, const AutosaveInfo& info, std::string_view bytes,
+               std::shared_ptr<const StoredAutosave> stored, Part part, Progress progress);
   Status write(const std::filesystem::path& autosave, const AutosaveInfo& info, bool infoIsThere,
-               std::string_view container, Progress progress) const;
+               std::string_view bytes, Part part, Progress progress) const;
 
   std::mutex m_mutex;  // for all below; not held while writing
   std::filesystem::path m_root;

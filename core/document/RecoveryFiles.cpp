@@ -25,6 +25,17 @@ std::filesystem::path infoFile(std::filesystem::path autosave) {
   return autosave.replace_extension(".json");
 }
 
+std::filesystem::path changesFile(std::filesystem::path autosave) {
+  return autosave.replace_extension(".changes");
+}
+
+// The autosave first: changes alone say nothing.
+void removeAutosave(const std::filesystem::path& autosave) {
+  std::error_code ignored;
+  std::filesystem::remove(autosave, ignored);
+  std::filesystem::remove(changesFile(autosave), ignored);
+}
+
 std::string infoText(const AutosaveInfo& info) {
   // A path need not be UTF-8; JSON must.
   const std::string path = QByteArray::fromStdString(info.path).toPercentEncoding("/ ").toStdString();

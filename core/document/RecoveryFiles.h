@@ -8,7 +8,8 @@
 #include <string_view>
 
 // Layout of a recovery folder: <root>/<session>/ holds the file "lock", and for each autosave <number>.handwheel, a
-// container like any other, and <number>.json, which describes its document.
+// container like any other, and <number>.json, which describes its document; where little has changed since,
+// <number>.changes has what did (AutosaveChanges.h).
 namespace handwheel {
 
 // Describes the document that an autosave belongs to.
@@ -31,6 +32,10 @@ inline constexpr const char* kAutosaveEnding = ".handwheel";
 std::filesystem::path autosaveFile(const std::filesystem::path& session, std::uint64_t key);
 // The path of an autosave's description, next to it.
 std::filesystem::path infoFile(std::filesystem::path autosave);
+// The path of what has changed since an autosave, next to it.
+std::filesystem::path changesFile(std::filesystem::path autosave);
+// Removes an autosave and its changes; the description stays.
+void removeAutosave(const std::filesystem::path& autosave);
 
 // The content of a description file.
 std::string infoText(const AutosaveInfo& info);

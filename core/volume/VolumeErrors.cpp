@@ -19,6 +19,11 @@ const ErrorDescription VolumeErrors::TooLargeToSave{
     .sentences = {translatable("ErrorText", "voxels of %1 mm make a volume of %2 MB, and a document holds %3 MB")},
     .advice = {translatable("ErrorText", "Choose larger voxels, or work on a piece of the part.")}};
 
+const ErrorDescription VolumeErrors::ImageTooLarge{
+    .id = "ImageTooLarge",
+    .sentences = {translatable("ErrorText", "an image of %1 MB with %2 MB of voxels is too large: %3 MB is the most")},
+    .advice = {translatable("ErrorText", "Choose larger voxels; 'handwheel segment' keeps no image.")}};
+
 const ErrorDescription VolumeErrors::NoVoxelInside{
     .id = "NoVoxelInside",
     .sentences = {translatable("ErrorText", "no voxel of %1 mm lies inside: the part is thinner than they are")},

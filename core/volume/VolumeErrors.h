@@ -10,6 +10,7 @@ namespace handwheel::VolumeErrors {
 extern const ErrorDescription TooFine;              // {voxel in mm, extent in mm, least voxel in mm}
 extern const ErrorDescription TooLarge;             // {voxel in mm, MB that it takes, MB that there are}
 extern const ErrorDescription TooLargeToSave;       // {voxel in mm, MB that it takes, MB that a document holds}
+extern const ErrorDescription ImageTooLarge;        // {MB of the image, MB of the volume, MB that a document holds}
 extern const ErrorDescription NoVoxelInside;        // {voxel in mm} it is thinner than they are
 extern const ErrorDescription NothingInside;        // the surface goes round nothing: flat, or inside out
 extern const ErrorDescription NothingLeft;          // of what was cut, or moved inwards

@@ -268,6 +268,33 @@ class VolumeTest : public QObject {
     QVERIFY2(std::abs(left / (rounded(0.8) - rounded(0.2)) - 1.0) < 0.05, qPrintable(QString::number(left)));
   }
 
+  // A block beside a large one is debris below the ball of its volume, a gap is filled, corners become round.
+  void wholeVolumes() {
+    const Bench bench;
+    Shape two = cube(10.0);
+    two.add(cube(4.0), {12.0, 0.0, 0.0});
+    bench.put("a.off", two.off());
+    const auto left = [&](const QStringList& words) {
+      QStringList all = words;
+      const Ran ran = bench.run(all << "a.off"
+                                    << "-o"
+                                    << "b.handwheel"
+                                    << "--voxel"
+                                    << "0.25"
+                                    << "--json");
+      return ran.code == 0 ? volumeJson(ran.out)["volume_mm3"].get<double>() : -1.0;
+    };
+    const double across = 4.0 * std::cbrt(6.0 / M_PI);  // of the ball with the volume of the small block
+    QVERIFY(std::abs(left({"debris", "--below", QString::number(0.9 * across)}) / 1064.0 - 1.0) < 0.03);
+    QVERIFY(std::abs(left({"debris", "--below", QString::number(1.1 * across)}) / 1000.0 - 1.0) < 0.03);
+    const double closed = left({"gaps", "--radius", "2"});
+    QVERIFY2(closed > 1064.0 + 20.0 && closed < 1064.0 + 60.0, qPrintable(QString::number(closed)));
+    const double once = left({"smooth"}), often = left({"smooth", "--passes", "5"});
+    QVERIFY(once < 1064.0 && often < once && often > 0.9 * 1064.0);
+    QCOMPARE(left({"gaps"}), -1.0);
+    QCOMPARE(left({"smooth", "--passes", "0"}), -1.0);
+  }
+
   // Between two blocks a gap of a millimetre is filled on the way.
   void repairClosesGaps() {
     const Bench bench;

@@ -172,7 +172,7 @@ RobotCellSnapshot smallCell() {
   return content;
 }
 
-// A voxel, beside a full block.
+// A voxel, beside a full block; an image of which one sample was painted.
 VolumeSnapshot smallVolume() {
   VolumeSnapshot content;
   content.volume = SparseVolume(Vec3::Zero(), 0.5);
@@ -181,6 +181,16 @@ VolumeSnapshot smallVolume() {
   block->depths[100] = VolumeBlock::kFull;
   content.volume.setContent(VoxelIndex(0, 0, 0), {std::move(block), false});
   content.volume.setContent(VoxelIndex(1, 0, 0), {nullptr, true});
+  const ImageGrid grid{{18, 2, 1}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+  std::vector<std::int16_t> samples(grid.count(), -1000);
+  samples[3] = 400;
+  ImageVolume image(grid, std::move(samples));
+  ImageHistogram histogram = histogramOf(image);
+  content.scan = std::make_shared<const Scan>(Scan{std::move(image), std::move(histogram)});
+  content.segment = Segment({300.0, 2000.0});
+  auto brick = std::make_shared<SegmentBrick>();
+  brick->set(1, 1, 0, true);
+  content.segment.setBrick(grid.size, VoxelIndex(16, 0, 0), std::move(brick));
   return content;
 }
 

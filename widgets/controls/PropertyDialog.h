@@ -25,6 +25,8 @@ class PropertyDialog : public QDialog {
   using Change = std::function<Status(const std::string& id, const PropertyValue& value)>;
   PropertyDialog(const Text& text, Shown shown, Change change, QWidget* parent);
 
+  // To be called when what is shown has changed by itself.
+  void refresh() { m_list->setProperties(m_shown()); }
   void setLengthUnit(LengthUnit unit) { m_list->setLengthUnit(unit); }
 
  private:

@@ -173,6 +173,11 @@ constexpr const char* kPhrases[] = {
     // the element is malformed:
     QT_TRANSLATE_NOOP("ErrorWord", "%1 of its polygons cannot be read"),
     QT_TRANSLATE_NOOP("ErrorWord", "%1 of its chunks are lost, or end early"),
+    QT_TRANSLATE_NOOP("ErrorWord", "%1 of its samples are lost"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its samples are lost"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no grid of samples"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no range of values"),
+    QT_TRANSLATE_NOOP("ErrorWord", "part of what was painted is lost"),
     QT_TRANSLATE_NOOP("ErrorWord", "full and empty blocks have nothing between them"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no number of chunks"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no place"),

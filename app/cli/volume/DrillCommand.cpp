@@ -39,7 +39,7 @@ struct DrillAnswer {
   Drilled drilled;
   DrillSetup setup;
   double voxel = 0.0;
-  DrilledHoles holesBefore;  // of a part that is a volume
+  std::shared_ptr<const VolumeSnapshot> before;  // of a part that is a volume
 };
 
 // The mean speed of the head while it moves, mm/s.
@@ -89,11 +89,10 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, const 
     DocumentFile file;
     file.displayUnit = done.file.displayUnit;
     file.assigned = done.file.assigned;
-    auto snapshot = std::make_shared<VolumeSnapshot>();
+    auto snapshot = done.before ? std::make_shared<VolumeSnapshot>(*done.before) : std::make_shared<VolumeSnapshot>();
     snapshot->volume = done.drilled.volume;
     snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.0, 0.5));
     snapshot->source = request.part.filename().string();
-    snapshot->holes = done.holesBefore;
     snapshot->holes.push_back(done.drilled.hole);
     const Result<WrittenFile> written = saveDocument(kind, file, *snapshot, request.output, progress.part(0.5, 1.0));
     if (!written) return written.error();
@@ -119,7 +118,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   if (!opened) return opened.error();
   DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}};
   if (const auto before = volumeIn(*opened)) {
-    done.holesBefore = before->holes;
+    done.before = before;
   } else {
     done.file.assigned = {};
   }

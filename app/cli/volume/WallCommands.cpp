@@ -8,6 +8,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/VolumeFiles.h"
+#include "tools/volume/VolumeChanges.h"
 #include "tools/volume/VolumeOperations.h"
 #include "tools/volume/WallOperations.h"
 
@@ -73,13 +74,14 @@ int runChange(const Arguments& arguments, const DocumentKinds& kinds, const Oper
   OperationValues values(operation), sampling(voxelizeOperation());
   std::string problem = readOptions(arguments, values);
   if (problem.empty()) problem = readOptions(arguments, sampling);
-  if (problem.empty() && !arguments.has(needed)) problem = "The option --" + std::string(needed) + " MM is missing.";
+  if (problem.empty() && !needed.empty() && !arguments.has(needed))
+    problem = "The option --" + std::string(needed) + " MM is missing.";
   if (problem.empty() && !arguments.has("output")) problem = "The option -o OUT is missing.";
   if (!problem.empty()) return failUsage(problem, operation.id);
   WallRequest request{arguments.operands[0], arguments.valueOf("output"), sampling.given("voxel"), {}};
   request.read.partial = arguments.has("partial");
   std::optional<Result<WallAnswer>> result;
-  runInterruptible("Measuring distances",
+  runInterruptible("Changing the volume",
                    [&](CommandJob& job) { result = changeFile(request, values, change, kinds, job.progress()); });
   if (!*result) return fail(result->error());
   const WallAnswer& done = result->value();
@@ -96,6 +98,18 @@ int runOffset(const Arguments& arguments, const DocumentKinds& kinds) {
   return runChange(arguments, kinds, offsetOperation(), "distance", makeOffset);
 }
 
+int runDebris(const Arguments& arguments, const DocumentKinds& kinds) {
+  return runChange(arguments, kinds, debrisOperation(), "below", removeDebris);
+}
+
+int runGaps(const Arguments& arguments, const DocumentKinds& kinds) {
+  return runChange(arguments, kinds, gapsOperation(), "radius", closeGaps);
+}
+
+int runSmooth(const Arguments& arguments, const DocumentKinds& kinds) {
+  return runChange(arguments, kinds, smoothOperation(), {}, smoothWhole);
+}
+
 CommandSpec specOf(const Operation& operation, std::string_view summary) {
   CommandSpec spec = {operation.id, "IN", summary, {}};
   for (OptionSpec& option : optionsOf(operation)) spec.options.push_back(std::move(option));
@@ -110,14 +124,24 @@ CommandSpec specOf(const Operation& operation, std::string_view summary) {
 }  // namespace
 
 std::vector<Command> wallCommands() {
-  return {{specOf(shellOperation(),
-                  "Makes a wall along the surface of a volume, or of what a surface encloses. Exit code 0: done; 1: "
-                  "error."),
-           runShell},
-          {specOf(offsetOperation(),
-                  "Moves the surface of a volume, or of what a surface encloses, out or in. Exit code 0: done; 1: "
-                  "error."),
-           runOffset}};
+  return {
+      {specOf(shellOperation(),
+              "Makes a wall along the surface of a volume, or of what a surface encloses. Exit code 0: done; 1: "
+              "error."),
+       runShell},
+      {specOf(offsetOperation(),
+              "Moves the surface of a volume, or of what a surface encloses, out or in. Exit code 0: done; 1: "
+              "error."),
+       runOffset},
+      {specOf(debrisOperation(),
+              "Takes the small parts of a volume, or of what a surface encloses, away. Exit code 0: done; 1: error."),
+       runDebris},
+      {specOf(gapsOperation(),
+              "Fills gaps, cracks and pits of a volume, or of what a surface encloses. Exit code 0: done; 1: error."),
+       runGaps},
+      {specOf(smoothOperation(),
+              "Takes small bumps and dents off a volume, or off what a surface encloses. Exit code 0: done; 1: error."),
+       runSmooth}};
 }
 
 }  // namespace handwheel

@@ -147,8 +147,9 @@ void Autosave::save(DocumentTab* document, SnapshotPointer content) {
               content = std::move(content)](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     const Clock::time_point start = Clock::now();
-    const Result<std::string> bytes = containerBytes(kind, file, *content, info.path, Compression::None, progress);
-    const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());
+    const Result<Container> container = containerOf(kind, file, *content, info.path, progress.part(0.0, 0.2));
+    const Status stored =
+        container ? session->store(key, info, *container, progress.part(0.2, 1.0)) : Status(container.error());
     const auto cost = std::chrono::duration_cast<milliseconds>(Clock::now() - start);
     if (stored) return [this, document, cost] { noteCost(document, cost); };
     return [failed, error = stored.error()] { failed(error); };

@@ -12,6 +12,7 @@
 #include "window/documents/DocumentTabs.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace handwheel {
 
@@ -52,7 +53,10 @@ void CopyActions::start(const DocumentKind& kind) {
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});
   };
-  job.work = [this, failed, &kind, name = name.toStdString(), &own = from->document.kind(),
+  // It is called as the other one, without the ending.
+  const std::string title =
+      from->document.path().isEmpty() ? from->document.file().title : QFileInfo(name).completeBaseName().toStdString();
+  job.work = [this, failed, &kind, title, name = name.toStdString(), &own = from->document.kind(),
               content = from->document.snapshot(),
               unit = from->document.displayUnit()](Progress progress) -> Job::Finish {
     Result<SnapshotPointer> made = kind.ofSurface(placedSoup(own.display(*content)), name, progress);
@@ -60,6 +64,7 @@ void CopyActions::start(const DocumentKind& kind) {
     OpenedFile opened;
     opened.kind = &kind;
     opened.file.id = newDocumentId();
+    opened.file.title = title;
     opened.file.displayUnit = unit;
     opened.content = std::move(*made);
     return [this, opened = std::move(opened)]() mutable { m_open(std::move(opened)); };

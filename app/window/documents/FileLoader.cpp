@@ -3,6 +3,7 @@
 #include "window/documents/FileLoader.h"
 
 #include "controls/Preferences.h"
+#include "document/AutosaveChanges.h"
 #include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
@@ -82,7 +83,10 @@ void FileLoader::recover(const QString& autosave, const QString& path, std::func
   Job job;
   job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
   job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
-    Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(autosave).toStdString(), {}, progress);
+    const std::filesystem::path file = QFile::encodeName(autosave).toStdString();
+    if (const Status joined = joinChanges(file, progress.part(0.0, 0.4)); !joined)
+      return [this, path, error = joined.error()] { failed(path, error, ReadOptions{.partial = true}); };
+    Result<OpenedFile> opened = m_kinds.open(file, {}, progress.part(0.4, 1.0));
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
     return [this, path, then, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);

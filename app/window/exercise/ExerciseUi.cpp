@@ -4,6 +4,7 @@
 // The pages and the exercise itself. Its target: ExerciseUiTarget.cpp; marking of a class: ExerciseUiMarking.cpp.
 #include "window/exercise/ExerciseUi.h"
 
+#include "document/exercise/ExerciseKind.h"
 #include "document/exercise/ShippedExercises.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
@@ -18,9 +19,19 @@
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/RunningAttempt.h"
 
+#include <QCoreApplication>
 #include <QStackedWidget>
 
 namespace handwheel {
+
+namespace {
+
+// The command that begins an exercise about a subject.
+QString newExercise(const ExerciseSubject& subject) {
+  return QStringLiteral("newExercise/") + QString::fromStdString(subject.id());
+}
+
+}  // namespace
 
 ExerciseUi::ExerciseUi(const WindowContext& window)
     : RigidPartsUi(window, {}, StandardView::Lathe),  // of the one kind of work that there is
@@ -144,6 +155,16 @@ QList<QAction*> ExerciseUi::toolBar() {
   return {m_begin, m_preview, m_mark};
 }
 
+void ExerciseUi::begin(const QString& startAction) {
+  const auto& kind = static_cast<const ExerciseKind&>(*parts().kinds.withId("exercise"));
+  for (const auto& subject : kind.subjects()) {
+    if (startAction != newExercise(*subject)) continue;
+    OpenedFile opened{&kind, {}, kind.blankOf(*subject)};
+    opened.file.id = newDocumentId();
+    parts().openDocument(std::move(opened));
+  }
+}
+
 std::vector<StartAction> ExerciseUi::startActions() const {
   std::vector<StartAction> all = {
       {QStringLiteral("newExercise"), tr("New e&xercise"), tr("Prepare an exercise for students"), panelIcon()},
@@ -152,6 +173,17 @@ std::vector<StartAction> ExerciseUi::startActions() const {
        QStringLiteral("first-lesson.exercise.json"),
        StartTile{QStringLiteral("lessonTile"), panelIcon(), tr("Turn your first shoulder"),
                  tr("A lesson of about five minutes: the program says what to do, and measures the part.")}}};
+  // The first subject is that of “New exercise”.
+  const auto& kind = static_cast<const ExerciseKind&>(*parts().kinds.withId("exercise"));
+  for (const auto& subject : kind.subjects().subspan(1))
+    all.insert(all.begin() + 1,
+               {newExercise(*subject),
+                tr("New exercise: %1").arg(QCoreApplication::translate("Figure", subject->title().c_str())),
+                tr("Prepare an exercise for students"),
+                panelIcon(),
+                {},
+                {},
+                true});
   const std::pair<const char*, QString> shipped[] = {{"shaft", tr("Exercise: shaft with shoulders")},
                                                      {"bush", tr("Exercise: bored bush")},
                                                      {"thread-m20", tr("Exercise: thread M20")},

@@ -28,6 +28,7 @@ class ExerciseUi : public RigidPartsUi {
   void setDocument(DocumentTab* document) override;
   void forget(DocumentTab* document) override;
   std::vector<StartAction> startActions() const override;
+  void begin(const QString& startAction) override;
   QString panelTitle() const override { return tr("Exercise"); }
   QString panelIcon() const override { return QStringLiteral("kind-exercise"); }
   QWidget* panel() override;

@@ -326,6 +326,7 @@ QString MeshUi::saveCommand(const DocumentTab& open, const QString& path) const 
 }
 
 QString MeshUi::suggestedName(const DocumentTab& document) const {
+  if (document.document.path().isEmpty()) return KindUi::suggestedName(document);
   return document.document.file().isContainer ? document.document.path() : repairedName(document.document.path());
 }
 

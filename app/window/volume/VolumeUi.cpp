@@ -17,6 +17,8 @@
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
 #include "window/volume/DrillView.h"
+#include "window/volume/RemeshAction.h"
+#include "window/volume/ReshapeActions.h"
 #include "window/volume/segmentation/Segmentation.h"
 
 #include <QLocale>
@@ -28,12 +30,16 @@ VolumeUi::VolumeUi(const WindowContext& window)
     : RigidPartsUi(window, {"Volume"}),
       m_volumeLayer(std::make_shared<VolumeLayer>()),
       m_segmentation(new Segmentation(window, this)),
-      m_drillView(new DrillView(window, this)) {
+      m_drillView(new DrillView(window, this)),
+      m_reshape(new ReshapeActions(window, this)),
+      m_remesh(new RemeshAction(window, this)) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
   connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
   connect(m_drillView, &DrillView::message, this, &KindUi::message);
+  connect(m_reshape, &ReshapeActions::message, this, &KindUi::message);
+  connect(m_remesh, &RemeshAction::message, this, &KindUi::message);
 }
 
 VolumeUi::~VolumeUi() {
@@ -55,6 +61,8 @@ void VolumeUi::setDocument(DocumentTab* opened) {
     m_volumeLayer->setVolume(content.volume, content.surface);
     m_drawn = static_cast<const VolumeDocument&>(opened->document).volume();
   }
+  m_reshape->setDocument(opened);
+  m_remesh->setDocument(opened);
   RigidPartsUi::setDocument(opened);
   m_still = std::make_shared<ClayChannel>();
   if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
@@ -111,6 +119,7 @@ DisplayModel VolumeUi::displayed(const Document& document) const {
 // The clay is felt through the simulation of its tool, or as it is.
 void VolumeUi::followTool() {
   m_drillView->follow();
+  m_reshape->followTool();
   const auto* const tool = dynamic_cast<const VolumeTool*>(parts().tools.runner().tool());
   const bool isFelt = document() && document()->visible;
   const std::shared_ptr<ClayChannel> channel = !isFelt ? nullptr : tool ? tool->channel() : m_still;
@@ -130,11 +139,15 @@ void VolumeUi::followTool() {
 }
 
 QList<QAction*> VolumeUi::menu() {
-  return {m_segmentation->action()};
+  QList<QAction*> all{m_segmentation->action()};
+  auto* const line = new QAction(this);
+  line->setSeparator(true);
+  all << line << m_reshape->all() << m_remesh->action();
+  return all;
 }
 
 bool VolumeUi::isSettled() const {
-  return RigidPartsUi::isSettled() && m_segmentation->isSettled();
+  return RigidPartsUi::isSettled() && m_segmentation->isSettled() && m_remesh->isSettled();
 }
 
 std::vector<StartAction> VolumeUi::startActions() const {
@@ -174,6 +187,7 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
            QStringLiteral("sculpt"), QKeySequence(Qt::SHIFT | Qt::Key_U), make, "clay", ClayTool::keys()},
           {QStringLiteral("drillTool"), tr("&Drill"), tr("Drill into the volume, with thrust and torque"),
            QStringLiteral("drill"), QKeySequence(Qt::SHIFT | Qt::Key_D), drill, "drill", DrillingTool::keys()},
+          m_reshape->tool(),
           measureParts()};
 }
 

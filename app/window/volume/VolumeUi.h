@@ -10,6 +10,8 @@ namespace handwheel {
 
 class ClayTool;
 class DrillView;
+class RemeshAction;
+class ReshapeActions;
 class Segmentation;
 class VolumeLayer;
 struct VolumeSnapshot;
@@ -51,6 +53,8 @@ class VolumeUi : public RigidPartsUi {
   Segmentation* m_segmentation;
   std::shared_ptr<const void> m_drawn;  // the volume in the layer, of the document or of a tool
   DrillView* m_drillView;
+  ReshapeActions* m_reshape;
+  RemeshAction* m_remesh;
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is
   std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is

@@ -211,10 +211,10 @@ Result<ExerciseSnapshot> ExerciseKind::read(const Json& document, std::vector<Er
   return exercise;
 }
 
-SnapshotPointer ExerciseKind::blank() const {
+SnapshotPointer ExerciseKind::blankOf(const ExerciseSubject& subject) const {
   ExerciseSnapshot exercise;
   exercise.key = newExerciseKey();
-  exercise.subject = m_subjects.front().get();
+  exercise.subject = &subject;
   exercise.task = exercise.subject->blankTask();
   return std::make_shared<const ExerciseSnapshot>(std::move(exercise));
 }

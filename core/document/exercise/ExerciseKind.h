@@ -28,7 +28,9 @@ class ExerciseKind : public DocumentKind {
   // Error besides those of damage: SubjectUnknown {subject}.
   Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                Progress progress) const override;
-  SnapshotPointer blank() const override;
+  SnapshotPointer blank() const override { return blankOf(*m_subjects.front()); }
+  // A new exercise about one of the subjects.
+  SnapshotPointer blankOf(const ExerciseSubject& subject) const;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   // The work, where there is some, or the target.

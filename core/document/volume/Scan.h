@@ -6,12 +6,10 @@
 
 namespace handwheel {
 
-// The image that a volume was made from, as long as the document is open: it is neither saved nor changed, so no step
-// of the history holds it.
+// The image that a volume was made from. It never changes, so no step of the history holds it.
 struct Scan {
   ImageVolume image;
   ImageHistogram histogram;
-  ValueRange usual;  // that was taken as material when it was opened
 };
 
 }  // namespace handwheel

@@ -11,8 +11,16 @@ namespace handwheel {
 VolumeDocument::VolumeDocument(OpenedFile opened, QObject* parent)
     : Document(*opened.kind, std::move(opened.file), parent),
       m_volume(std::static_pointer_cast<const VolumeSnapshot>(opened.content)),
-      m_scan(m_volume->scan) {
-  if (m_scan) m_segment = Segment(m_scan->usual);
+      m_scan(m_volume->scan),
+      m_segment(m_volume->segment) {}
+
+std::shared_ptr<const VolumeSnapshot> VolumeDocument::withScan(
+    const std::shared_ptr<const VolumeSnapshot>& volume) const {
+  if (!m_scan || (volume->scan == m_scan && volume->segment == m_segment)) return volume;
+  auto whole = std::make_shared<VolumeSnapshot>(*volume);
+  whole->scan = m_scan;
+  whole->segment = m_segment;
+  return whole;
 }
 
 std::vector<Property> VolumeDocument::properties() const {

@@ -18,18 +18,21 @@ class VolumeDocument : public Document {
 
   const std::shared_ptr<const VolumeSnapshot>& volume() const { return m_volume; }
 
-  // The image that was opened; null: none was, as in a document that was saved.
+  // The image that it was made from; null: none.
   const std::shared_ptr<const Scan>& scan() const { return m_scan; }
-  // What is chosen of it; not saved.
+  // What is chosen of it.
   const Segment& segment() const { return m_segment; }
 
-  SnapshotPointer snapshot() const override { return m_volume; }
+  SnapshotPointer snapshot() const override { return withScan(m_volume); }
+  // The value that the document has when its volume is this one.
+  std::shared_ptr<const VolumeSnapshot> withScan(const std::shared_ptr<const VolumeSnapshot>& volume) const;
   std::vector<Property> properties() const override;
 
  private:
   friend class VolumeEdit;
   friend class SegmentEdit;
 
+  // Its scan and segment are those of the time when it was made: edits of the volume and of the segment are apart.
   std::shared_ptr<const VolumeSnapshot> m_volume;
   std::shared_ptr<const Scan> m_scan;
   Segment m_segment;

@@ -6,6 +6,7 @@
 #include "document/formats/MeshExport.h"
 #include "document/formats/TextNumber.h"
 #include "document/volume/HoleBlobs.h"
+#include "document/volume/ScanBlobs.h"
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/VolumeMaking.h"
@@ -17,6 +18,7 @@
 #include "volume/vdb/VdbFile.h"
 
 #include <QtGlobal>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -35,6 +37,15 @@ bool hasEnding(const std::filesystem::path& path, const char* ending) {
 Result<std::string> nrrdBytes(const SparseVolume& volume) {
   const Result<ImageVolume> distances = distancesOf(volume);
   return distances ? Result<std::string>(nrrdOf(*distances, kSignedDistance)) : distances.error();
+}
+
+// Where the range is lost it is the one that would be taken of the image alone.
+void takeScan(std::optional<StoredScan> stored, VolumeSnapshot& snapshot) {
+  if (!stored) return;
+  ImageHistogram histogram = histogramOf(stored->image);
+  snapshot.segment = stored->segment ? std::move(*stored->segment)
+                                     : Segment({otsuThreshold(histogram), std::numeric_limits<double>::infinity()});
+  snapshot.scan = std::make_shared<const Scan>(Scan{std::move(stored->image), std::move(histogram)});
 }
 
 }  // namespace
@@ -95,11 +106,12 @@ void VolumeKind::save(const Snapshot& content, Container& container) const {
   writeVolume(volumeOf(content).volume, container);
   (*container.manifest)["document"]["source"] = volumeOf(content).source;
   writeHoles(volumeOf(content).holes, container);
+  if (const auto& scan = volumeOf(content).scan) writeScan(scan->image, volumeOf(content).segment, container);
 }
 
 Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector<Error>& damage,
                                          Progress progress) const {
-  Result<SparseVolume> volume = readVolume(container, damage, progress.part(0.0, 0.5));
+  Result<SparseVolume> volume = readVolume(container, damage, progress.part(0.2, 0.5));
   if (!volume) return volume.error();
   auto snapshot = std::make_shared<VolumeSnapshot>();
   snapshot->volume = std::move(*volume);
@@ -107,6 +119,7 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   const nlohmann::json source = (*container.manifest)["document"].value("source", nlohmann::json());
   if (source.is_string()) snapshot->source = source.get<std::string>();
   snapshot->holes = readHoles(container, damage);
+  takeScan(readScan(container, damage, progress.part(0.0, 0.2)), *snapshot);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return SnapshotPointer(std::move(snapshot));
 }

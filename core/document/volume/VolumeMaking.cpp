@@ -47,6 +47,7 @@ Result<SparseVolume> volumeOfVdb(const std::filesystem::path& path, std::vector<
 struct OpenedImage {
   SparseVolume volume;
   std::shared_ptr<const Scan> scan;  // null: the image is a volume already
+  ValueRange range;
 };
 
 Result<OpenedImage> openImage(const std::filesystem::path& path, std::vector<Note>& notes, Progress progress) {
@@ -60,28 +61,33 @@ Result<OpenedImage> openImage(const std::filesystem::path& path, std::vector<Not
   if (!isDistance) {
     ImageHistogram histogram = histogramOf(file->image);
     range = usualRange(histogram, notes);
-    scan = std::make_shared<Scan>(Scan{std::move(file->image), std::move(histogram), range});
+    scan = std::make_shared<Scan>(Scan{std::move(file->image), std::move(histogram)});
   }
   Result<SparseVolume> volume =
       volumeOfImage(scan ? scan->image : file->image, range, std::nullopt, progress.part(0.6, 1.0));
   if (!volume) return volume.error();
-  return OpenedImage{std::move(*volume), std::move(scan)};
+  return OpenedImage{std::move(*volume), std::move(scan), range};
 }
 
 }  // namespace
 
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
-                                                         Progress progress) {
+                                                         Progress progress, std::shared_ptr<const Scan> scan,
+                                                         const Segment& segment) {
   constexpr double kMost = 0.95 * static_cast<double>(kLargestContainer);
-  if (const auto bytes = static_cast<double>(volume.bytes()); bytes > kMost)
-    return Error{VolumeErrors::TooLargeToSave,
-                 {roundedText(volume.voxel()), roundedText(bytes / 1e6, 3), roundedText(kMost / 1e6, 3)},
-                 {},
-                 {}};
+  const auto megabytes = [](double bytes) { return roundedText(bytes / 1e6, 3); };
+  const auto bytes = static_cast<double>(volume.bytes());
+  if (bytes > kMost)
+    return Error{
+        VolumeErrors::TooLargeToSave, {roundedText(volume.voxel()), megabytes(bytes), megabytes(kMost)}, {}, {}};
+  if (const double image = scan ? static_cast<double>(scan->image.bytes()) : 0.0; bytes + image > kMost)
+    return Error{VolumeErrors::ImageTooLarge, {megabytes(image), megabytes(bytes), megabytes(kMost)}, {}, {}};
   auto snapshot = std::make_shared<VolumeSnapshot>();
   snapshot->volume = volume;
   snapshot->surface = VolumeSurface(volume, progress);
   snapshot->source = source;
+  if (scan) snapshot->segment = segment;
+  snapshot->scan = std::move(scan);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));
 }
@@ -120,11 +126,7 @@ Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem
   }
   const Result<OpenedImage> image = openImage(path, notes, reading);
   if (!image) return image.error();
-  const auto made = snapshotOf(image->volume, sourceName(path), progress.part(0.7, 1.0));
-  if (!made) return made.error();
-  auto snapshot = std::make_shared<VolumeSnapshot>(**made);
-  snapshot->scan = image->scan;
-  return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));
+  return snapshotOf(image->volume, sourceName(path), progress.part(0.7, 1.0), image->scan, Segment(image->range));
 }
 
 bool isVolumeFile(std::string_view head) {

@@ -14,9 +14,11 @@
 
 namespace handwheel {
 
-// The content of a document of a volume. Errors: VolumeErrors::TooLargeToSave, Cancelled.
+// The content of a document of a volume; scan: the image that is saved with it. Errors: VolumeErrors::TooLargeToSave,
+// ImageTooLarge, Cancelled.
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
-                                                         Progress progress);
+                                                         Progress progress, std::shared_ptr<const Scan> scan = {},
+                                                         const Segment& segment = {});
 
 struct MadeVolume {
   std::shared_ptr<const VolumeSnapshot> volume;
@@ -33,7 +35,7 @@ std::shared_ptr<const VolumeSnapshot> skullContent();
 
 // The content of a document of a file of images (ImageFiles.h), or of VDB. An image becomes what is above the threshold
 // that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors: those of the
-// readers and of volumeOfImage(); VolumeErrors::TooLargeToSave.
+// readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress);
 // Whether the first bytes are those of such a file.

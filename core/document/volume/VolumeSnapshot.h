@@ -7,6 +7,7 @@
 #include "volume/SparseVolume.h"
 #include "volume/VolumeSurface.h"
 #include "volume/drilling/DrillRecord.h"
+#include "volume/segment/Segment.h"
 
 #include <memory>
 #include <string>
@@ -21,7 +22,8 @@ struct VolumeSnapshot : Snapshot {
   SparseVolume volume;
   VolumeSurface surface;             // of the volume
   std::string source;                // the file that it was made from, UTF-8; empty where there is none
-  std::shared_ptr<const Scan> scan;  // that was opened; null: none was
+  std::shared_ptr<const Scan> scan;  // that it was made from; null: there is none
+  Segment segment;                   // what is chosen of the scan
   DrilledHoles holes;
 };
 

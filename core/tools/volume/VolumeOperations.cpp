@@ -8,6 +8,7 @@
 #include "volume/VolumeToSurface.h"
 
 #include <QtGlobal>
+#include <algorithm>
 
 namespace handwheel {
 namespace {
@@ -53,6 +54,18 @@ Parameter polygonsParameter() {
           .words = {"marching", "dual"}};
 }
 
+// Its blocks have points of their own, which are the same where they meet.
+HalfEdgeMesh meshOf(const VolumeTriangles& triangles) {
+  TriangleSoup soup;
+  for (std::size_t i = 0; i + 2 < triangles.points.size(); i += 3)
+    soup.points.emplace_back(triangles.points[i], triangles.points[i + 1], triangles.points[i + 2]);
+  for (std::size_t i = 0; i + 2 < triangles.corners.size(); i += 3)
+    soup.triangles.push_back({static_cast<std::uint32_t>(triangles.corners[i]),
+                              static_cast<std::uint32_t>(triangles.corners[i + 1]),
+                              static_cast<std::uint32_t>(triangles.corners[i + 2])});
+  return buildMesh(soup).mesh;
+}
+
 }  // namespace
 
 const Operation& voxelizeOperation() {
@@ -85,6 +98,28 @@ const Operation& remeshOperation() {
                                     std::move(faces), polygonsParameter()}};
   }();
   return operation;
+}
+
+double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress) {
+  constexpr std::size_t kTried = 40'000;  // triangles, and at least one piece
+  const auto total = static_cast<double>(surface.triangleCount());
+  const double wanted = static_cast<double>(values.whole("faces"));
+  if (!values.given("error")) return wanted > 0.0 ? std::min(wanted, total) : total;
+  const std::size_t pieces = surface.pieces().size();
+  const std::size_t step = std::max<std::size_t>(1, surface.triangleCount() / kTried);
+  double before = 0.0, after = 0.0;
+  std::size_t number = 0;
+  for (const auto& [key, piece] : surface.pieces()) {
+    if (progress.cancelled()) return 0.0;
+    progress.set(static_cast<double>(number) / static_cast<double>(pieces));
+    if (number++ % step != 0) continue;
+    HalfEdgeMesh mesh = meshOf(piece->fine);
+    before += static_cast<double>(mesh.liveFaceCount());
+    DecimationOptions options;
+    options.error = values.given("error");
+    after += static_cast<double>(decimate(mesh, options, progress.part(0.0, 1.0)).facesAfter);
+  }
+  return before > 0.0 ? std::max(wanted, total * after / before) : total;
 }
 
 Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress) {

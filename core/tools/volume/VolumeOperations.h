@@ -7,6 +7,7 @@
 #include "document/Operation.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 #include "volume/SparseVolume.h"
+#include "volume/VolumeSurface.h"
 
 #include <optional>
 
@@ -23,6 +24,10 @@ struct Remeshed {
   std::size_t before = 0;                 // triangles of the surface
   std::optional<double> largestDistance;  // mm from it; none where nothing was reduced
 };
+
+// About how many triangles remesh() leaves: those of the surface, or the number that is asked for; for a distance, by
+// trying it on pieces of the surface spread over it. Cancelled: 0.
+double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress = {});
 
 // Errors: Cancelled.
 Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress);

@@ -50,6 +50,9 @@ class ImageVolume {
   auto visitSamples(Visit visit) const {
     return std::visit([&](const auto& samples) { return visit(std::span(samples)); }, m_samples);
   }
+  std::size_t bytes() const {
+    return visitSamples([](auto samples) { return samples.size_bytes(); });
+  }
   bool isWhole() const { return std::holds_alternative<std::vector<std::int16_t>>(m_samples); }
   double value(std::size_t index) const {
     return visitSamples([index](auto samples) { return static_cast<double>(samples[index]); });

@@ -42,6 +42,8 @@ class Segment {
 
   const ValueRange& range() const { return m_range; }
   bool isByRangeAlone() const { return m_bricks.empty(); }
+  // Those of the whole image, in the order of brickAt(); empty: all is by the range.
+  std::span<const Brick> bricks() const { return m_bricks; }
   bool hasValue(double value) const { return value >= m_range.least && value <= m_range.largest; }
 
   // The brick of a sample; null: its samples are by the range.

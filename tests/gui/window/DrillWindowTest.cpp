@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "document/exercise/ExerciseSnapshot.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/exercise/DrillingTask.h"
 #include "plot/PlotWidget.h"
@@ -47,6 +48,21 @@ class DrillWindowTest : public QObject {
 
  private slots:
   void init() { QSettings().clear(); }
+
+  // A teacher begins an exercise about either kind of work.
+  void newExercises() {
+    WindowDriver driver;
+    for (const auto& [command, subject] :
+         {std::pair{"newExercise", "turning"}, std::pair{"newExercise/drilling", "drilling"}}) {
+      driver.choose(command);
+      QVERIFY(driver.settle());
+      const Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
+      const SnapshotPointer content = shown.snapshot();
+      QCOMPARE(static_cast<const ExerciseSnapshot&>(*content).subject->id(), std::string(subject));
+      QVERIFY(static_cast<const ExerciseSnapshot&>(*content).task != nullptr);
+    }
+    QCOMPARE(driver.tabs(), 2);
+  }
 
   // A skull is made without the window waiting for it.
   void newSkull() {

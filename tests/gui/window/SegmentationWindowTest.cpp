@@ -125,6 +125,7 @@ class SegmentationWindowTest : public QObject {
     QVERIFY(driver.open(scan()));
     const auto material = [&] { return document(driver).volume()->volume.material(); };
     const double opened = material();
+    const Segment usual = document(driver).segment();
     type(driver, "segmentLower", QStringLiteral("0"));
     QVERIFY(driver.settle());
     QCOMPARE(document(driver).segment().range().least, 0.0);
@@ -145,7 +146,7 @@ class SegmentationWindowTest : public QObject {
     history.undo();
     isVolume(samplesIn(driver), ball(kRadius) + ball(kSmall));
     history.undo();
-    QVERIFY(document(driver).segment() == Segment(document(driver).scan()->usual));
+    QVERIFY(document(driver).segment() == usual);
     QVERIFY(driver.settle());
   }
 
@@ -164,6 +165,62 @@ class SegmentationWindowTest : public QObject {
     }
     QCOMPARE(driver.tabs(), 1);
     QCOMPARE(document(driver).history()->index(), 0);
+  }
+
+  // What was painted is in the file, with the image: closed and opened again, both are there.
+  void savedAndOpened() {
+    const QString path = m_folder.filePath(QStringLiteral("painted.handwheel"));
+    WindowDriver driver;
+    QVERIFY(driver.open(scan()));
+    driver.click("segmentPaint");
+    auto* const axial = driver.find<SliceCanvas>("slice/axial");
+    QTest::mouseClick(axial, Qt::LeftButton, {}, axial->shownAt(Vec3(40, 30, 16)).toPoint());
+    QVERIFY(!document(driver).segment().isByRangeAlone());
+    const double painted = samplesIn(driver);
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", path));
+    QVERIFY(driver.settle());
+    driver.choose("closeDocument");
+    QTRY_COMPARE(driver.tabs(), 0);
+    QVERIFY(driver.open(path));
+    QTRY_VERIFY(driver.find<QDockWidget>("slicesDock")->isVisible());
+    QCOMPARE(samplesIn(driver), painted);
+    QVERIFY(!document(driver).segment().isByRangeAlone());
+    QVERIFY(driver.text("segmentPainted").contains(QStringLiteral("undo")));
+  }
+
+  // A job ends while a stroke is painted: the stroke goes on and is kept, and what the job makes comes after it.
+  void jobDuringAStroke() {
+    WindowDriver driver;
+    QVERIFY(driver.open(scan()));
+    type(driver, "segmentLower", QStringLiteral("0"));
+    driver.click("segmentPaint");
+    driver.find<QAbstractButton>("segmentBall")->click();
+    auto* const axial = driver.find<SliceCanvas>("slice/axial");
+    const QPoint start = axial->shownAt(Vec3(4, 3, 16)).toPoint(), end = axial->shownAt(Vec3(40, 3, 16)).toPoint();
+    for (const char* const button : {"segmentSmooth", "segmentMakeSurface"}) {
+      QVERIFY(driver.settle());
+      QUndoStack& history = *document(driver).history();
+      const int steps = history.index();
+      const double before = samplesIn(driver);
+      driver.hold();
+      driver.click(button);
+      QTest::mousePress(axial, Qt::LeftButton, {}, start);
+      QTest::mouseMove(axial, (start + end) / 2);
+      driver.release();
+      // Until the job has ended, with nothing of it seen.
+      QVERIFY(QTest::qWaitFor([&] { return driver.window().isSettled(); }, kPatienceMs));
+      QCOMPARE(history.index(), steps);
+      QTest::mouseMove(axial, end);
+      QTest::mouseRelease(axial, Qt::LeftButton, {}, end);
+      QVERIFY(driver.settle());
+      QCOMPARE(history.index(), steps + 2);
+      QVERIFY(history.text(steps).contains(QStringLiteral("Paint")));
+      QVERIFY(samplesIn(driver) > before);
+      QVERIFY(document(driver).segment().contains(document(driver).scan()->image, VoxelIndex(36, 3, 16)));
+      while (history.index() > steps) history.undo();
+      QCOMPARE(samplesIn(driver), before);
+    }
   }
 
   // A handle of the histogram: the segment is seen while it is dragged, and chosen once it is released. And by keys.
@@ -191,7 +248,7 @@ class SegmentationWindowTest : public QObject {
     driver.click("segmentSkin");
     QCOMPARE(document(driver).segment().range().least, -200.0);
     driver.click("segmentOtsu");
-    QCOMPARE(document(driver).segment().range().least, std::round(document(driver).scan()->usual.least));
+    QCOMPARE(document(driver).segment().range().least, std::round(before.least));
     QVERIFY(driver.settle());
   }
 

@@ -3,10 +3,16 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "document/volume/VolumeDocument.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -56,6 +62,87 @@ class VolumeWindowTest : public QObject {
     QCOMPARE(driver.count(DefectKind::Hole), 0);
     QVERIFY(driver.open(saved));
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Volume"));
+  }
+
+  // The whole volume is changed from the menu: shown first, applied by a key, undone; nothing of it is there before.
+  void changedAsAWhole() {
+    WindowDriver driver;
+    QVERIFY(!isEnabled(driver, "volumeShell"));
+    driver.choose("newVolume");
+    QVERIFY(driver.settle());
+    const auto material = [&] {
+      const Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
+      return static_cast<const VolumeDocument&>(shown).volume()->volume.material();
+    };
+    constexpr double kRadius = 20.0;  // of new clay, mm
+    const auto ball = [](double radius) { return 4.0 / 3.0 * M_PI * radius * radius * radius; };
+    const auto isNear = [](double value, double expected) { return std::abs(value / expected - 1.0) < 0.02; };
+    QVERIFY(isNear(material(), ball(kRadius)));
+    driver.choose("volumeShell");
+    driver.edit("wall", QStringLiteral("3"));
+    QVERIFY(driver.settle());
+    QVERIFY(isNear(material(), ball(kRadius)));
+    auto* const view = driver.find<Viewport>("viewport");
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Return);
+    QVERIFY(driver.settle());
+    QVERIFY(isNear(material(), ball(kRadius) - ball(kRadius - 3.0)));
+    driver.find<QAction>("undo")->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(isNear(material(), ball(kRadius)));
+    // Another entry changes what the tool does; before it is made, Return waits for it.
+    driver.choose("volumeOffset");
+    driver.edit("distance", QStringLiteral("-5"));
+    QTest::keyClick(view, Qt::Key_Return);
+    QVERIFY(driver.settle());
+    QVERIFY(isNear(material(), ball(kRadius - 5.0)));
+  }
+
+  // With another document, chosen by its name.
+  void combinedWithADocument() {
+    WindowDriver driver;
+    const QString path = m_folder.filePath(QStringLiteral("ring.stl"));
+    writeStl(path, torusWithHole());
+    QVERIFY(driver.open(path));
+    driver.choose("copyAs/volume");
+    QVERIFY(driver.settle());
+    const DocumentTab* const ring = driver.window().findChild<DocumentTabs*>()->current();
+    QCOMPARE(ring->document.name(), QStringLiteral("ring"));
+    const auto material = [&] {
+      return static_cast<const VolumeDocument&>(ring->document).volume()->volume.material();
+    };
+    const double before = material();
+    // What both have is the same ring.
+    driver.choose("volumeBoolean");
+    emit driver.find<QWidget>("property/how")->findChild<QComboBox*>()->activated(2);
+    QVERIFY(driver.settle());
+    auto* const view = driver.find<Viewport>("viewport");
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Return);
+    QVERIFY(driver.settle());
+    QVERIFY(std::abs(material() / before - 1.0) < 0.02);
+    QCOMPARE(ring->document.history()->index(), 1);
+  }
+
+  // The dialog predicts a number of triangles, and the mesh is a document that is called as the volume.
+  void madeAMesh() {
+    WindowDriver driver;
+    driver.choose("newVolume");
+    QVERIFY(driver.settle());
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath(QStringLiteral("clay ball.handwheel"))));
+    QVERIFY(driver.settle());
+    driver.choose("volumeRemesh");
+    auto* const dialog = driver.find<QDialog>("remeshDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    QVERIFY(driver.settle());
+    driver.find<QPushButton>("propertiesAccept")->click();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 2);
+    const Document& mesh = driver.window().findChild<DocumentTabs*>()->current()->document;
+    QCOMPARE(mesh.kind().id(), std::string("mesh"));
+    QCOMPARE(mesh.name(), QStringLiteral("clay ball"));
+    QCOMPARE(driver.count(DefectKind::Hole), 0);
   }
 
   // A sheet has no inside: it says so, and nothing is opened.

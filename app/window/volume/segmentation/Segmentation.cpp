@@ -145,6 +145,7 @@ void Segmentation::setDocument(DocumentTab* document) {
 
 void Segmentation::forget(DocumentTab* document) {
   m_parts.jobs.cancelOf(&document->document);
+  std::erase_if(m_waiting, [&](const Waiting& waiting) { return waiting.document == &document->document; });
 }
 
 void Segmentation::show() {
@@ -157,7 +158,7 @@ void Segmentation::show() {
 
 void Segmentation::refresh() {
   const Segment& segment = volume().segment();
-  if (segment == m_shown && !m_stroke) return;
+  if (segment == m_shown) return;
   m_stroke.reset();  // what was undone meanwhile is not painted on
   m_shown = segment;
   m_panel->setSegment(segment);
@@ -234,6 +235,12 @@ void Segmentation::endStroke() {
   if (!m_stroke) return;
   const Stroke stroke = *std::exchange(m_stroke, std::nullopt);
   commit(stroke.segment, stroke.isErasing ? tr("Erase from segment") : tr("Paint segment"));
+  for (const Waiting& waiting : std::exchange(m_waiting, {})) waiting.commit();
+}
+
+void Segmentation::afterStroke(const Document& document, std::function<void()> commit) {
+  if (!m_stroke || &m_document->document != &document) return commit();
+  m_waiting.push_back({&document, std::move(commit)});
 }
 
 void Segmentation::change(const QString& name, const QString& text, const Change& how) {
@@ -252,13 +259,14 @@ void Segmentation::change(const QString& name, const QString& text, const Change
     if (progress.cancelled()) return {};
     const Changed changed = how(*scan, before, *parts, progress.part(0.5, 1.0));
     if (progress.cancelled()) return {};
-    return [this, document, name, text, how, before, changed] {
+    const auto finish = [this, document, name, text, how, before, changed] {
       const bool isCurrent = m_document && &m_document->document == document;
       auto& other = static_cast<VolumeDocument&>(*document);
       if (!(other.segment() == before)) return isCurrent ? change(name, text, how) : void();
       if (!changed.segment) return fail(text, changed.problem);
       document->commit(text, std::make_unique<SegmentEdit>(*changed.segment, before));
     };
+    return [this, document, finish] { afterStroke(*document, finish); };
   };
   job.failed = [this, text](const Error& error) {
     if (error.code != ErrorCode::Cancelled) fail(text, errorSentence(error));
@@ -301,17 +309,18 @@ void Segmentation::makeSurface() {
   const auto failed = [this](const Error& error) {
     if (error.code != ErrorCode::Cancelled) fail(tr("The surface was not made"), errorSentence(error));
   };
-  job.work = [document, how, failed, scan = document->scan(), segment = document->segment(),
+  job.work = [this, document, how, failed, scan = document->scan(), segment = document->segment(),
               source = document->volume()->source](Progress progress) -> Job::Finish {
     const Result<SparseVolume> made =
         volumeOfSmoothed(scan->image, segment, how.voxel, how.isSmoothed, progress.part(0.0, 0.7));
     if (!made) return [failed, error = made.error()] { failed(error); };
-    const auto snapshot = snapshotOf(*made, source, progress.part(0.7, 1.0));
+    const auto snapshot = snapshotOf(*made, source, progress.part(0.7, 1.0), scan);
     if (!snapshot) return [failed, error = snapshot.error()] { failed(error); };
-    return [document, made = *snapshot] {
+    const auto finish = [document, made = *snapshot] {
       document->settle();
       document->commit(tr("Make surface"), std::make_unique<VolumeEdit>(made, made->volume.blockCount()));
     };
+    return [this, document, finish] { afterStroke(*document, finish); };
   };
   job.failed = failed;
   m_parts.jobs.start(std::move(job));

@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QPointer>
 #include <functional>
+#include <vector>
 
 class QDockWidget;
 
@@ -55,6 +56,8 @@ class Segmentation : public QObject {
   void begin(int through, const Vec3& index, bool opposite);
   void paint(const Vec3& index);
   void endStroke();
+  // Commits at once, or when the stroke that is painted on this document has ended.
+  void afterStroke(const Document& document, std::function<void()> commit);
   void setBrush();
   void setGreys(const GreyWindow& greys);
   // As a job, once more where the segment was changed meanwhile.
@@ -73,6 +76,12 @@ class Segmentation : public QObject {
     Vec3 last;
   };
 
+  // What a job made while a stroke was painted.
+  struct Waiting {
+    const Document* document;
+    std::function<void()> commit;
+  };
+
   WindowContext m_parts;
   QAction m_toggle;
   QPointer<QDockWidget> m_panelDock, m_slicesDock;
@@ -81,6 +90,7 @@ class Segmentation : public QObject {
   DocumentTab* m_document = nullptr;  // null: the current one has no scan
   Segment m_shown;
   std::optional<Stroke> m_stroke;
+  std::vector<Waiting> m_waiting;
   SegmentFigures m_figures;  // of m_counted
   Segment m_counted;
   QTimer m_pause;  // until the segment has been left alone for a moment

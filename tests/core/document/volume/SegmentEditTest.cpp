@@ -28,7 +28,8 @@ std::unique_ptr<VolumeDocument> noiseDocument(const VolumeKind& kind, unsigned s
   ImageVolume image(grid, std::move(samples));
   ImageHistogram histogram = histogramOf(image);
   auto content = std::make_shared<VolumeSnapshot>();
-  content->scan = std::make_shared<Scan>(Scan{std::move(image), std::move(histogram), {50.0, 99.0}});
+  content->scan = std::make_shared<Scan>(Scan{std::move(image), std::move(histogram)});
+  content->segment = Segment({50.0, 99.0});
   return std::make_unique<VolumeDocument>(OpenedFile{&kind, {}, std::move(content)});
 }
 
@@ -78,7 +79,7 @@ class SegmentEditTest : public QObject {
     const VolumeKind kind;
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const auto document = noiseDocument(kind, seed);
-      const SnapshotPointer volume = document->snapshot();
+      const auto volume = document->volume();
       std::mt19937 random(seed);
       std::vector<std::vector<bool>> states{flagsOf(*document)};
       for (int i = 0; i < 12; ++i) {
@@ -97,7 +98,7 @@ class SegmentEditTest : public QObject {
           QVERIFY(flagsOf(*document) == states[i]);
         }
       }
-      QCOMPARE(document->snapshot(), volume);
+      QCOMPARE(document->volume(), volume);
     }
   }
 

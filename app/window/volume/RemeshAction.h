@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+#include "window/JobRunner.h"
+#include "window/kinds/KindUi.h"
+
+#include <QPointer>
+
+namespace handwheel {
+
+class PropertyDialog;
+struct VolumeSnapshot;
+
+// The command “Make mesh…” of volumes: asks how many triangles are wanted, says how many there will be, and opens the
+// mesh as a document of its own. Window thread.
+class RemeshAction : public QObject {
+  Q_OBJECT
+
+ public:
+  RemeshAction(const WindowContext& parts, QObject* parent);
+
+  QAction* action() { return &m_action; }
+  void setDocument(DocumentTab* document);  // null: no volume is current
+  bool isSettled() const { return m_predicting.isIdle(); }
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  enum class Goal { All, Distance, Count };
+
+  void ask();
+  std::vector<Property> shown() const;
+  Status change(const std::string& id, const PropertyValue& value);
+  OperationValues wanted() const;
+  void predict();
+  void make(const std::string& title, LengthUnit unit, const void* owner);
+
+  WindowContext m_parts;
+  QAction m_action;
+  DocumentTab* m_document = nullptr;
+  QPointer<PropertyDialog> m_dialog;
+  std::shared_ptr<const VolumeSnapshot> m_volume;  // that the dialog is about
+  Goal m_goal = Goal::Distance;
+  OperationValues m_values;
+  std::optional<double> m_predicted;  // triangles; none: they are being counted
+  JobRunner m_predicting;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/volume/ReshapeTool.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <array>
+
+namespace handwheel {
+
+class VolumeDocument;
+
+// The entries of the Volume menu that change a volume as a whole, and what their tool needs of the window: jobs with
+// progress, the other documents, a file. Window thread.
+class ReshapeActions : public QObject {
+  Q_OBJECT
+
+ public:
+  ReshapeActions(const WindowContext& parts, QObject* parent);
+
+  QList<QAction*> all();
+  // null: no volume is current.
+  void setDocument(DocumentTab* document);
+  // To be called when the tool that runs may be another one.
+  void followTool();
+  ToolDescriptor tool();
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  void start(ReshapeTool::Change change);
+  ReshapeServices services();
+  std::vector<OtherBody> bodies() const;
+  void addFile();
+
+  WindowContext m_parts;
+  std::array<QAction, ReshapeTool::kChanges> m_actions;
+  ReshapeTool::Change m_change = ReshapeTool::Change::Shell;  // that the tool starts with
+  DocumentTab* m_document = nullptr;
+  QStringList m_files;  // that were chosen for this document
+};
+
+}  // namespace handwheel

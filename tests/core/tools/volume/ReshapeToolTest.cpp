@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/ReshapeTool.h"
+
+#include "ClosedSurface.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "document/volume/VolumeKind.h"
+#include "tools/ToolRunner.h"
+#include "tools/volume/VolumeOperations.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeErrors.h"
+#include "volume/VolumeShapes.h"
+#include "volume/VolumeToSurface.h"
+
+#include <QtTest>
+#include <cmath>
+#include <deque>
+
+using namespace handwheel;
+using namespace handwheel::test;
+using Change = ReshapeTool::Change;
+
+namespace {
+
+constexpr double kRadius = 10.0, kVoxel = 0.5;  // mm
+
+double ball(double radius) {
+  return 4.0 / 3.0 * M_PI * radius * radius * radius;
+}
+
+// What two balls of a radius have in common whose centres are this far apart.
+double lens(double radius, double apart) {
+  return M_PI / 12.0 * (4.0 * radius + apart) * (2.0 * radius - apart) * (2.0 * radius - apart);
+}
+
+SparseVolume ballAt(const Vec3& centre, double radius) {
+  return volumeOfSurface(moved(icosphere(4), centre, radius), kVoxel)->volume;
+}
+
+// A document of a volume with the tool on it. Jobs wait until they are run.
+struct Bench {
+  VolumeKind kind;
+  std::unique_ptr<VolumeDocument> document;
+  ToolRunner runner;
+  std::vector<OtherBody> others;
+  std::deque<std::pair<ReshapeServices::Job, std::function<void()>>> waiting;
+  std::vector<Error> failures;
+  int files = 0;
+
+  Bench(const SparseVolume& volume, Change change) {
+    auto content = std::make_shared<VolumeSnapshot>();
+    content->volume = volume;
+    content->surface = VolumeSurface(volume);
+    document = std::make_unique<VolumeDocument>(OpenedFile{&kind, {}, std::move(content)});
+    start(change);
+  }
+  void start(Change change) {
+    ReshapeServices services;
+    services.run = [this](ReshapeServices::Job job, std::function<void()> stopped) {
+      waiting.clear();
+      waiting.emplace_back(std::move(job), std::move(stopped));
+    };
+    services.cancel = [this] { waiting.clear(); };
+    services.bodies = [this] { return others; };
+    services.addFile = [this] { ++files; };
+    services.failed = [this](const Error& error) { failures.push_back(error); };
+    runner.start(std::make_unique<ReshapeTool>(*document, std::move(services), change), *document);
+  }
+  void work() {
+    while (!waiting.empty()) {
+      const auto job = std::move(waiting.front().first);
+      waiting.pop_front();
+      runner.deliver(job.work({}));
+    }
+  }
+  void set(const char* id, PropertyValue value) { runner.setSetting(id, value); }
+  const SparseVolume& volume() const { return document->volume()->volume; }
+  double material() const { return volume().material(); }
+  std::optional<double> figure(std::string_view id) const {
+    for (const Property& property : runner.tool()->settings())
+      if (property.id == id) return std::get<double>(property.value);
+    return {};
+  }
+  bool isProposed() const { return runner.tool()->preview().ofKind != nullptr; }
+};
+
+bool isNear(double value, double expected, double share = 0.02) {
+  return std::abs(value / expected - 1.0) < share;
+}
+
+}  // namespace
+
+class ReshapeToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Shells and moved surfaces have the volumes of geometry; what is shown is what is committed, as one step.
+  void wallsOfABall() {
+    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Shell);
+    bench.set("wall", 2.0);
+    QVERIFY(!bench.isProposed());
+    bench.work();
+    QVERIFY(bench.isProposed());
+    QVERIFY(isNear(bench.material(), ball(kRadius)));
+    QVERIFY(isNear(*bench.figure("after"), ball(kRadius) - ball(kRadius - 2.0)));
+    QCOMPARE(bench.runner.perform("commit"), ToolReply::Used);
+    QVERIFY(isNear(bench.material(), ball(kRadius) - ball(kRadius - 2.0)));
+    QVERIFY(isClosedManifold(surfaceOf(bench.volume())));
+    QCOMPARE(bench.document->history()->index(), 1);
+    QVERIFY(bench.waiting.empty() && !bench.isProposed());  // no shell of the shell
+    bench.document->history()->undo();
+    QVERIFY(isNear(bench.material(), ball(kRadius)));
+
+    for (const double distance : {1.5, -1.5}) {
+      bench.set("change", static_cast<double>(Change::Offset));
+      bench.set("distance", distance);
+      bench.work();
+      QVERIFY(isNear(*bench.figure("after"), ball(kRadius + distance)));
+    }
+  }
+
+  // The three combinations with a ball beside, against the volume of the lens that both have.
+  void combined() {
+    static constexpr double kApart = 9.0;
+    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
+    QVERIFY(bench.waiting.empty());
+    QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);  // with nothing
+    QCOMPARE(bench.runner.perform("file"), ToolReply::Used);
+    QCOMPARE(bench.files, 1);
+    bench.others.push_back(
+        {"far", [](const SparseVolume&, Progress) -> Result<SparseVolume> { return ballAt(Vec3(0, 0, 100), 3.0); }});
+    bench.others.push_back({"near", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
+                              return ballAt(Vec3(kApart, 0, 0), kRadius);
+                            }});
+    bench.set("with", 1.0);
+    const double common = lens(kRadius, kApart);
+    const double expected[] = {2.0 * ball(kRadius) - common, ball(kRadius) - common, common};
+    for (int how = 0; how < 3; ++how) {
+      bench.set("how", static_cast<double>(how));
+      bench.work();
+      QVERIFY(isNear(*bench.figure("after"), expected[how]));
+    }
+    // Nothing in common: that is refused, and nothing is there to commit.
+    bench.set("with", 0.0);
+    bench.work();
+    QCOMPARE(bench.failures.size(), std::size_t{1});
+    QVERIFY(bench.failures[0].code == VolumeErrors::NothingLeft);
+    QVERIFY(!bench.isProposed());
+  }
+
+  // The slider of debris: parts go by their size, the largest never; what goes is shown.
+  void debris() {
+    SparseVolume volume = ballOfVoxels(kRadius, kVoxel);
+    for (const auto& [x, radius] : {std::pair{16.0, 3.0}, std::pair{24.0, 1.5}}) {
+      const SparseVolume other = ballAt(Vec3(x, 0, 0), radius);
+      volume = *makeBoolean(volume, other, OperationValues(booleanOperation()), {});
+    }
+    Bench bench(volume, Change::Debris);
+    const std::pair<double, double> expected[] = {{1.0, 0.0}, {4.5, 1.0}, {8.0, 2.0}, {100.0, 2.0}};
+    for (const auto& [below, gone] : expected) {
+      bench.set("below", below);
+      bench.work();
+      QCOMPARE(*bench.figure("parts"), 3.0);
+      QCOMPARE(*bench.figure("gone"), gone);
+      QCOMPARE(bench.runner.tool()->preview().parts.empty(), gone == 0.0);
+    }
+    bench.set("below", 4.5);
+    bench.work();
+    const auto shown = bench.runner.tool()->preview().parts.front().soup;
+    for (const Vec3& p : shown->points) QVERIFY(std::abs((p - Vec3(24, 0, 0)).norm() - 1.5) < kVoxel);
+    bench.runner.perform("commit");
+    QVERIFY(isNear(bench.material(), ball(kRadius) + ball(3.0)));
+  }
+
+  // A slot that a ball of the radius does not get into is filled; smoothing takes off at corners.
+  void gapsAndSmoothing() {
+    const TriangleSoup left = moved(cube(10.0), Vec3(0, 0, 0)), right = moved(cube(10.0), Vec3(11, 0, 0));
+    SparseVolume blocks = volumeOfSurface(left, kVoxel)->volume;
+    const SparseVolume second = volumeOfSurface(right, kVoxel)->volume;
+    blocks = *makeBoolean(blocks, second, OperationValues(booleanOperation()), {});
+    Bench bench(blocks, Change::Gaps);
+    bench.set("radius", 2.0);
+    bench.work();
+    QVERIFY(*bench.figure("after") > 2000.0 + 80.0 && *bench.figure("after") < 2000.0 + 105.0);
+    bench.set("change", static_cast<double>(Change::Smooth));
+    bench.work();
+    const double once = *bench.figure("after");
+    QVERIFY(once < blocks.material() && once > 0.97 * blocks.material());
+    bench.set("passes", 4.0);
+    bench.work();
+    QVERIFY(*bench.figure("after") < once);
+  }
+
+  // Applied before it is made: it is committed once it is. Undo takes a proposal back first. Results of settings, of a
+  // document or of a tool that have changed meanwhile count for nothing.
+  void whatComesLate() {
+    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Offset);
+    bench.set("distance", 1.0);
+    QCOMPARE(bench.runner.perform("commit"), ToolReply::Used);
+    QCOMPARE(bench.document->history()->index(), 0);
+    QVERIFY(!bench.runner.tool()->actions().front().enabled);
+    bench.work();
+    QCOMPARE(bench.document->history()->index(), 1);
+    bench.set("distance", 2.0);
+    bench.work();
+    QCOMPARE(bench.runner.undo(), ToolReply::Used);
+    QVERIFY(!bench.isProposed());
+    QCOMPARE(bench.document->history()->index(), 1);
+    QCOMPARE(bench.runner.undo(), ToolReply::Ignored);
+
+    bench.set("distance", 3.0);
+    auto old = bench.waiting.front().first.work;
+    bench.document->history()->undo();
+    bench.runner.deliver(old({}));
+    QVERIFY(!bench.isProposed());
+    bench.work();
+    QVERIFY(isNear(*bench.figure("after"), ball(kRadius + 3.0)));
+
+    bench.set("distance", 2.0);
+    old = bench.waiting.front().first.work;
+    QCOMPARE(bench.runner.perform("revert"), ToolReply::Finished);
+    bench.runner.stop();
+    bench.start(Change::Smooth);
+    bench.runner.deliver(old({}));
+    QVERIFY(!bench.isProposed());
+    // A person cancels the job: nothing is proposed until something is asked for.
+    const auto stopped = bench.waiting.front().second;
+    bench.waiting.clear();
+    bench.runner.deliver(stopped);
+    QVERIFY(bench.runner.tool()->actions().front().enabled);
+    bench.runner.perform("commit");
+    bench.work();
+    QCOMPARE(bench.document->history()->index(), 1);
+  }
+
+  // What is predicted is about what comes: on round and on flat surfaces, for all three ways to ask.
+  void predictedTriangles() {
+    for (const bool isRound : {true, false}) {
+      const SparseVolume volume =
+          isRound ? ballOfVoxels(kRadius, 0.25) : volumeOfSurface(moved(cube(15.0), Vec3(0.1, 0.2, 0.3)), 0.25)->volume;
+      const VolumeSurface surface(volume);
+      OperationValues values(remeshOperation());
+      QCOMPARE(handwheel::predictedTriangles(surface, values), static_cast<double>(surface.triangleCount()));
+      values.setValid("faces", 500.0);
+      QCOMPARE(handwheel::predictedTriangles(surface, values), 500.0);
+      values.reset("faces");
+      values.setValid("error", 0.1);
+      const double predicted = handwheel::predictedTriangles(surface, values);
+      const auto made = remesh(volume, values, {});
+      QVERIFY(made.hasValue());
+      const auto faces = static_cast<double>(made->mesh.liveFaceCount());
+      const double share = isRound ? 3.0 : 5.0;
+      QVERIFY2(predicted > faces / share && predicted < share * faces,
+               qPrintable(QStringLiteral("%1 of %2").arg(predicted).arg(faces)));
+    }
+  }
+};
+
+HANDWHEEL_TEST(ReshapeToolTest)
+#include "ReshapeToolTest.moc"
