@@ -40,6 +40,17 @@ FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> decimationMethodCases();
 std::vector<FidelityCase> decimationMethodCasesOn(const std::string& name, const SoupSource& soup);
 
+// volume.voxels, volume.method, volume.reduction: a ball and a block in no direction of the grid, as volumes and back.
+std::vector<FidelityCase> volumeVoxelsCases();
+std::vector<FidelityCase> volumeMethodCases();
+std::vector<FidelityCase> volumeReductionCases();
+
+// volume.polygons: a block along the grid and one that is turned, by their edges.
+std::vector<FidelityCase> volumePolygonsCases();
+
+// drill.erosion: a head that goes evenly through material, along the grid and across it.
+std::vector<FidelityCase> drillErosionCases();
+
 // document.undo_granularity: edits of a large mesh, stored and exchanged as an undo step does.
 std::vector<FidelityCase> undoGranularityCases();
 FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);

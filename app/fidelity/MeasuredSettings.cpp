@@ -12,6 +12,7 @@
 #include "mesh/simplify/DecimationFidelity.h"
 #include "planning/PlanningFidelity.h"
 #include "robot/arm/IkFidelity.h"
+#include "volume/VolumeFidelity.h"
 
 namespace handwheel {
 
@@ -24,6 +25,11 @@ FidelityRegistry measuredSettings() {
   registry.add(pieceEdgesSetting(), pieceEdgesCases());
   registry.add(decimationErrorSetting(), decimationErrorCases());
   registry.add(decimationMethodSetting(), decimationMethodCases());
+  registry.add(volumeVoxelsSetting(), volumeVoxelsCases());
+  registry.add(volumeMethodSetting(), volumeMethodCases());
+  registry.add(volumeReductionSetting(), volumeReductionCases());
+  registry.add(volumePolygonsSetting(), volumePolygonsCases());
+  registry.add(drillErosionSetting(), drillErosionCases());
   registry.add(chordSetting(), chordCases());
   registry.add(stepChordSetting(), stepChordCases());
   registry.add(turnSpacingSetting(), turnSpacingCases());

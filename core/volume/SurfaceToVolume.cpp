@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/SurfaceToVolume.h"
 
-#include "base/NumberText.h"
-#include "mesh/structure/MeshErrors.h"
-#include "mesh/structure/Weld.h"
-#include "process/SystemMemory.h"
 #include "proximity/ClosestPoint.h"
-#include "volume/BoundaryCaps.h"
+#include "volume/ClosedSurfaceInVoxels.h"
 #include "volume/Membranes.h"
 #include "volume/SurfaceRows.h"
-#include "volume/VolumeErrors.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -27,9 +22,6 @@ namespace {
 constexpr double kBand = 3.0;  // voxels from the surface in which distances are exact
 constexpr double kWide = 4.0;  // voxels, of a hole that a membrane closes, and no cone
 constexpr int kTile = 32;      // voxels along an edge of what is sampled at once; four blocks
-// What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
-// measured.
-constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
 
 using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map
 using Tiles = std::vector<std::pair<Tile, std::vector<std::uint32_t>>>;
@@ -220,70 +212,17 @@ std::vector<Vec3> keptPlaces(const std::vector<std::pair<Vec3, std::uint32_t>>& 
   return kept;
 }
 
-// The origin of a grid for what begins at this place, mm.
-Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& alignedTo) {
-  if (!alignedTo) return first;
-  const double block = VolumeBlock::kSize * voxel;
-  return *alignedTo + block * ((first - *alignedTo) / block).array().floor().matrix();
-}
-
-double volumeInside(const TriangleSoup& soup) {
-  double six = 0.0;
-  for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));
-  return six / 6.0;
-}
-
-// The share of the area whose triangles' middles have a sample of less than a voxel beside them.
-double nearShareOf(const SparseVolume& volume, const TriangleSoup& soup, const std::vector<bool>& isUsed) {
-  double near = 0.0, all = 0.0;
-  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    if (!isUsed[i]) continue;
-    const Corners t(soup, soup.triangles[i]);
-    const double area = 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
-    all += area;
-    const Vec3 middle = (t.a + t.b + t.c) / 3.0;
-    const VoxelIndex base = middle.array().floor().cast<int>();
-    bool isInside = false, isOutside = false;
-    for (int k = 0; k < 8; ++k)
-      (volume.sample(base + VoxelIndex(k & 1, k >> 1 & 1, k >> 2)) > 0 ? isInside : isOutside) = true;
-    if (isInside && isOutside) near += area;
-  }
-  return all > 0.0 ? near / all : 0.0;
-}
-
 }  // namespace
 
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress,
                                       const std::optional<Vec3>& alignedTo) {
-  if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
-  if (!(voxel > 0.0) || !std::isfinite(voxel))
-    return Error{ErrorCode::ValueOutOfRange, {"voxel", shortestText(voxel), "0", "1e300"}, {}, {}};
-  TriangleSoup closed = weld(soup, progress.part(0.0, 0.05));
-  Box bounds;
-  for (const Vec3& p : closed.points) {
-    if (!p.allFinite()) return Error{ErrorCode::NumberNotFinite, {shortestText(p.x() + p.y() + p.z())}, {}, {}};
-    bounds.extend(p);
-  }
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  const double extent = bounds.sizes().maxCoeff();
-  constexpr double kMost = SparseVolume::kMostVoxels - 64;  // a region less, for what is around the part
-  if (!(extent / voxel < kMost))
-    return Error{
-        VolumeErrors::TooFine, {shortestText(voxel), shortestText(extent), shortestText(extent / kMost)}, {}, {}};
-
-  // Space for the band around the part, whose sides lie between voxels; from here on in voxels.
+  Result<ClosedSurfaceInVoxels> prepared = closedInVoxels(soup, voxel, kWide, alignedTo, progress.part(0.0, 0.05));
+  if (!prepared) return prepared.error();
+  const TriangleSoup& closed = prepared->closed;
+  const BoundaryCaps& caps = prepared->caps;
   SurfaceVolume made;
-  made.volume = SparseVolume(originBefore(bounds.min().array() - 3.5 * voxel, voxel, alignedTo), voxel);
-  for (Vec3& p : closed.points) p = (p - made.volume.origin()) / voxel;
-  const BoundaryCaps caps = closeBoundaries(closed, kWide, progress);
+  made.volume = prepared->grid;
   made.closedBoundaries = caps.boundaries;
-  const Vec3 across = bounds.sizes() / voxel;
-  const double bytes = predictedVolumeBytes(closed, 1.0) * (1.0 + kWhileMaking + kTriangles) +
-                       Membranes::predictedBlocks(closed, caps.wide) * Membranes::kBytes +
-                       across.y() * across.z() * sizeof(std::size_t);  // the index of the rows
-  if (const auto left = static_cast<double>(systemMemory()); bytes > left)
-    return Error{
-        VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
   const SurfaceRows rows(closed, progress.part(0.05, 0.3));
   const Membranes membranes(closed, caps.wide, progress);
   const Bounding found = boundingTriangles(closed, rows, membranes, progress.part(0.3, 0.4));
@@ -315,29 +254,21 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   });
   for (std::vector<NumberedBlock>& some : blocks)
     for (NumberedBlock& block : some) made.volume.setContent(block.first, std::move(block.second));
-  const VoxelIndex extentInBlocks =
-      ((bounds.max() - made.volume.origin()).array() / (8.0 * voxel) + 2.0).ceil().cast<int>();
-  fillInside(made.volume, rows, membranes, extentInBlocks, progress);
+  fillInside(made.volume, rows, membranes, prepared->blocks(), progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  made.expected = voxel * voxel * voxel * volumeInside(closed);
-  if (!(made.volume.material() > 0.0)) {
-    // What rounding leaves of a flat sheet is no volume.
-    const bool isThin = made.expected > 1e-9 * extent * extent * extent;
-    return isThin ? Error{VolumeErrors::NoVoxelInside, {roundedText(voxel)}, {}, {}}
-                  : Error{VolumeErrors::NothingInside, {}, {}, {}};
-  }
-  made.nearShare = nearShareOf(made.volume, closed, bounding);
+  made.expected = prepared->enclosed();
+  if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
+  made.nearShare = prepared->nearShare(made.volume, bounding);
   made.kept = keptPlaces(found.places, soup.triangles.size(), made.volume);
   progress.set(1.0);
   return made;
 }
 
-double usualVoxel(const TriangleSoup& surface) {
-  constexpr double kVoxelsAcross = 256.0;
+double usualVoxel(const TriangleSoup& surface, double across) {
   Box bounds;
   for (const Vec3& p : surface.points) bounds.extend(p);
   const double extent = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
-  return extent > 0.0 ? extent / kVoxelsAcross : 1.0;
+  return extent > 0.0 ? extent / across : 1.0;
 }
 
 double predictedVolumeBytes(const TriangleSoup& soup, double voxel) {

@@ -35,8 +35,9 @@ struct SurfaceVolume {
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {},
                                       const std::optional<Vec3>& alignedTo = {});
 
-// The voxel for a surface where a person chooses none: a 256th of its largest extent; mm.
-double usualVoxel(const TriangleSoup& surface);
+// The voxel for a surface where a person chooses none: so many along its largest extent; mm.
+inline constexpr double kUsualVoxels = 256.0;
+double usualVoxel(const TriangleSoup& surface, double across = kUsualVoxels);
 
 // The memory that it is going to take at least; bytes. Within a third for surfaces that are smooth at the scale of a
 // few voxels. O(n).

@@ -61,6 +61,28 @@ const ErrorDescription VolumeErrors::PathTooLong{
     .sentences = {translatable("ErrorText", "the path takes %1 s, and at most %2 s can be drilled at this rate")},
     .advice = {translatable("ErrorText", "Choose a lower rate, or a part of the path.")}};
 
+const ErrorDescription VolumeErrors::ProgramWord{
+    .id = "ProgramWord",
+    .sentences = {translatable("ErrorText", "“%1” has no meaning for a drilling program here")},
+    .advice = {translatable("ErrorText",
+                            "Drill by G0, G1, G81, G82, G83, G80, G98, G99 and G4, in millimetres and absolute.")}};
+
+const ErrorDescription VolumeErrors::ProgramLacks{
+    .id = "ProgramLacks", .sentences = {translatable("ErrorText", "%1 is missing, which %2 needs")}};
+
+const ErrorDescription VolumeErrors::ProgramValue{
+    .id = "ProgramValue", .sentences = {translatable("ErrorText", "%1 has a value that it cannot have (%2)")}};
+
+const ErrorDescription VolumeErrors::ProgramTooLong{
+    .id = "ProgramTooLong",
+    .sentences = {translatable("ErrorText", "the program has more than %1 moves")},
+    .advice = {translatable("ErrorText", "Choose larger pecks, or a part of the program.")}};
+
+const ErrorDescription VolumeErrors::ProgramMovesNothing{
+    .id = "ProgramMovesNothing",
+    .sentences = {translatable("ErrorText", "the program moves nothing")},
+    .advice = {translatable("ErrorText", "It begins with a move of all three axes, such as G0 X0 Y0 Z10.")}};
+
 const ErrorDescription VolumeErrors::NothingInRange{
     .id = "NothingInRange",
     .sentences = {translatable("ErrorText",

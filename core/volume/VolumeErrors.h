@@ -18,6 +18,11 @@ extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm,
 extern const ErrorDescription NoSuchDrill;          // {word}
 extern const ErrorDescription NoSuchDrillMaterial;  // {word}
 extern const ErrorDescription PathTooLong;          // {seconds, most seconds}
+extern const ErrorDescription ProgramWord;          // {word} of a drilling program, that is not understood
+extern const ErrorDescription ProgramLacks;         // {word, what needs it}
+extern const ErrorDescription ProgramValue;         // {word, what it has to be}
+extern const ErrorDescription ProgramTooLong;       // {most moves}
+extern const ErrorDescription ProgramMovesNothing;  // a drilling program without a move
 extern const ErrorDescription NothingInRange;       // {least, largest, least of the image, largest of it}
 
 }  // namespace handwheel::VolumeErrors

@@ -47,7 +47,7 @@ class Reduction {
  public:
   // kept: places of the original that are to stay within the distance.
   Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, const VolumeRepairOptions& options)
-      : m_sampled(sampled), m_kept(kept), m_within(options.voxel), m_numbers(options.numbers) {}
+      : m_sampled(sampled), m_kept(kept), m_within(options.within * options.voxel), m_numbers(options.numbers) {}
 
   // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all.
   VolumeRepair reduced(VolumeRepair repair, std::size_t faces, Progress progress) const {

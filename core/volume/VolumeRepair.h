@@ -15,6 +15,7 @@ namespace handwheel {
 struct VolumeRepairOptions {
   double voxel = 0.0;     // mm
   double gaps = 0.0;      // mm: what a ball of this radius does not get into is filled (withoutGaps()); 0: nothing
+  double within = 1.0;    // voxels that the surface may be moved by for it
   bool isReduced = true;  // to about as many triangles as the surface had, or as keep the distances below
   NumberType numbers = NumberType::Float64;  // what the coordinates of the mesh are rounded to
 };
@@ -32,9 +33,9 @@ struct VolumeRepair {
 // Replaces a surface by that of the volume that it encloses (He 2008, 4.1: the volume workflow). All defects go: holes,
 // gaps, self-intersections, walls inside, whatever is not manifold. Details below the size of a voxel go too, and sharp
 // edges are cut off by up to half a voxel. Triangles are taken away by quadrics, as far as nothing of the sampled
-// surface, nor of the original where that bounds material, gets farther than a voxel from the mesh, and none meet. So
-// only walls that are thinner than a voxel are farther. A surface that is inside out is turned over. Errors: those of
-// volumeOfSurface() and withoutGaps().
+// surface, nor of the original where that bounds material, gets farther from the mesh than so many voxels, and none
+// meet. So with one voxel only walls that are thinner are farther. A surface that is inside out is turned over. Errors:
+// those of volumeOfSurface() and withoutGaps().
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress = {});
 

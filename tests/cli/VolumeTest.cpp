@@ -5,6 +5,7 @@
 #include "TestClass.h"
 
 #include <QTest>
+#include <map>
 
 using namespace handwheel;
 
@@ -129,6 +130,42 @@ class VolumeTest : public QObject {
     QVERIFY(text.out.contains("not verified"));
   }
 
+  // A hole of 12 mm in pecks of 5: the thrust is there three times, and falls to nothing between them; one without
+  // pecks has it once. Both take the same from the block.
+  void drillByProgram() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    const QByteArray begin = "G21 G90\nS1200 M3\nG0 X10 Y10 Z22\n", end = "G80\nM30\n";
+    bench.put("pecks.ngc", begin + "G83 Z8 R21 Q5 F300\n" + end);
+    bench.put("plain.ngc", begin + "G81 Z8 R21 F300\n" + end);
+    std::map<QString, double> removed;
+    for (const QString name : {"pecks", "plain"}) {
+      const Ran ran = bench.run({"drill", "a.off", "--program", name + ".ngc", "--tool", "ball:6", "--voxel", "0.35",
+                                 "--rate", "250", "--forces", name + ".csv", "--json"});
+      QCOMPARE(ran.err, QByteArray());
+      QCOMPARE(ran.code, 0);
+      removed[name] = volumeJson(ran.out)["removed_mm3"].get<double>();
+      // A cylinder from the top, less half a ball that the foremost point is ahead by.
+      QVERIFY(std::abs(removed[name] / (M_PI * 9.0 * 9.0 + 18.0 * M_PI) - 1.0) < 0.01);
+      int pecks = 0;
+      double last = -1.0;  // s, of a cycle with thrust
+      for (const QByteArray& line : bench.content(name + ".csv").split('\n').mid(1)) {
+        const QList<QByteArray> cells = line.split(',');
+        if (cells.size() < 5 || !(cells[4].toDouble() > 1.0)) continue;
+        const double time = cells[0].toDouble();
+        pecks += time - last > 0.15;
+        last = time;
+      }
+      QCOMPARE(pecks, name == "pecks" ? 3 : 1);
+    }
+    QVERIFY(std::abs(removed["pecks"] / removed["plain"] - 1.0) < 0.01);
+    bench.put("bad.ngc", begin + "G2 X3 Y4\n");
+    const Ran bad = bench.run({"drill", "a.off", "--program", "bad.ngc"});
+    QCOMPARE(bad.code, 1);
+    QVERIFY2(bad.err.contains("bad.ngc") && bad.err.contains("line 4") && bad.err.contains("G2"), bad.err);
+    QCOMPARE(bench.run({"drill", "a.off", "--program", "plain.ngc", "--path", "p.csv"}).code, 1);
+  }
+
   void whatCannotBeDrilled_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QByteArray>("says");
@@ -183,6 +220,31 @@ class VolumeTest : public QObject {
     const Ran text = bench.run({"boolean", "a.off", "b.off", way, "-o", "c.handwheel", "--voxel", "0.5"});
     QCOMPARE(text.code, 0);
     QVERIFY(text.out.contains("voxels of 0.5 mm"));
+  }
+
+  // With sharp edges a block is the block, where marching cubes cut its edges off; and by densities it is nearly so.
+  void methods() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    std::map<QByteArray, double> off;
+    for (const QByteArray sampling : {"sign", "density"}) {
+      const Ran made = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--method", sampling});
+      QCOMPARE(made.err, QByteArray());
+      for (const QByteArray polygons : {"marching", "dual"}) {
+        QCOMPARE(bench.run({"remesh", "a.handwheel", "-o", "b.stl", "--method", polygons}).code, 0);
+        const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+        QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
+        QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
+        off[sampling + polygons] = std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0);
+      }
+    }
+    QVERIFY(off["signdual"] < 1e-4);
+    QVERIFY(off["signmarching"] > 10.0 * off["signdual"]);
+    QVERIFY(off["densitymarching"] < 0.02);
+    QCOMPARE(bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--fidelity", "volume.voxels=40"}).code, 0);
+    QCOMPARE(volumeJson(bench.run({"inspect", "a.handwheel", "--json"}).out)["document"]["voxel"].get<double>(), 0.5);
+    QVERIFY(
+        bench.run({"voxelize", "a.off", "-o", "a.vdb", "--fidelity", "snap.radius=2"}).err.contains("does not use"));
   }
 
   // A wall of 2 mm in a block of 20 mm: an empty cube of 16 mm within.

@@ -3,6 +3,7 @@
 #include "cli/mesh/RepairByVolume.h"
 
 #include "base/NumberText.h"
+#include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
@@ -14,6 +15,7 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "text/RepairText.h"
 #include "volume/SurfaceToVolume.h"
+#include "volume/VolumeFidelity.h"
 #include "volume/VolumeRepair.h"
 
 #include <algorithm>
@@ -24,7 +26,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::array<std::string_view, 6> kVolumeRepairOptions{"by",     "voxel",   "close-gaps",
+constexpr std::array<std::string_view, 7> kVolumeRepairOptions{"by",     "voxel",   "close-gaps", "fidelity",
                                                                "output", "partial", "json"};
 
 struct VolumeRepairRequest {
@@ -32,6 +34,7 @@ struct VolumeRepairRequest {
   ReadOptions read;
   std::optional<double> voxel;
   double gaps = 0.0;  // mm
+  FidelityValues values;
 };
 
 struct RepairedByVolume {
@@ -64,9 +67,10 @@ Result<RepairedByVolume> repairFileByVolume(const VolumeRepairRequest& request, 
   const Result<TriangleSoup> read = surfaceIn(*input, request);
   if (!read) return read.error();
   const TriangleSoup& soup = *read;
-  done.voxel = request.voxel.value_or(usualVoxel(soup));
-  Result<VolumeRepair> repair =
-      repairByVolume(soup, {.voxel = done.voxel, .gaps = request.gaps}, progress.part(0.1, 0.7));
+  done.voxel = request.voxel.value_or(usualVoxel(soup, request.values.of(volumeVoxelsSetting())));
+  Result<VolumeRepair> repair = repairByVolume(
+      soup, {.voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())},
+      progress.part(0.1, 0.7));
   if (!repair) {
     Error error = repair.error();
     error.subject = request.input.string();
@@ -136,6 +140,11 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
+  if (arguments.has("fidelity")) {
+    const FidelitySetting read[] = {volumeVoxelsSetting(), volumeReductionSetting()};
+    if (const std::string problem = readFidelity(arguments, "repair", read, request.values); !problem.empty())
+      return failUsage(problem, "repair");
+  }
   for (const char* const option : {"voxel", "close-gaps"}) {
     if (!arguments.has(option)) continue;
     double length = 0.0;

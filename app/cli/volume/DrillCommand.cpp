@@ -16,6 +16,8 @@
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingTask.h"
 #include "tools/volume/DrillOperation.h"
+#include "volume/VolumeErrors.h"
+#include "volume/drilling/DrillProgram.h"
 
 #include <nlohmann/json.hpp>
 
@@ -50,6 +52,21 @@ double feedOf(const std::vector<HandPose>& poses) {
     time += poses[i].time - poses[i - 1].time;
   }
   return time > 0.0 ? length / time : 0.0;
+}
+
+// Of the head's centre. The program's speed is the spindle's, unless the words name another.
+Result<std::vector<HandPose>> posesOfProgram(std::string_view text, OperationValues& values) {
+  const Result<DrillSetup> setup = drillSetupOf(values);
+  if (!setup) return setup.error();
+  const Result<DrillProgram> program = readDrillProgram(text);
+  if (!program) return program.error();
+  std::vector<HandPose> poses;
+  for (const DrillProgram::Place& place : program->places)
+    poses.push_back({place.time, place.tip + setup->tool.reach() * Vec3::UnitZ(), Eigen::Quaterniond::Identity(), 0});
+  if (program->spindle && !values.isSet("rpm"))
+    if (const std::string problem = values.set("rpm", *program->spindle); !problem.empty())
+      return Error{VolumeErrors::ProgramValue, {"S", problem}, {}, {}};
+  return poses;
 }
 
 std::string forcesText(const Drilled& drilled) {
@@ -161,6 +178,7 @@ CommandSpec drillSpec() {
       "drilled with the exercise's drill,\nalong its planned path, and can be handed in. Exit code 0: "
       "done; 1: error.",
       {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
+       {"program", 0, "FILE", "Or a program: G0, G1, G81 to G83; X, Y, Z of the foremost point, S the spindle"},
        {"output", 'o', "OUT", "The drilled part: a .handwheel, or a mesh"},
        {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};
   for (OptionSpec& option : optionsOf(drillOperation())) spec.options.push_back(std::move(option));
@@ -174,24 +192,38 @@ int runDrill(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(drillOperation());
   const std::string problem = readOptions(arguments, values);
   if (!problem.empty()) return failUsage(problem, "drill");
-  if (!arguments.has("path")) return failUsage("The option --path FILE is missing.", "drill");
-  DrillRequest request{
-      arguments.operands[0], arguments.valueOf("path"), arguments.valueOf("output"), arguments.valueOf("forces"), {}};
+  if (arguments.has("path") == arguments.has("program"))
+    return failUsage(arguments.has("path") ? "Choose one of --path and --program."
+                                           : "The option --path FILE is missing, or --program FILE.",
+                     "drill");
+  DrillRequest request{arguments.operands[0],
+                       arguments.valueOf(arguments.has("program") ? "program" : "path"),
+                       arguments.valueOf("output"),
+                       arguments.valueOf("forces"),
+                       {}};
   request.read.partial = arguments.has("partial");
   if (!request.output.empty() && !isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
   }
-  const Result<std::string> text = readFileBytes(request.path);
-  if (!text) {
-    Error error = text.error();
+  const auto failFile = [&](Error error) {
     error.subject = request.path.string();
     return fail(error);
+  };
+  const Result<std::string> text = readFileBytes(request.path);
+  if (!text) return failFile(text.error());
+  std::vector<HandPose> poses;
+  if (arguments.has("program")) {
+    Result<std::vector<HandPose>> read = posesOfProgram(*text, values);
+    if (!read) return failFile(read.error());
+    poses = std::move(*read);
+  } else {
+    TipTrajectory path = readTipTrajectory(*text);
+    if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
+    poses = std::move(path.poses);
   }
-  const TipTrajectory path = readTipTrajectory(*text);
-  if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
   std::optional<Result<DrillAnswer>> result;
   runInterruptible("Drilling",
-                   [&](CommandJob& job) { result = drillFile(request, values, path.poses, kinds, job.progress()); });
+                   [&](CommandJob& job) { result = drillFile(request, values, poses, kinds, job.progress()); });
   if (!*result) return fail(result->error());
   const DrillAnswer& done = result->value();
   reportLosses(done.file);

@@ -3,6 +3,7 @@
 #include "cli/volume/VolumeCommands.h"
 
 #include "base/NumberText.h"
+#include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
@@ -17,6 +18,7 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/VolumeOperations.h"
+#include "volume/VolumeFidelity.h"
 
 #include <nlohmann/json.hpp>
 
@@ -28,6 +30,7 @@ namespace fs = std::filesystem;
 struct Request {
   fs::path input, output;
   ReadOptions read;
+  FidelityValues fidelity;
 };
 
 // Reads the words that both commands have. Returns what is wrong with them, or nothing.
@@ -73,8 +76,12 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   if (!opened) return opened.error();
   Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
   if (!done.refusal.empty()) return done;
-  const Result<MadeVolume> made = makeVolume(placedSoup(opened->kind->display(*opened->content)), values.given("voxel"),
-                                             request.input.filename().string(), progress.part(0.1, 0.8));
+  const TriangleSoup surface = placedSoup(opened->kind->display(*opened->content));
+  const double voxel = values.given("voxel").value_or(usualVoxel(surface, request.fidelity.of(volumeVoxelsSetting())));
+  const VoxelMethod method =
+      values.isSet("method") ? static_cast<VoxelMethod>(values.whole("method")) : voxelMethodOf(request.fidelity);
+  const Result<MadeVolume> made =
+      makeVolume(surface, voxel, request.input.filename().string(), progress.part(0.1, 0.8), method);
   if (!made) {
     Error error = made.error();
     error.subject = request.input.string();
@@ -135,6 +142,7 @@ CommandSpec voxelizeSpec() {
       "united, and walls within them vanish. Exit code 0: done; 1: error.",
       {{"output", 'o', "OUT", "The volume, as .handwheel, .vdb, or .nrrd (distances of all voxels)"}}};
   for (OptionSpec& option : optionsOf(voxelizeOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"fidelity", 0, "LIST", "draft, balanced or exact, and single values: volume.voxels=400,..."});
   spec.options = withShared(std::move(spec.options));
   return spec;
 }
@@ -154,7 +162,11 @@ CommandSpec remeshSpec() {
 int runVoxelize(const Arguments& arguments, const DocumentKinds& kinds) {
   Request request;
   OperationValues values(voxelizeOperation());
-  const std::string problem = readRequest(arguments, request, values);
+  std::string problem = readRequest(arguments, request, values);
+  if (problem.empty() && arguments.has("fidelity")) {
+    const FidelitySetting read[] = {volumeVoxelsSetting(), volumeMethodSetting()};
+    problem = readFidelity(arguments, "voxelize", read, request.fidelity);
+  }
   if (!problem.empty()) return failUsage(problem, "voxelize");
   std::optional<Result<Answer>> result;
   runInterruptible("Making the volume",

@@ -106,8 +106,9 @@ std::shared_ptr<const VolumeSnapshot> skullContent() {
 }
 
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
-                              Progress progress) {
-  Result<SurfaceVolume> made = volumeOfSurface(surface, voxel.value_or(usualVoxel(surface)), progress.part(0.0, 0.7));
+                              Progress progress, VoxelMethod method) {
+  Result<SurfaceVolume> made =
+      volumeOfSurface(surface, voxel.value_or(usualVoxel(surface)), method, progress.part(0.0, 0.7));
   if (!made) return made.error();
   Result<std::shared_ptr<const VolumeSnapshot>> snapshot = snapshotOf(made->volume, source, progress.part(0.7, 1.0));
   if (!snapshot) return snapshot.error();

@@ -6,7 +6,7 @@
 #include "base/Result.h"
 #include "document/Note.h"
 #include "document/volume/VolumeSnapshot.h"
-#include "volume/SurfaceToVolume.h"
+#include "volume/SurfaceDensity.h"
 
 #include <filesystem>
 #include <memory>
@@ -28,7 +28,7 @@ struct MadeVolume {
 // The content of a document of what a surface encloses. voxel: mm; none: the usual one. Errors: those of
 // volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
-                              Progress progress);
+                              Progress progress, VoxelMethod method = VoxelMethod::Sign);
 
 // The content of a document of the skull that ships. It is made when nobody holds it, which takes a second.
 std::shared_ptr<const VolumeSnapshot> skullContent();

@@ -23,14 +23,14 @@ constexpr ToolKey kReshapeKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
 };
 
-constexpr std::array<const char*, ReshapeTool::kChanges> kNames = {
+constexpr std::array<const char*, ReshapeTool::kChanges> kChangeNames = {
     QT_TRANSLATE_NOOP("Property", "Shell"),      QT_TRANSLATE_NOOP("Property", "Move surface"),
     QT_TRANSLATE_NOOP("Property", "Combine"),    QT_TRANSLATE_NOOP("Property", "Remove debris"),
     QT_TRANSLATE_NOOP("Property", "Close gaps"), QT_TRANSLATE_NOOP("Property", "Smooth all"),
 };
 
 // To two digits, so that what is proposed is easily read.
-double roundedOff(double value) {
+double twoDigits(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return unit * std::round(value / unit);
 }
@@ -98,7 +98,7 @@ void ReshapeTool::chooseUsual() {
   for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
   const double extent = box.isEmpty() ? voxel : box.sizes().maxCoeff();
   const auto set = [&](Change change, const char* id, double value) {
-    takeSetting(m_values[static_cast<std::size_t>(change)], id, roundedOff(value));
+    takeSetting(m_values[static_cast<std::size_t>(change)], id, twoDigits(value));
   };
   set(Change::Shell, "wall", std::max(4.0 * voxel, 0.03 * extent));
   set(Change::Offset, "distance", std::max(2.0 * voxel, 0.01 * extent));
@@ -257,7 +257,7 @@ ToolPreview ReshapeTool::preview() const {
 std::vector<Property> ReshapeTool::settings() const {
   const SparseVolume& volume = m_document.volume()->volume;
   std::vector<Property> all = {choiceSetting("change", QT_TRANSLATE_NOOP("Property", "Change"),
-                                             static_cast<int>(m_change), {kNames.begin(), kNames.end()})};
+                                             static_cast<int>(m_change), {kChangeNames.begin(), kChangeNames.end()})};
   if (m_change == Change::Boolean) {
     std::vector<std::string> names;
     for (const OtherBody& body : m_bodies) names.push_back(body.name);

@@ -4,6 +4,7 @@
 
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "volume/SharpSurface.h"
 #include "volume/VolumeToSurface.h"
 
 #include <QtGlobal>
@@ -23,6 +24,34 @@ Parameter lengthParameter(const char* id, const char* label, std::string meaning
           .meaning = std::move(meaning),
           .word = "MM",
           .hasDefault = false};
+}
+
+Parameter methodParameter() {
+  return {.property = {.id = "method",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Distances"),
+                                   QT_TRANSLATE_NOOP("Property", "Density")}},  // as VoxelMethod
+          .meaning =
+              "sign: distances from the surface, signed by winding numbers; density: the share of each voxel that "
+              "is inside, by rays along three axes, less exact",
+          .word = "METHOD",
+          .words = {"sign", "density"}};
+}
+
+Parameter polygonsParameter() {
+  return {.property = {.id = "method",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Marching cubes"),
+                                   QT_TRANSLATE_NOOP("Property", "Dual contouring")}},
+          .meaning =
+              "marching: marching cubes, which cut edges off by up to half a voxel; dual: with sharp edges and "
+              "corners, as dual contouring finds them",
+          .word = "METHOD",
+          .words = {"marching", "dual"}};
 }
 
 // Its blocks have points of their own, which are the same where they meet.
@@ -45,7 +74,8 @@ const Operation& voxelizeOperation() {
       .title = QT_TRANSLATE_NOOP("Tool", "Make volume"),
       .meaning = "Samples the space that a surface encloses",
       .parameters = {lengthParameter("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"),
-                                     "Edge of a voxel; default: a 256th of the largest extent")}};
+                                     "Edge of a voxel; default: a 256th of the largest extent"),
+                     methodParameter()}};
   return operation;
 }
 
@@ -65,7 +95,7 @@ const Operation& remeshOperation() {
                      .meaning = "Creates a mesh of the surface of a volume",
                      .parameters = {lengthParameter("error", QT_TRANSLATE_NOOP("Property", "Largest distance"),
                                                     "Reduce triangles within this distance of the surface"),
-                                    std::move(faces)}};
+                                    std::move(faces), polygonsParameter()}};
   }();
   return operation;
 }
@@ -96,7 +126,9 @@ Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& value
   const bool isReduced = values.given("error") || values.whole("faces") > 0;
   const Progress making = progress.part(0.0, isReduced ? 0.2 : 1.0);
   Remeshed done;
-  const TriangleSoup surface = surfaceOf(volume, making.part(0.0, 0.5));
+  const bool isSharp = values.whole("method") == 1;
+  const TriangleSoup surface =
+      isSharp ? sharpSurfaceOf(volume, making.part(0.0, 0.5)) : surfaceOf(volume, making.part(0.0, 0.5));
   done.before = surface.triangles.size();
   done.mesh = buildMesh(surface, making.part(0.5, 1.0)).mesh;
   if (isReduced && !progress.cancelled()) {

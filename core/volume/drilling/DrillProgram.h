@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// A drilling program as a path: where the foremost point of the drill is when, the shank along z. Straight between.
+struct DrillProgram {
+  struct Place {
+    double time = 0.0;        // s
+    Vec3 tip = Vec3::Zero();  // mm
+  };
+  std::vector<Place> places;      // at least one
+  std::optional<double> spindle;  // r/min
+
+  static constexpr double kRapid = 50.0;           // mm/s, of G0 and of what cycles do fast
+  static constexpr double kPeckClearance = 0.254;  // mm above the last depth, where a peck begins (LinuxCNC)
+  static constexpr std::size_t kMostPlaces = 1'000'000;
+};
+
+// Reads a drilling program (RS274/NGC as in LinuxCNC): G0, G1; the cycles G81, G82 (with a dwell P, s) and G83 (in
+// pecks of Q) with R, which hold until G80; G98 and G99 (back to the first height, or to R); G4 P; X, Y, Z in mm (G21),
+// absolute (G90), with F in mm/min (G94); S, M3, M5, M30 and M2; comments. The first move is to name all three axes:
+// there the drill appears.
+//
+// Whatever else is refused, with its line: nothing is skipped that would change the path. Errors, with the line:
+// NumberMalformed, VolumeErrors::ProgramWord {word}, ProgramLacks {word, what needs it}, ProgramValue {word, what it
+// must be}, ProgramTooLong {most moves}; VolumeErrors::ProgramMovesNothing.
+Result<DrillProgram> readDrillProgram(std::string_view text);
+
+}  // namespace handwheel
