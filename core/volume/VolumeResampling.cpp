@@ -20,7 +20,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kRegion = 64.0;      // voxels along an edge of a region
-constexpr double kSame = 1e-6;        // voxels, that grids may be apart by rounding
+constexpr double kSameGrid = 1e-6;    // voxels, that grids may be apart by rounding
 constexpr double kMostCoarser = 2.0;  // depths go four voxels deep: twice as coarse, they still pass the next voxel
 
 bool isSameLength(double voxel, double other) {
@@ -32,7 +32,7 @@ std::optional<VoxelIndex> wholeBlocks(const SparseVolume& volume, const Vec3& or
   if (!isSameLength(volume.voxel(), voxel)) return std::nullopt;
   const Vec3 blocks = (volume.origin() - origin) / (VolumeBlock::kSize * voxel);
   const Vec3 whole = blocks.array().round();
-  if (!((blocks - whole).cwiseAbs().maxCoeff() * VolumeBlock::kSize < kSame)) return std::nullopt;
+  if (!((blocks - whole).cwiseAbs().maxCoeff() * VolumeBlock::kSize < kSameGrid)) return std::nullopt;
   return whole.cast<int>();
 }
 

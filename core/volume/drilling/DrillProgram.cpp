@@ -130,7 +130,7 @@ class Reader {
   bool takeMode(double code) {
     constexpr std::array kMotions{0.0, 1.0, 80.0, 81.0, 82.0, 83.0};
     // Millimetres, absolute, mm/min, the plane across the shank, no compensation: as it is.
-    constexpr std::array kSamePlace{4.0, 17.0, 21.0, 40.0, 49.0, 54.0, 61.0, 64.0, 90.0, 94.0};
+    constexpr std::array kWithoutEffect{4.0, 17.0, 21.0, 40.0, 49.0, 54.0, 61.0, 64.0, 90.0, 94.0};
     if (std::find(kMotions.begin(), kMotions.end(), code) != kMotions.end()) {
       const bool wasCycle = m_mode > 80.0;
       if (code > 80.0 && !wasCycle) m_first = m_at.z();
@@ -142,7 +142,7 @@ class Reader {
       m_isBackToR = code == 99.0;
       return true;
     }
-    return std::find(kSamePlace.begin(), kSamePlace.end(), code) != kSamePlace.end();
+    return std::find(kWithoutEffect.begin(), kWithoutEffect.end(), code) != kWithoutEffect.end();
   }
 
   MaybeError takeSpeeds(const std::map<char, double>& values) {
