@@ -25,8 +25,9 @@ struct NextStepsWords {
 // What may be wrong besides holes. What was reversed on opening is no defect any more.
 constexpr DefectKind kFindings[] = {
     DefectKind::NonManifoldEdge, DefectKind::NonManifoldVertex, DefectKind::OneSided,
-    DefectKind::InsideOut,       DefectKind::NearVertex,        DefectKind::Degenerate,
-    DefectKind::Duplicate,       DefectKind::SelfIntersection,  DefectKind::Debris,
+    DefectKind::InsideOut,       DefectKind::Inconsistent,      DefectKind::NearVertex,
+    DefectKind::Degenerate,      DefectKind::Duplicate,         DefectKind::SelfIntersection,
+    DefectKind::Debris,
 };
 
 QString sentence(const QStringList& parts) {

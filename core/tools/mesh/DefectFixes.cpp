@@ -192,6 +192,21 @@ MeshChange insideOutFix() {
       "reverse");
 }
 
+MeshChange orientFix(const FaceSelection& faces) {
+  StepWriter step("orient");
+  if (!faces.empty()) step.word(rangesText(faces));
+  return asFix({meshOperation("orient").title,
+                [faces](HalfEdgeMesh& mesh, Progress progress) {
+                  FaceSelection turned = faces;
+                  turned.dropDead(mesh);
+                  if (faces.empty()) turned = FaceSelection(findInconsistentFaces(mesh, progress.part(0.0, 0.3)));
+                  if (!turned.empty() && !progress.cancelled())
+                    reverseFaces(mesh, turned.faces(), progress.part(0.3, 1.0));
+                },
+                QT_TRANSLATE_NOOP("Tool", "all neighbours agree already")},
+               step.text());
+}
+
 MeshChange reverseChange(const FaceSelection& faces) {
   StepWriter step("reverse");
   step.word(rangesText(faces));

@@ -45,6 +45,8 @@ MeshChange debrisFix(std::vector<Face> faces);
 MeshChange allDebrisFix();
 // Reverses the bodies that are inside out.
 MeshChange insideOutFix();
+// Reverses single faces: the fewest in each part so that neighbours agree, or those that are named.
+MeshChange orientFix(const FaceSelection& faces = {});
 // Reverses the shells that contain one of these faces. The faces of a shell always agree, so it is reversed as a whole.
 MeshChange reverseChange(const FaceSelection& faces);
 
