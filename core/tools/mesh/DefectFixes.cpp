@@ -159,7 +159,7 @@ MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>
                          removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort));
                      return cut.isCutShort ? kTooLong : hasHoles(mesh, progress) ? kOnlyWithHoles : nullptr;
                    },
-                   QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
+                   kNoCleanSeparation),
                step.text());
 }
 

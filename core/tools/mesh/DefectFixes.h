@@ -19,6 +19,8 @@ inline constexpr const char* kCrowdsEdges =
     QT_TRANSLATE_NOOP("Tool", "merging them would make edges with more than two triangles");
 inline constexpr const char* kNotSeparable =
     QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself");
+inline constexpr const char* kNoCleanSeparation =
+    QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly");
 inline constexpr const char* kNoCleanCut =
     QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part");
 

@@ -299,6 +299,13 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(!driver.text("fixPreviewStatus").contains("Repair all"));  // without a hole it would do no more
     QVERIFY(!driver.find<QAbstractButton>("fixDefectButton")->isEnabled());
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+    // Nor by "Repair all", whose card says why.
+    driver.click("repairAllButton");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+    QVERIFY2(driver.text("nextStepDetail").contains("no cut would separate"),
+             qPrintable(driver.text("nextStepDetail")));
+    QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
   }
 
   // Two solids that overlap, with walls in one plane, become one.

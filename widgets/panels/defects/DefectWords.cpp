@@ -81,9 +81,8 @@ QString defectKindHint(DefectKind kind) {
       return DefectWords::tr("Triangles that lie exactly on another one.");
     case DefectKind::SelfIntersection:
       return DefectWords::tr(
-          "Pairs of triangles that intersect. “Repair all” resolves only those that keep a hole from being closed; "
-          "“Resolve "
-          "self-intersections” resolves the others.");
+          "Pairs of triangles that intersect. “Repair all” cuts them along each other and joins them so that none "
+          "intersects another, where that leaves nothing else worse.");
     case DefectKind::Debris:
       return DefectWords::tr(
                  "Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its "
