@@ -14,6 +14,7 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/VolumeOperations.h"
+#include "volume/TriangleWalls.h"
 
 #include <nlohmann/json.hpp>
 
@@ -70,7 +71,9 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   if (!opened) return opened.error();
   Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
   if (!done.refusal.empty()) return done;
-  const Result<MadeVolume> made = makeVolume(placedSoup(opened->kind->display(*opened->content)), values.given("voxel"),
+  const TriangleSoup surface = placedSoup(opened->kind->display(*opened->content));
+  const std::optional<double> wall = values.given("wall");
+  const Result<MadeVolume> made = makeVolume(wall ? wallsOf(surface, *wall) : surface, values.given("voxel"),
                                              request.input.filename().string(), progress.part(0.1, 0.8));
   if (!made) {
     Error error = made.error();

@@ -32,7 +32,10 @@ const Operation& voxelizeOperation() {
       .title = QT_TRANSLATE_NOOP("Tool", "Make volume"),
       .meaning = "Samples what a surface encloses",
       .parameters = {lengthParameter("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"),
-                                     "Edge of a voxel; default: a 256th of the largest extent")}};
+                                     "Edge of a voxel; default: a 256th of the largest extent"),
+                     lengthParameter("wall", QT_TRANSLATE_NOOP("Property", "Wall thickness"),
+                                     "Make walls of this thickness of the triangles: of open sheets, and of triangles "
+                                     "that share no edges, which enclose nothing")}};
   return operation;
 }
 
