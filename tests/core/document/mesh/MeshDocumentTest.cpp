@@ -326,6 +326,23 @@ class MeshDocumentTest : public QObject {
     QVERIFY(document->isModified());
   }
 
+  // Until it has a file of its own.
+  void aCopyIsNamedAfterItsSource() {
+    static const MeshKind kind;
+    MeshFile file;
+    file.soup = sheet(2);
+    OpenedFile opened;
+    opened.kind = &kind;
+    opened.content = meshSnapshotOf(file);
+    MeshDocument nameless(opened);
+    QCOMPARE(nameless.name(), QString("Untitled"));
+    opened.file.copyOf = "/scans/part.v2.stl";
+    MeshDocument copy(opened);
+    QCOMPARE(copy.name(), QString("part.v2"));
+    copy.markSaved("/scans/other.handwheel", true);
+    QCOMPARE(copy.name(), QString("other.handwheel"));
+  }
+
   // The history tells that it is clean when it dies; a half-destroyed document must not pass that on.
   void dyingModifiedSaysNothing() {
     auto document = documentOf(sheet(2));
