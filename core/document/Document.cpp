@@ -59,6 +59,7 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   m_file.notes.clear();
   m_recovered = false;
   m_isRecordedAnew = false;
+  m_isFileBeforeFirst = false;
   m_isStroking = false;  // what follows is a step of its own
   m_history.setClean();
   emit fileChanged();
@@ -112,6 +113,16 @@ void Document::commit(const QString& text, std::unique_ptr<Edit> edit, DragPhase
   auto* command = new UndoCommand(*this, text, std::move(edit));
   command->setStep(std::move(step));
   push(command, stroke);
+}
+
+void Document::beginHistory(const QString& text, std::unique_ptr<Edit> edit) {
+  commit(text, std::move(edit));
+  m_history.setClean();
+  m_isFileBeforeFirst = true;
+  // The history itself knows one clean state only.
+  connect(&m_history, &QUndoStack::indexChanged, this, [this](int index) {
+    if (m_isFileBeforeFirst && index <= 1) emit fileChanged();
+  });
 }
 
 void Document::push(UndoCommand* command, DragPhase stroke) {

@@ -36,7 +36,9 @@ class Document : public QObject {
 
   QUndoStack* history() { return &m_history; }
   const QUndoStack* history() const { return &m_history; }
-  bool isModified() const { return m_recovered || m_isRecordedAnew || !m_history.isClean(); }
+  bool isModified() const {
+    return m_recovered || m_isRecordedAnew || !(m_history.isClean() || (m_isFileBeforeFirst && m_history.index() == 0));
+  }
   // To be called after its present state was written to this path; a container keeps id and unknown keys.
   void markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp = {});
   // Marks it as in no file: restored from an autosave of the document of this path, or made of another one (empty).
@@ -75,6 +77,10 @@ class Document : public QObject {
   void settling();     // whoever has something under way in it commits that now
 
  protected:
+  // For constructors of kinds whose files do not come in as they are: what opening does is the first step, applied
+  // here. Until the document is saved it counts as unmodified before this step, as the file is, and after it.
+  void beginHistory(const QString& text, std::unique_ptr<Edit> edit);
+
   // To be called by every edit. Classes with signals of their own emit them between countChange() and changed().
   void countChange() { ++m_revision; }
   void wasChanged() {
@@ -95,7 +101,8 @@ class Document : public QObject {
   int m_stroke = 0;
   bool m_isStroking = false;
   bool m_recovered = false;
-  bool m_isRecordedAnew = false;  // wasRecorded() since it was saved
+  bool m_isFileBeforeFirst = false;  // beginHistory(), and not saved since
+  bool m_isRecordedAnew = false;     // wasRecorded() since it was saved
   QUndoStack m_history;
 };
 

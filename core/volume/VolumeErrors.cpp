@@ -33,7 +33,10 @@ const ErrorDescription VolumeErrors::NoVoxelInside{
 const ErrorDescription VolumeErrors::NothingInside{
     .id = "NothingInside",
     .sentences = {translatable("ErrorText", "the surface encloses no volume")},
-    .advice = {translatable("ErrorText", "Turn its faces outwards if it is inside out; a flat sheet has no inside.")}};
+    .advice = {
+        translatable("ErrorText",
+                     "Turn its faces outwards if it is inside out. Sheets, and triangles that share no edges, have no "
+                     "inside: 'handwheel voxelize --wall MM' makes walls of them.")}};
 
 const ErrorDescription VolumeErrors::NothingLeft{
     .id = "NothingLeft",

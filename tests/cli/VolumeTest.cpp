@@ -380,6 +380,19 @@ class VolumeTest : public QObject {
     QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
                           << QByteArray("encloses no volume");
   }
+  // Who follows the advice gets a closed mesh of what encloses nothing.
+  void wallsOfASheet() {
+    const Bench bench;
+    bench.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const Ran none = bench.run({"voxelize", "flat.off", "-o", "b.handwheel"});
+    QCOMPARE(none.code, 1);
+    QVERIFY2(none.err.contains("--wall"), none.err.constData());
+    QCOMPARE(bench.run({"voxelize", "flat.off", "-o", "b.handwheel", "--wall", "1", "--voxel", "0.25"}).code, 0);
+    QCOMPARE(bench.run({"remesh", "b.handwheel", "-o", "b.stl"}).code, 0);
+    const Ran seen = bench.run({"inspect", "b.stl"});
+    QVERIFY2(seen.out.contains("closed, manifold, oriented, free of self-intersections, one piece"),
+             seen.out.constData());
+  }
   void refusals() {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, text);

@@ -25,11 +25,13 @@ inline std::string replayed(const TriangleSoup& soup, MeshDocument& edited) {
   if (!steps) return "an edit has no step";
   QUndoStack& history = *edited.history();
   const int end = history.index();
+  // The first step undoes the reversal on opening where that is undone.
+  const int start = edited.facesAsInFile().empty() ? edited.openingSteps() : -1;
   const auto document = meshDocument(soup, edited.file().path);
   std::string problem;
   for (std::size_t i = 0; i < steps->size() && problem.empty(); ++i) {
     const auto done = applyStep(*document, (*steps)[i]);
-    history.setIndex(static_cast<int>(i) + 1);
+    history.setIndex(start + static_cast<int>(i) + 1);
     if (!done) {
       problem = done.error().arguments.at(0);
     } else if (!done->changed) {

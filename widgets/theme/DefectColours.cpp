@@ -20,6 +20,7 @@ constexpr std::array<Look, kDefectKinds> kLooks = {{
     {0xffd246a0, "nonmanifold-vertex"},
     {0xffe8850c, "one-sided"},
     {0xffe8850c, "inside-out"},
+    {0xffe8850c, "flipped"},
     {0xff9b6be0, "near-vertices"},
     {0xffd9b400, "degenerate"},
     {0xffd9b400, "duplicate"},

@@ -15,6 +15,7 @@ enum class DefectKind {
   NonManifoldVertex,
   OneSided,
   InsideOut,
+  Inconsistent,  // single triangles; opening reverses them, so only where that is undone
   NearVertex,
   Degenerate,
   Duplicate,
@@ -22,7 +23,7 @@ enum class DefectKind {
   Debris,
   Flipped,  // mended already, on opening
 };
-inline constexpr int kDefectKinds = 12;
+inline constexpr int kDefectKinds = 13;
 
 // The colour of a kind of defect. It is the same in lists and in the viewport, in both themes. Hues are from the
 // palette of Okabe and Ito, which people with colour blindness can distinguish; every use is accompanied by the icon.

@@ -12,7 +12,6 @@
 #include "document/AtomicFile.h"
 #include "haptics/recording/RecordingCsv.h"
 #include "mesh/structure/CancelPolling.h"
-#include "mesh/structure/MeshErrors.h"
 
 namespace handwheel {
 
@@ -28,9 +27,7 @@ struct FeltAgain {
   std::string problem;
 };
 
-Result<FeltAgain> felt(const Recording& recording, MeshDocument& document, const MeshFileReader& readMesh,
-                       Progress progress) {
-  RecordedScenes scenes(recording, document, readMesh, progress);
+Result<FeltAgain> felt(const Recording& recording, RecordedScenes& scenes, const Progress& progress) {
   HapticPathTable table;
   FeltAgain again;
   std::size_t i = 0;
@@ -70,10 +67,14 @@ Result<FeltAgain> felt(const Arguments& arguments, std::string_view text, const 
   Result<OpenedFile> opened =
       kinds.open(arguments.operands[0], {.partial = arguments.has("partial")}, progress.part(0.2, 0.4));
   if (!opened) return opened.error();
-  if (!dynamic_cast<const MeshSnapshot*>(opened->content.get()))
-    return Error{MeshError::NoTriangles, {}, {}, arguments.operands[0]};
+  const Progress feeling = progress.part(0.4, 1.0);
+  if (!dynamic_cast<const MeshSnapshot*>(opened->content.get())) {
+    RecordedScenes scenes(*recording, opened->kind->display(*opened->content), feeling);
+    return felt(*recording, scenes, feeling);
+  }
   MeshDocument document(*std::move(opened));
-  return felt(*recording, document, readMesh, progress.part(0.4, 1.0));
+  RecordedScenes scenes(*recording, document, readMesh, feeling);
+  return felt(*recording, scenes, feeling);
 }
 
 std::string summary(const FeltAgain& again) {
@@ -104,7 +105,7 @@ int feelAgain(const Arguments& arguments, std::string_view text, const DocumentK
   const FeltAgain& again = result->value();
   for (const std::string& id : again.leftOut)
     complain("The force '" + id + "' of the recording is left out: only surfaces are replayed.");
-  if (!again.problem.empty()) complain("The recording is replayed only up to an edit: " + again.problem);
+  if (!again.problem.empty()) complain("The recording is replayed only up to a change: " + again.problem);
   if (again.without > 0) complain(std::to_string(again.without) + " ticks are left out: their scene is not known.");
   const int code = print(out == "-" ? again.felt.csv : summary(again));
   if (code != kExitDone) return code;

@@ -3,10 +3,14 @@
 #include "cli/mesh/RecordedScenes.h"
 
 #include "cli/Messages.h"
+#include "document/ShapeDigest.h"
+#include "haptics/contact/TouchableSurface.h"
 #include "haptics/scene/MeshHaptics.h"
 #include "tools/mesh/MeshSurface.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace handwheel {
 
@@ -29,11 +33,37 @@ Vec3 directionOf(const nlohmann::json& surface) {
   return direction.allFinite() ? direction : Vec3(Vec3::Zero());
 }
 
+std::string stringOf(const nlohmann::json& object, const char* key) {
+  const auto at = object.is_object() ? object.find(key) : object.end();
+  return at != object.end() && at->is_string() ? at->get<std::string>() : std::string();
+}
+
+// Three rows of four numbers; nothing where they are no rotation and translation.
+std::optional<Pose> poseOf(const nlohmann::json& part) {
+  constexpr double kRotation = 1e-9;  // as far as the digits of a pose keep it
+  const auto at = part.is_object() ? part.find("pose") : part.end();
+  if (at == part.end() || !at->is_array() || at->size() != 12) return std::nullopt;
+  Pose pose = Pose::Identity();
+  for (int i = 0; i < 12; ++i) {
+    const nlohmann::json& number = (*at)[static_cast<std::size_t>(i)];
+    if (!number.is_number()) return std::nullopt;
+    pose.matrix()(i / 4, i % 4) = number.get<double>();
+  }
+  const bool isRotation = pose.matrix().allFinite() && pose.linear().determinant() > 0.0 &&
+                          (pose.linear() * pose.linear().transpose()).isIdentity(kRotation);
+  return isRotation ? std::optional(pose) : std::nullopt;
+}
+
 }  // namespace
 
 RecordedScenes::RecordedScenes(const Recording& recording, MeshDocument& document, MeshFileReader readMesh,
                                Progress progress)
-    : m_recording(recording), m_document(document), m_readMesh(std::move(readMesh)), m_progress(progress) {}
+    : m_recording(recording), m_document(&document), m_readMesh(std::move(readMesh)), m_progress(progress) {}
+
+RecordedScenes::RecordedScenes(const Recording& recording, DisplayModel parts, Progress progress)
+    : m_recording(recording), m_parts(std::move(parts)), m_progress(progress) {
+  for (const DisplayPart& part : m_parts.parts) m_shapes.emplace(shapeDigest(*part.soup), part.soup.get());
+}
 
 ForceRenderer* RecordedScenes::at(const RecordedTick& tick) {
   const auto& events = m_recording.events();
@@ -61,7 +91,8 @@ void RecordedScenes::begin(const std::string& note, bool isFelt) {
       m_leftOut.insert(id);
     }
   }
-  if (surface) edit(*surface);
+  if (surface && m_document) edit(*surface);
+  if (surface && !m_document) place(*surface);
   if (m_problem.empty() && isFelt) setScene(surface);
 }
 
@@ -73,13 +104,13 @@ void RecordedScenes::edit(const nlohmann::json& surface) {
   }
   std::vector<Face> touched;
   const auto connection = QObject::connect(
-      &m_document, &MeshDocument::meshChanged, &m_document,
+      m_document, &MeshDocument::meshChanged, m_document,
       [&](const std::vector<Face>& faces) { touched.insert(touched.end(), faces.begin(), faces.end()); });
   const auto steps = surface.find("steps");
   if (steps != surface.end() && steps->is_array()) {
     const auto keep = static_cast<std::size_t>(numberOf(surface, "keep", 1e9));
     for (; m_steps.size() > keep; m_steps.pop_back()) {
-      m_document.history()->undo();
+      m_document->history()->undo();
       m_undone.push_back(m_steps.back());
     }
     for (const nlohmann::json& step : *steps) {
@@ -88,22 +119,61 @@ void RecordedScenes::edit(const nlohmann::json& surface) {
   }
   QObject::disconnect(connection);
   if (!m_surface || !isSmallEdit(touched.size())) {
-    m_surface = contactSurfaceOf(m_document.mesh());
+    m_surface = contactSurfaceOf(m_document->mesh());
   } else if (!touched.empty()) {
-    updateSurface(*m_surface, m_document.mesh(), touched);
+    updateSurface(*m_surface, m_document->mesh(), touched);
   }
+}
+
+// Where no part has moved since the scene before, nothing is said of them.
+void RecordedScenes::place(const nlohmann::json& surface) {
+  const bool isAnew = surface.contains("parts");
+  const auto list = surface.find(isAnew ? "parts" : "moved");
+  if (list == surface.end() || !list->is_array()) {
+    if (!m_surface) m_problem = "It does not hold where the parts were.";
+    return;
+  }
+  if (isAnew) m_placed.clear();
+  ++m_editCount;
+  for (const nlohmann::json& part : *list) {
+    const std::string name = stringOf(part, "name"), shape = stringOf(part, "shape");
+    const std::optional<Pose> pose = poseOf(part);
+    if (!pose) {
+      m_problem = "The place of '" + name + "' cannot be read.";
+      return;
+    }
+    if (isAnew) {
+      const auto known = m_shapes.find(shape);
+      if (known == m_shapes.end()) {
+        m_problem = "'" + name + "' had another shape then than in the file.";
+        return;
+      }
+      const auto [felt, isNew] = m_surfaces.try_emplace(shape);
+      if (isNew) felt->second = touchableSurface(known->second->points, known->second->triangles, {}, m_progress);
+      m_placed.push_back({name, {felt->second, *pose}});
+      continue;
+    }
+    const auto moved =
+        std::find_if(m_placed.begin(), m_placed.end(), [&](const auto& each) { return each.first == name; });
+    if (moved != m_placed.end()) moved->second.pose = *pose;
+  }
+  std::vector<ContactSurface::Placed> bodies;
+  for (const auto& [name, placed] : m_placed) bodies.push_back(placed);
+  const auto edit = surface.find("edit");
+  const bool isEdit = m_surface && edit != surface.end() && edit->is_boolean() && edit->get<bool>();
+  m_surface = ContactSurface(std::span<const ContactSurface::Placed>(bodies), isEdit ? &*m_surface : nullptr);
 }
 
 // Done again as it was: what was taken back is restored and not computed once more. False: there is a problem.
 bool RecordedScenes::doStep(const std::string& step) {
   ++m_editCount;
   if (!m_undone.empty() && m_undone.back() == step) {
-    m_document.history()->redo();
+    m_document->history()->redo();
     m_undone.pop_back();
     m_steps.push_back(step);
     return true;
   }
-  const Result<StepOutcome> done = applyStep(m_document, step, m_progress.unlimited(), m_readMesh);
+  const Result<StepOutcome> done = applyStep(*m_document, step, m_progress.unlimited(), m_readMesh);
   if (!done) {
     m_problem = sentenceFor(done.error());
     return false;

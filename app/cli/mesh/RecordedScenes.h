@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/DisplayModel.h"
 #include "document/mesh/MeshDocument.h"
 #include "haptics/contact/ContactSurface.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/scene/SceneForces.h"
 #include "tools/mesh/MeshSteps.h"
 
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -16,12 +18,15 @@
 
 namespace handwheel {
 
-// Makes the scenes of a recording again, from what it notes of them: the surface of a mesh with its edits. What else
-// acted, such as snapping, is not made again, and counted.
+// Makes the scenes of a recording again, from what it notes of them: the surface of a mesh with its edits, or the parts
+// of what is no mesh where they were. What else acted, such as snapping, is not made again, and counted.
 class RecordedScenes {
  public:
   // document: of the mesh in the state of its file; it is edited. All outlive it.
   RecordedScenes(const Recording& recording, MeshDocument& document, MeshFileReader readMesh, Progress progress);
+
+  // parts: as the file has them; only those that were felt with the shapes of these can be felt again.
+  RecordedScenes(const Recording& recording, DisplayModel parts, Progress progress);
 
   // The scene of a tick: those of a recording in order. Null: nothing is known of it.
   ForceRenderer* at(const RecordedTick& tick);
@@ -36,12 +41,17 @@ class RecordedScenes {
  private:
   void begin(const std::string& note, bool isFelt);
   void edit(const nlohmann::json& surface);
+  void place(const nlohmann::json& surface);
   bool doStep(const std::string& step);
   void setScene(const nlohmann::json* surface);
 
   const Recording& m_recording;
-  MeshDocument& m_document;
+  MeshDocument* m_document = nullptr;  // null: the parts are felt
   MeshFileReader m_readMesh;
+  DisplayModel m_parts;
+  std::map<std::string, const TriangleSoup*> m_shapes;                   // of the parts; by digest
+  std::map<std::string, ContactSurface> m_surfaces;                      // of those that were felt so far; by digest
+  std::vector<std::pair<std::string, ContactSurface::Placed>> m_placed;  // with names
   Progress m_progress;
   std::size_t m_nextEvent = 0;
   // Done to the document, and taken back from it, the last one at the end.

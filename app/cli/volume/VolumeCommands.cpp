@@ -18,6 +18,7 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/VolumeOperations.h"
+#include "volume/TriangleWalls.h"
 #include "volume/VolumeFidelity.h"
 
 #include <nlohmann/json.hpp>
@@ -77,11 +78,13 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
   if (!done.refusal.empty()) return done;
   const TriangleSoup surface = placedSoup(opened->kind->display(*opened->content));
-  const double voxel = values.given("voxel").value_or(usualVoxel(surface, request.fidelity.of(volumeVoxelsSetting())));
+  const std::optional<double> wall = values.given("wall");
+  const TriangleSoup solid = wall ? wallsOf(surface, *wall) : surface;
+  const double voxel = values.given("voxel").value_or(usualVoxel(solid, request.fidelity.of(volumeVoxelsSetting())));
   const VoxelMethod method =
       values.isSet("method") ? static_cast<VoxelMethod>(values.whole("method")) : voxelMethodOf(request.fidelity);
   const Result<MadeVolume> made =
-      makeVolume(surface, voxel, request.input.filename().string(), progress.part(0.1, 0.8), method);
+      makeVolume(solid, voxel, request.input.filename().string(), progress.part(0.1, 0.8), method);
   if (!made) {
     Error error = made.error();
     error.subject = request.input.string();

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/kinds/RigidPartsHaptics.h"
 
+#include "document/ShapeDigest.h"
 #include "haptics/contact/TouchableSurface.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/HapticSession.h"
 #include "window/kinds/KindUi.h"
 
+#include <QJsonArray>
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -42,6 +44,10 @@ RigidPartsHaptics::RigidPartsHaptics(const WindowContext& window, QObject* paren
     if (m_session.isOpen() == m_isOpen) return;
     m_isOpen = m_session.isOpen();
     if (m_parts) feel();
+  });
+  connect(&m_session, &HapticSession::recordingStarted, this, [this] {
+    m_noted.reset();
+    m_digests.clear();
   });
 }
 
@@ -100,7 +106,39 @@ void RigidPartsHaptics::place() {
   std::erase_if(m_surfaces, [&](const auto& surface) { return !used.contains(surface.first); });
   m_felt = ContactSurface(std::span<const ContactSurface::Placed>(bodies), isEdit ? &m_felt : nullptr);
   m_placed = m_parts;
-  m_scene.setSurface(m_felt, isEdit);
+  m_isEdit = isEdit;
+  m_scene.setSurface(m_felt, isEdit, [this] { return describe(); });
+}
+
+// For a recording, which cli/mesh/RecordedScenes.h reads: the "parts" with shape and pose, or, where there are the same
+// as before, those that have "moved".
+QJsonObject RigidPartsHaptics::describe() {
+  QJsonObject note;
+  if (!m_placed || m_noted == m_placed) return note;
+  const auto& parts = m_placed->parts;
+  const bool isSame = m_noted && std::equal(parts.begin(), parts.end(), m_noted->parts.begin(), m_noted->parts.end(),
+                                            [](const DisplayPart& a, const DisplayPart& b) {
+                                              return a.name == b.name && a.soup == b.soup;
+                                            });
+  QJsonArray list;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (isSame && parts[i].pose.matrix() == m_noted->parts[i].pose.matrix()) continue;
+    QJsonObject part{{"name", QString::fromStdString(parts[i].name)}};
+    if (!isSame) {
+      const auto [digest, isNew] = m_digests.try_emplace(parts[i].soup);
+      if (isNew) digest->second = shapeDigest(*parts[i].soup);
+      part["shape"] = QString::fromStdString(digest->second);
+    }
+    QJsonArray pose;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) pose.append(parts[i].pose.matrix()(row, column));
+    part["pose"] = pose;
+    list.append(part);
+  }
+  note[isSame ? "moved" : "parts"] = list;
+  note["edit"] = m_isEdit;
+  m_noted = m_placed;
+  return note;
 }
 
 // Whether the tip, its proxy, or where the tip may soon be lies in a part of the first model that the other has not, or

@@ -6,6 +6,7 @@
 #include "haptics/contact/ContactSurface.h"
 #include "window/JobRunner.h"
 
+#include <QJsonObject>
 #include <QObject>
 #include <map>
 #include <memory>
@@ -34,6 +35,7 @@ class RigidPartsHaptics : public QObject {
   void feel();
   void build(std::vector<Shape> shapes);
   void place();
+  QJsonObject describe();
   bool isAtHand(const DisplayModel& moved, const DisplayModel& others) const;
 
   HapticSession& m_session;
@@ -43,6 +45,9 @@ class RigidPartsHaptics : public QObject {
   std::map<Shape, ContactSurface> m_surfaces;    // of the shapes of m_parts, or fewer
   std::shared_ptr<const DisplayModel> m_placed;  // what is felt; null: nothing
   ContactSurface m_felt;                         // of it
+  bool m_isEdit = false;                         // it goes on from the one before
+  std::shared_ptr<const DisplayModel> m_noted;   // what the present recording knows of; null: nothing
+  std::map<Shape, std::string> m_digests;        // of what was noted
   bool m_isOpen = false;                         // state of the session at its last signal
 };
 

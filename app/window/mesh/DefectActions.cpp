@@ -50,6 +50,8 @@ const Operation* fixFor(DefectKind kind) {
     case DefectKind::InsideOut:
     case DefectKind::Flipped:
       return &meshOperation("reverse");
+    case DefectKind::Inconsistent:
+      return &meshOperation("orient");
     case DefectKind::NearVertex:
       return &meshOperation("near-vertices");
     case DefectKind::Degenerate:
@@ -272,6 +274,8 @@ std::optional<MeshChange> DefectActions::changeFor(DefectKind kind, int row) con
       for (const Face f : chosen(m_document->document.reversedFaces(), row)) faces.add(f);
       return reverseChange(faces);
     }
+    case DefectKind::Inconsistent:
+      return orientFix(faceOf(defects.inconsistentFaces, row));
     case DefectKind::NearVertex:
       return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, row));
     case DefectKind::Degenerate:

@@ -55,6 +55,8 @@ std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
       return faces;
     case DefectKind::Flipped:
       return inspection.document().reversedFaces();
+    case DefectKind::Inconsistent:
+      return defects.inconsistentFaces;
     case DefectKind::InsideOut:
       for (const std::vector<Face>& body : defects.insideOut) faces.insert(faces.end(), body.begin(), body.end());
       return faces;
@@ -188,8 +190,8 @@ void DefectScene::drawDefects() {
   if (!m_document) return;
   const Inspection& inspection = m_document->inspection;
   std::vector<FaceMark> faces;
-  for (DefectKind kind : {DefectKind::InsideOut, DefectKind::Debris, DefectKind::Flipped, DefectKind::Degenerate,
-                          DefectKind::Duplicate, DefectKind::SelfIntersection}) {
+  for (DefectKind kind : {DefectKind::InsideOut, DefectKind::Inconsistent, DefectKind::Debris, DefectKind::Flipped,
+                          DefectKind::Degenerate, DefectKind::Duplicate, DefectKind::SelfIntersection}) {
     if (m_defects.isShown(kind)) faces.push_back({facesOf(inspection, kind), defectColour(kind)});
   }
   const QColor accent = themeColours(currentTheme()).accent;

@@ -90,7 +90,8 @@ QByteArray stepsText(const OperationSequence& path) {
 void noteFile(MeshTab& open) {
   const MeshDocument& document = open.document;
   const DocumentFile& file = document.file();
-  const bool isUntouched = document.history()->count() == 0;
+  const bool isUntouched = document.history()->count() == document.openingSteps();
+  if (!document.isModified() && !document.history()->isClean()) return;  // back to what the file has: nothing is saved
   if (document.isModified()) {
     if (isUntouched) open.bases.clear();  // recovered: nobody knows what its file holds
     return;

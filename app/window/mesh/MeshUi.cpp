@@ -167,7 +167,7 @@ std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
   connect(&open->document, &MeshDocument::meshChanged, this,
           [mesh = open.get()](const std::vector<Face>& touched) { mesh->meshChanged(touched); });
   connect(&open->document, &Document::fileChanged, this, [mesh = open.get()] {
-    if (!mesh->document.isModified()) mesh->changesInFile = mesh->changes;
+    if (!mesh->document.isModified() && mesh->document.history()->isClean()) mesh->changesInFile = mesh->changes;
     noteFile(*mesh);
   });
   connect(open->document.history(), &QUndoStack::indexChanged, &m_stepsFile, &StepsFile::follow);

@@ -25,8 +25,9 @@ struct NextStepsWords {
 // What may be wrong besides holes. What was reversed on opening is no defect any more.
 constexpr DefectKind kFindings[] = {
     DefectKind::NonManifoldEdge, DefectKind::NonManifoldVertex, DefectKind::OneSided,
-    DefectKind::InsideOut,       DefectKind::NearVertex,        DefectKind::Degenerate,
-    DefectKind::Duplicate,       DefectKind::SelfIntersection,  DefectKind::Debris,
+    DefectKind::InsideOut,       DefectKind::Inconsistent,      DefectKind::NearVertex,
+    DefectKind::Degenerate,      DefectKind::Duplicate,         DefectKind::SelfIntersection,
+    DefectKind::Debris,
 };
 
 QString sentence(const QStringList& parts) {
@@ -101,6 +102,8 @@ QString openTitle(const Inspection& inspection) {
 QString headline(const Inspection& inspection) {
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
   if (holes > 0) return NextStepsWords::tr("%Ln hole(s) found.", nullptr, holes);
+  if (const MeshState state = inspection.state(); state.closed && state.selfIntersectingPairs.value_or(0) > 0)
+    return NextStepsWords::tr("Closed, but self-intersecting.");
   return inspection.sheetCount() > 0 ? openTitle(inspection) : NextStepsWords::tr("No holes, but other defects.");
 }
 

@@ -45,7 +45,8 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
       m_previous(tr("Pre&vious hole"), this),
       m_deselect(tr("&Clear selection"), this) {
   prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
-          tr("Fill all holes except those kept open, and repair the other defects, as one step"));
+          tr("Fill all holes except those kept open, resolve self-intersections, and repair the other defects except "
+             "debris, as one step"));
   prepare(m_removeDebris, "removeDebris", "debris", {},
           tr("Remove all pieces that are listed as debris; the list says which these are"));
   prepare(m_undoRepair, "undoRepair", "undo", {}, tr("Undo all that “Repair all” has changed"));

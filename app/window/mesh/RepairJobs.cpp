@@ -220,6 +220,7 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
   const std::uint64_t revision = document->document.revision();
   RepairOptions options;
   options.rims = RimHandling::Keep;  // the list shows them as left open
+  options.cutCrossings = true;       // adds nothing, and only where it leaves none of a cluster
   apply(m_fidelity.values(), options);
   options.fill.numbers = document->document.fileNumbers();
   options.keepOpen = keptLoops(document->document);
@@ -268,7 +269,8 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
                          repairSummary(done.report, document->document.displayUnit()));
   else
     inspection.setBefore({});
-  inspection.setReasons(reasonsOf(done.left, done.options));
+  inspection.setReasons(reasonsOf(done.left, done.report, done.options));
+  if (!done.report.isIntersectionRemovalIncomplete) inspection.setHopeless(DefectKind::SelfIntersection);
   logRepair(m_log, *document, done.report, names, command);
   if (isChanged) inspection.setPatchWarnings(patchWarningsOf(done.report, names));
   if (!isChanged)

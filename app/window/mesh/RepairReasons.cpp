@@ -3,6 +3,7 @@
 #include "window/mesh/RepairReasons.h"
 
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/FixParts.h"
 
 #include <QCoreApplication>
 
@@ -22,7 +23,7 @@ std::map<Vertex, FillFailure> failuresOf(const RepairReport& report) {
   return failures;
 }
 
-DefectReasons reasonsOf(const RemainingDefects& left, const RepairOptions& options) {
+DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report, const RepairOptions& options) {
   const auto text = [](const char* reason) { return QCoreApplication::translate("Tool", reason); };
   DefectReasons reasons;
   const auto add = [&](DefectKind kind, const std::vector<const char*>& rows) {
@@ -33,7 +34,8 @@ DefectReasons reasonsOf(const RemainingDefects& left, const RepairOptions& optio
   add(DefectKind::OneSided, left.nonOrientableEdges);
   add(DefectKind::NearVertex, left.nearVertices);
   reasons.ofKind[DefectKind::Duplicate] = text(kPlateSides);
-  if (!options.cutCrossings) reasons.ofKind[DefectKind::SelfIntersection] = text(kNotTried);
+  reasons.ofKind[DefectKind::SelfIntersection] =
+      text(report.isIntersectionRemovalIncomplete ? kTooLong : kNoCleanSeparation);
   if (!options.removeDebris) reasons.ofKind[DefectKind::Debris] = text(kNotTried);
   return reasons;
 }

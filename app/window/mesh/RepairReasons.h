@@ -12,7 +12,7 @@ namespace handwheel {
 std::map<Vertex, FillFailure> failuresOf(const RepairReport& report);
 
 // Why the other defects of its result remain, translated.
-DefectReasons reasonsOf(const RemainingDefects& left, const RepairOptions& options);
+DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report, const RepairOptions& options);
 
 // Notes why a change left some of what it was to repair: the rows of the list keep it. of: what that was. isSame: the
 // change had no effect, so that its row is still the same.

@@ -32,7 +32,7 @@ void StepsFile::setDocument(MeshTab* document) {
 }
 
 void StepsFile::follow() {
-  m_save.setEnabled(m_document && m_document->document.history()->index() > 0);
+  m_save.setEnabled(m_document && presentPoint(m_document->document) != HistoryPoint());
 }
 
 void StepsFile::ask() {

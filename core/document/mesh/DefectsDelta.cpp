@@ -59,6 +59,7 @@ DefectsDelta DefectsDelta::between(const Defects& before, const Defects& after) 
   delta.m_nonManifoldEdges = stretch(before.nonManifoldEdges, after.nonManifoldEdges, std::equal_to<>());
   delta.m_nonManifoldVertices = stretch(before.nonManifoldVertices, after.nonManifoldVertices, std::equal_to<>());
   delta.m_nonOrientableEdges = stretch(before.nonOrientableEdges, after.nonOrientableEdges, std::equal_to<>());
+  delta.m_inconsistentFaces = stretch(before.inconsistentFaces, after.inconsistentFaces, std::equal_to<>());
   delta.m_insideOut = stretch(before.insideOut, after.insideOut, std::equal_to<>());
   delta.m_degenerateFaces = stretch(before.degenerateFaces, after.degenerateFaces, std::equal_to<>());
   delta.m_duplicateFaces = stretch(before.duplicateFaces, after.duplicateFaces, std::equal_to<>());
@@ -74,6 +75,7 @@ void DefectsDelta::swap(Defects& defects) {
   swapStretch(defects.nonManifoldEdges, m_nonManifoldEdges);
   swapStretch(defects.nonManifoldVertices, m_nonManifoldVertices);
   swapStretch(defects.nonOrientableEdges, m_nonOrientableEdges);
+  swapStretch(defects.inconsistentFaces, m_inconsistentFaces);
   swapStretch(defects.insideOut, m_insideOut);
   swapStretch(defects.degenerateFaces, m_degenerateFaces);
   swapStretch(defects.duplicateFaces, m_duplicateFaces);
@@ -85,8 +87,9 @@ void DefectsDelta::swap(Defects& defects) {
 std::size_t DefectsDelta::bytes() const {
   std::size_t bytes = sizeof *this + bytesOf(m_loops.other) + bytesOf(m_nonManifoldEdges.other) +
                       bytesOf(m_nonManifoldVertices.other) + bytesOf(m_nonOrientableEdges.other) +
-                      bytesOf(m_degenerateFaces.other) + bytesOf(m_duplicateFaces.other) +
-                      bytesOf(m_nearVertices.other) + bytesOf(m_components.other) + bytesOf(m_insideOut.other);
+                      bytesOf(m_inconsistentFaces.other) + bytesOf(m_degenerateFaces.other) +
+                      bytesOf(m_duplicateFaces.other) + bytesOf(m_nearVertices.other) + bytesOf(m_components.other) +
+                      bytesOf(m_insideOut.other);
   for (const BoundaryLoop& loop : m_loops.other) bytes += bytesOf(loop.halfEdges);
   for (const Component& component : m_components.other) bytes += bytesOf(component.faces);
   for (const std::vector<Face>& faces : m_insideOut.other) bytes += bytesOf(faces);

@@ -35,6 +35,7 @@ class DefectsDelta {
   Stretch<std::pair<Vertex, Vertex>> m_nonManifoldEdges;
   Stretch<Vertex> m_nonManifoldVertices;
   Stretch<std::pair<Vertex, Vertex>> m_nonOrientableEdges;
+  Stretch<Face> m_inconsistentFaces;
   Stretch<std::vector<Face>> m_insideOut;
   Stretch<Face> m_degenerateFaces;
   Stretch<Face> m_duplicateFaces;

@@ -4,6 +4,7 @@
 
 #include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshEdit.h"
+#include "document/mesh/ReversalEdit.h"
 #include "mesh/measure/MeshFidelity.h"
 
 #include <algorithm>
@@ -19,7 +20,21 @@ MeshDocument::MeshDocument(OpenedFile opened, QObject* parent)
   m_defects = content.mesh.defects;
   m_keptOpen = content.keptOpen;
   m_reversedFaces = m_build->reversedFaces;
+  if (content.asInFile) beginWithReversal(*content.asInFile);
   if (content.levels) keepLevels(*content.levels);
+}
+
+void MeshDocument::beginWithReversal(const InspectedMesh& asInFile) {
+  auto reversal = std::make_unique<ReversalEdit>(MeshDelta::between(asInFile.mesh, m_mesh),
+                                                 DefectsDelta::between(*asInFile.defects, *m_defects));
+  m_mesh = asInFile.mesh;
+  m_defects = asInFile.defects;
+  m_wasOpenedReversed = m_hasFileDirections = true;
+  beginHistory(tr("Triangles reversed on opening: %1").arg(m_build->reversedFaces.size()), std::move(reversal));
+}
+
+std::vector<Face> MeshDocument::facesAsInFile() const {
+  return m_hasFileDirections ? m_build->reversedFaces : std::vector<Face>();
 }
 
 NumberType MeshDocument::fileNumbers() const {
@@ -31,6 +46,11 @@ SnapshotPointer MeshDocument::snapshot() const {
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->mesh = {m_mesh, m_defects};
   snapshot->build = m_build;
+  if (m_hasFileDirections) {
+    auto build = std::make_shared<BuildReport>(*m_build);
+    build->reversedFaces.clear();
+    snapshot->build = std::move(build);
+  }
   snapshot->keptOpen = m_keptOpen;
   snapshot->numbers = m_numbers;
   if (const PatchLevels* found = levels()) snapshot->levels = std::make_shared<const PatchLevels>(*found);
@@ -84,8 +104,9 @@ void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
 
 void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {
   m_reversedFaces.clear();
-  std::copy_if(m_build->reversedFaces.begin(), m_build->reversedFaces.end(), std::back_inserter(m_reversedFaces),
-               [this](Face f) { return m_mesh.isLive(f); });
+  if (!m_hasFileDirections)
+    std::copy_if(m_build->reversedFaces.begin(), m_build->reversedFaces.end(), std::back_inserter(m_reversedFaces),
+                 [this](Face f) { return m_mesh.isLive(f); });
   countChange();
   emit meshChanged(touched);
   emit changed();

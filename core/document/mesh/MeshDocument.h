@@ -20,8 +20,12 @@ class MeshDocument : public Document {
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   const Defects& defects() const { return *m_defects; }  // of the present mesh
-  // Faces turned over on opening that are still there.
+  // Faces turned over on opening that are still there. None once that is undone.
   const std::vector<Face>& reversedFaces() const { return m_reversedFaces; }
+  // How many steps at the beginning of the present history belong to opening: one where faces were turned over.
+  int openingSteps() const { return m_wasOpenedReversed && !m_hasFileDirections ? 1 : 0; }
+  // The faces that opening turns over and that the present state has, as the file, the other way: their turn is undone.
+  std::vector<Face> facesAsInFile() const;
   // The number type of the coordinates in its present file, or in the container.
   NumberType fileNumbers() const;
 
@@ -53,12 +57,16 @@ class MeshDocument : public Document {
 
  private:
   friend class MeshEdit;
+  friend class ReversalEdit;
   friend class KeepOpenEdit;
+  void beginWithReversal(const InspectedMesh& asInFile);
   void meshWasChanged(const std::vector<Face>& touched);
 
   std::shared_ptr<const BuildReport> m_build;
   NumberType m_numbers;
   std::vector<Face> m_reversedFaces;
+  bool m_wasOpenedReversed = false;  // the history began with a ReversalEdit
+  bool m_hasFileDirections = false;  // which is undone
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;

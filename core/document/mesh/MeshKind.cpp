@@ -66,8 +66,15 @@ bool MeshKind::recognises(std::string_view, std::string_view) const {
 std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, double nearWeld, Progress progress) {
   BuiltMesh built = buildMesh(file.soup, progress.part(0.0, 0.4));
   auto snapshot = std::make_shared<MeshSnapshot>();
+  if (const std::vector<Face>& turned = built.report.reversedFaces; !turned.empty()) {
+    HalfEdgeMesh asInFile = built.mesh;
+    reverseFaces(asInFile, turned, progress.part(0.4, 0.5));
+    snapshot->asInFile =
+        std::make_shared<const InspectedMesh>(inspected(std::move(asInFile), nearWeld, progress.part(0.5, 0.7)));
+  }
   snapshot->build = std::make_shared<const BuildReport>(std::move(built.report));
-  snapshot->mesh = inspected(std::move(built.mesh), nearWeld, progress.part(0.4, 1.0));
+  const double from = snapshot->asInFile ? 0.7 : 0.4;
+  snapshot->mesh = inspected(std::move(built.mesh), nearWeld, progress.part(from, 1.0));
   snapshot->numbers = file.numbers;
   return snapshot;
 }

@@ -20,7 +20,7 @@
 namespace handwheel {
 namespace {
 
-// Non-manifold edges and vertices, one-sided edges, and duplicates.
+// Non-manifold edges and vertices, inconsistent faces, one-sided edges, and duplicates.
 void findCrowded(const PositionTriangles& byPosition, Defects& defects, Progress progress) {
   const std::vector<Vertex>& first = byPosition.classes.representative;
   const EdgeTable edges(byPosition.triangles, first.size(), progress.part(0.0, 0.4));
@@ -28,7 +28,9 @@ void findCrowded(const PositionTriangles& byPosition, Defects& defects, Progress
     if (run.size() > 2) defects.nonManifoldEdges.emplace_back(first[low], first[high]);
   };
   edges.forEachEdge(findEdge, progress.part(0.4, 0.5));
-  for (const auto& [low, high] : nonOrientableEdges(edges, byPosition.triangles, progress.part(0.5, 0.5)))
+  OrientationFaults faults = findOrientationFaults(edges, byPosition.triangles, progress.part(0.5, 0.5));
+  defects.inconsistentFaces = std::move(faults.trianglesToReverse);
+  for (const auto& [low, high] : faults.nonOrientableEdges)
     defects.nonOrientableEdges.emplace_back(first[low], first[high]);
   for (const FaceGroup& group : equalFaces(byPosition.triangles, edges, progress.part(0.5, 0.6))) {
     defects.duplicateFaces.insert(defects.duplicateFaces.end(), group.faces.begin() + 1, group.faces.end());
@@ -78,7 +80,8 @@ std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriang
 
 MeshState Defects::state(std::optional<std::size_t> selfIntersectingPairs) const {
   return {!components.empty() && loops.empty(), nonManifoldEdges.empty() && nonManifoldVertices.empty(),
-          nonOrientableEdges.empty() && insideOut.empty(), selfIntersectingPairs, components.size()};
+          nonOrientableEdges.empty() && inconsistentFaces.empty() && insideOut.empty(), selfIntersectingPairs,
+          components.size()};
 }
 
 std::size_t countDebris(std::span<const Component> components) {
@@ -90,6 +93,16 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progres
   const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
   if (progress.cancelled()) return {};
   return components(mesh, byPosition, progress.part(0.5, 1.0));
+}
+
+std::vector<Face> findInconsistentFaces(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.4));
+  if (progress.cancelled()) return {};
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.4, 0.7));
+  if (progress.cancelled()) return {};
+  std::vector<Face> found =
+      findOrientationFaults(edges, byPosition.triangles, progress.part(0.7, 1.0)).trianglesToReverse;
+  return progress.cancelled() ? std::vector<Face>() : found;
 }
 
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {

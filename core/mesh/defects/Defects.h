@@ -32,6 +32,8 @@ struct Defects {
   std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
   // Edges whose two faces cannot be oriented consistently: the surface is non-orientable.
   std::vector<std::pair<Vertex, Vertex>> nonOrientableEdges;
+  // The fewest faces of each part to reverse so that neighbours agree. None as long as relink() makes the mesh.
+  std::vector<Face> inconsistentFaces;
   std::vector<std::vector<Face>> insideOut;             // the faces of each body that is inside out
   std::vector<Face> degenerateFaces;                    // zero area
   std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
@@ -47,6 +49,9 @@ struct Defects {
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress = {});
 
 std::size_t countDebris(std::span<const Component> components);
+
+// Finds the inconsistent faces alone, as in Defects. Empty if cancelled.
+std::vector<Face> findInconsistentFaces(const HalfEdgeMesh& mesh, Progress progress = {});
 
 // Finds the defects of a mesh. nearWeld: the setting mesh.near_weld, as in RepairOptions. Incomplete if cancelled.
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});

@@ -64,6 +64,8 @@ class Repairer {
   // Until a round finds nothing more to do: another repair() of the result would find nothing either.
   RepairReport run(Progress progress) {
     double from = 0.0;
+    if (const std::vector<Face> turned = inconsistentFaces(progress); !turned.empty())
+      reverseFaces(m_mesh, turned, progress.part(0.0, 0.0));
     for (m_round = 0; m_round < kMostRounds && !progress.cancelled(); ++m_round) {
       const double to = 1.0 - kRestOfRounds * (1.0 - from);
       const HalfEdgeMesh before = m_mesh;
@@ -116,6 +118,13 @@ class Repairer {
           stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
     }
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
+  }
+
+  // Only where some half-edges are seams.
+  std::vector<Face> inconsistentFaces(const Progress& progress) const {
+    for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h)
+      if (m_mesh.isSeam(h)) return findInconsistentFaces(m_mesh, progress.part(0.0, 0.0));
+    return {};
   }
 
   // False when there was nothing to part.

@@ -106,8 +106,11 @@ std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, c
   return reversedFaces;
 }
 
+enum class Directions { Agreeing, AsGiven };
+
 // Once cancelled it stops halfway.
-BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<const Vec3> points, Progress progress) {
+BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<const Vec3> points, Directions directions,
+                 Progress progress) {
   BuildReport report;
   report.weldedPoints = points.size() - classes.representative.size();
   // Triangles over the first vertex at each position; dead slots look like triangles with a repeated vertex.
@@ -119,7 +122,8 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
   }
   EdgeTable edges(triangles, points.size(), progress.part(0.1, 0.3));
   if (progress.cancelled()) return report;
-  report.reversedFaces = orient(mesh, triangles, edges, progress.part(0.3, 0.45));
+  if (directions == Directions::Agreeing)
+    report.reversedFaces = orient(mesh, triangles, edges, progress.part(0.3, 0.45));
   if (!report.reversedFaces.empty()) edges = EdgeTable(triangles, points.size(), progress.part(0.45, 0.6));
   if (progress.cancelled()) return report;
 
@@ -139,18 +143,29 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
   return report;
 }
 
-}  // namespace
-
-BuildReport relink(HalfEdgeMesh& mesh, Progress progress) {
+BuildReport relinkAs(HalfEdgeMesh& mesh, Directions directions, Progress progress) {
   std::vector<Vec3> points(mesh.vertexSlots());
   for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
   const PointClasses classes = classifyPoints(points, progress.part(0.0, 0.2));
   if (progress.cancelled()) return {};
   HalfEdgeMesh linked = mesh;
-  BuildReport report = link(linked, classes, points, progress.part(0.2, 1.0));
+  BuildReport report = link(linked, classes, points, directions, progress.part(0.2, 1.0));
   if (progress.cancelled()) return {};
   mesh = std::move(linked);
   return report;
+}
+
+}  // namespace
+
+BuildReport relink(HalfEdgeMesh& mesh, Progress progress) {
+  return relinkAs(mesh, Directions::Agreeing, progress);
+}
+
+void reverseFaces(HalfEdgeMesh& mesh, std::span<const Face> faces, Progress progress) {
+  HalfEdgeMesh turned = mesh;
+  for (const Face f : faces) turned.setTriangle(f, reversed(turned.triangle(f)));
+  relinkAs(turned, Directions::AsGiven, progress);
+  if (!progress.cancelled()) mesh = std::move(turned);
 }
 
 BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress) {
@@ -166,7 +181,7 @@ BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress) {
   each.classOf.resize(welded.points.size());
   std::iota(each.classOf.begin(), each.classOf.end(), 0u);
   each.representative = each.classOf;
-  built.report = link(built.mesh, each, welded.points, progress.part(0.3, 1.0));
+  built.report = link(built.mesh, each, welded.points, Directions::Agreeing, progress.part(0.3, 1.0));
   if (progress.cancelled()) return {};
   built.report.weldedPoints = soup.points.size() - welded.points.size();
   return built;

@@ -6,6 +6,8 @@
 #include "base/Result.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
+#include <span>
+
 namespace handwheel {
 
 // The decisions made in building a half-edge mesh. Numbers are those of the built mesh.
@@ -33,5 +35,9 @@ BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress = {});
 // position. Face and vertex numbers stay; where a position has more fans than vertices, vertices are added. If
 // cancelled, the mesh is unchanged.
 BuildReport relink(HalfEdgeMesh& mesh, Progress progress = {});
+
+// Reverses single faces, whatever their neighbours are, and pairs everything anew as relink() does, but turns nothing
+// back: an edge at which neighbours disagree becomes a seam. If cancelled, the mesh is unchanged.
+void reverseFaces(HalfEdgeMesh& mesh, std::span<const Face> faces, Progress progress = {});
 
 }  // namespace handwheel

@@ -166,10 +166,10 @@ class MirrorSearch {
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges(const EdgeTable& edges,
-                                                                        std::span<const Triangle> triangles,
-                                                                        Progress progress) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+OrientationFaults findOrientationFaults(const EdgeTable& edges, std::span<const Triangle> triangles,
+                                        Progress progress) {
+  OrientationFaults faults;
+  auto& found = faults.nonOrientableEdges;
   const auto collect = [&](const std::vector<bool>& turn, Progress now) {
     edges.forEachEdge(
         [&](std::uint32_t low, std::uint32_t high, Run run) {
@@ -179,10 +179,19 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges(const Ed
         now);
   };
   collect(std::vector<bool>(triangles.size(), false), progress.part(0.0, 0.3));
-  if (found.empty()) return found;  // most often: they agree as they are
+  if (found.empty()) return faults;  // most often: they agree as they are
   found.clear();
-  collect(trianglesToReverse(edges, triangles, progress.part(0.3, 0.8)), progress.part(0.8, 1.0));
-  return found;
+  const std::vector<bool> turn = trianglesToReverse(edges, triangles, progress.part(0.3, 0.8));
+  for (std::uint32_t t = 0; t < turn.size(); ++t)
+    if (turn[t]) faults.trianglesToReverse.push_back(t);
+  collect(turn, progress.part(0.8, 1.0));
+  return faults;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges(const EdgeTable& edges,
+                                                                        std::span<const Triangle> triangles,
+                                                                        Progress progress) {
+  return findOrientationFaults(edges, triangles, progress).nonOrientableEdges;
 }
 
 std::optional<OrientationReversingCycle> shortestOrientationReversingCycle(const EdgeTable& edges,

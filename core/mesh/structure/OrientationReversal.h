@@ -11,9 +11,18 @@
 
 namespace handwheel {
 
-// Finds the edges at which a non-orientable surface cannot be oriented consistently. These are edges with two triangles
-// that disagree after the reversals that trianglesToReverse() finds. As pairs of points; empty where every part can be
-// oriented. O(n).
+// Where neighbours disagree: triangles that run along a common edge of two in the same direction.
+struct OrientationFaults {
+  std::vector<std::uint32_t> trianglesToReverse;  // as the function of this name
+  // Edges of a non-orientable surface at which they disagree after that, as pairs of points.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges;
+};
+// O(n).
+OrientationFaults findOrientationFaults(const EdgeTable& edges, std::span<const Triangle> triangles,
+                                        Progress progress = {});
+
+// The edges at which a non-orientable surface cannot be oriented consistently, as findOrientationFaults(); empty where
+// every part can be oriented. O(n).
 std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges(const EdgeTable& edges,
                                                                         std::span<const Triangle> triangles,
                                                                         Progress progress = {});

@@ -159,7 +159,7 @@ MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>
                          removeClusterIntersections(mesh, known(mesh, pairs), numbers, progress.within(effort));
                      return cut.isCutShort ? kTooLong : hasHoles(mesh, progress) ? kOnlyWithHoles : nullptr;
                    },
-                   QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly")),
+                   kNoCleanSeparation),
                step.text());
 }
 
@@ -190,6 +190,21 @@ MeshChange insideOutFix() {
       {meshOperation("reverse").title, [](HalfEdgeMesh& mesh, Progress progress) { orientOutward(mesh, progress); },
        QT_TRANSLATE_NOOP("Tool", "no body is inside out")},
       "reverse");
+}
+
+MeshChange orientFix(const FaceSelection& faces) {
+  StepWriter step("orient");
+  if (!faces.empty()) step.word(rangesText(faces));
+  return asFix({meshOperation("orient").title,
+                [faces](HalfEdgeMesh& mesh, Progress progress) {
+                  FaceSelection turned = faces;
+                  turned.dropDead(mesh);
+                  if (faces.empty()) turned = FaceSelection(findInconsistentFaces(mesh, progress.part(0.0, 0.3)));
+                  if (!turned.empty() && !progress.cancelled())
+                    reverseFaces(mesh, turned.faces(), progress.part(0.3, 1.0));
+                },
+                QT_TRANSLATE_NOOP("Tool", "all neighbours agree already")},
+               step.text());
 }
 
 MeshChange reverseChange(const FaceSelection& faces) {

@@ -19,6 +19,8 @@ inline constexpr const char* kCrowdsEdges =
     QT_TRANSLATE_NOOP("Tool", "merging them would make edges with more than two triangles");
 inline constexpr const char* kNotSeparable =
     QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself");
+inline constexpr const char* kNoCleanSeparation =
+    QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly");
 inline constexpr const char* kNoCleanCut =
     QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part");
 
@@ -45,6 +47,8 @@ MeshChange debrisFix(std::vector<Face> faces);
 MeshChange allDebrisFix();
 // Reverses the bodies that are inside out.
 MeshChange insideOutFix();
+// Reverses single faces: the fewest in each part so that neighbours agree, or those that are named.
+MeshChange orientFix(const FaceSelection& faces = {});
 // Reverses the shells that contain one of these faces. The faces of a shell always agree, so it is reversed as a whole.
 MeshChange reverseChange(const FaceSelection& faces);
 

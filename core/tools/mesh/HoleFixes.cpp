@@ -23,7 +23,9 @@ const char* whyOpen(const SheetOutcomes& sheets) {
     case FillFailure::SheetTooThin:
       return QT_TRANSLATE_NOOP("Tool", "the numbers of the file cannot show such a thickness");
     case FillFailure::TooMuchEffort:
-      return kTooLong;
+      return QT_TRANSLATE_NOOP("Tool",
+                               "it would take too long for a mesh of this size; “handwheel voxelize --wall” makes a "
+                               "volume with walls of any sheets");
     default:
       return QT_TRANSLATE_NOOP("Tool", "however thin, the body would intersect the part");
   }
@@ -72,7 +74,8 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, dou
     *sheets = closeHard(mesh, holes, options, depth, progress.part(0.1, 0.8)).sheets;
     bool done = true;
     if (!progress.cancelled()) done = separateNonManifold(mesh, options.numbers, {}, progress.part(0.8, 1.0));
-    return done ? whyOpen(*sheets) : kTooLong;
+    const char* why = whyOpen(*sheets);
+    return done || why ? why : kTooLong;
   };
   MeshChange change = explainedChange(meshOperation("back").title, work);
   change.sheets = sheets;

@@ -159,6 +159,20 @@ StepOutcome sculpt(StepReader& reader, const OperationValues& values, MeshDocume
   return {changed, made.problem, FillFailure::None};
 }
 
+// What undoes the reversal on opening elsewhere is its undo here, too.
+StepOutcome orient(StepReader& reader, const OperationValues&, MeshDocument& document, Progress progress) {
+  const FaceSelection faces = readFaces(reader, document);
+  if (!reader.status()) return {};
+  QUndoStack& history = *document.history();
+  if (document.openingSteps() == 1 && history.index() == 1 && faces.faces() == document.reversedFaces()) {
+    history.undo();
+    return {};
+  }
+  const MeshChange change = orientFix(faces);
+  const bool changed = commitChange(document, change, progress);
+  return {changed, changed ? nullptr : reasonOf(change), FillFailure::None};
+}
+
 StepOutcome setUnit(StepReader& reader, const OperationValues&, MeshDocument& document, Progress) {
   const std::string word = reader.word("mm, cm, m or in");
   const Property unit = displayUnitProperty(document.displayUnit());
@@ -215,6 +229,7 @@ constexpr Verb kVerbs[] = {
                           : insideOutFix();
      },
      nullptr},
+    {"orient", nullptr, orient},
     {"near-vertices", readNearVertices, nullptr},
     {"split-nonmanifold",
      [](StepReader& r, const OperationValues& v, const MeshDocument& d) {
@@ -252,6 +267,9 @@ constexpr Verb kVerbs[] = {
     {"level-back", nullptr, sculpt},
     {"unit", nullptr, setUnit},
 };
+
+// The stroke of a HistoryPoint before the first command, where the turn of faces on opening is undone.
+constexpr int kAsInFile = -1;
 
 // In a window the edge has changed while the change was on its way; here it never was so.
 constexpr const char* kImpossible =
@@ -322,7 +340,8 @@ MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh) {
 
 HistoryPoint presentPoint(const MeshDocument& document) {
   const QUndoStack& history = *document.history();
-  if (history.index() == 0) return {};
+  if (history.index() == document.openingSteps())
+    return document.facesAsInFile().empty() ? HistoryPoint() : HistoryPoint{0, kAsInFile};
   return {history.index(), static_cast<const UndoCommand&>(*history.command(history.index() - 1)).stroke()};
 }
 
@@ -334,7 +353,11 @@ std::optional<std::vector<std::string>> stepsSince(const MeshDocument& document,
   if (state.commands > history.index()) return std::nullopt;
   if (state.commands > 0 && at(state.commands - 1).stroke() != state.stroke) return std::nullopt;
   std::vector<std::string> steps;
-  for (int i = state.commands; i < history.index(); ++i) {
+  const std::vector<Face> asInFile = document.facesAsInFile();
+  if (state == HistoryPoint{0, kAsInFile} && asInFile.empty()) return std::nullopt;
+  // What opened the file has turned these faces.
+  if (state == HistoryPoint() && !asInFile.empty()) steps.push_back(orientFix(FaceSelection(asInFile)).step);
+  for (int i = std::max(state.commands, document.openingSteps()); i < history.index(); ++i) {
     if (!at(i).step().empty()) {
       steps.push_back(at(i).step());
     } else if (dynamic_cast<const MeshEdit*>(&at(i).edit())) {

@@ -37,7 +37,7 @@ Result<StepOutcome> applyStep(MeshDocument& document, std::string_view step, Pro
 MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh);
 
 // A state in the undo history of a document. It is the state after so many commands, the last of which belongs to this
-// stroke; by default the first state.
+// stroke; by default that in which the file was opened.
 struct HistoryPoint {
   int commands = 0;
   int stroke = 0;

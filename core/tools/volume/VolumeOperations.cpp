@@ -75,7 +75,10 @@ const Operation& voxelizeOperation() {
       .meaning = "Samples the space that a surface encloses",
       .parameters = {lengthParameter("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"),
                                      "Edge of a voxel; default: a 256th of the largest extent"),
-                     methodParameter()}};
+                     methodParameter(),
+                     lengthParameter("wall", QT_TRANSLATE_NOOP("Property", "Wall thickness"),
+                                     "Make walls of this thickness of the triangles: of open sheets, and of triangles "
+                                     "that share no edges, which enclose nothing")}};
   return operation;
 }
 

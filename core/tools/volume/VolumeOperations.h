@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// Makes a volume of a surface: its parameters are the voxel and the method.
+// Makes a volume of a surface: its parameters are the voxel, the method and the thickness of walls.
 const Operation& voxelizeOperation();
 
 // Makes a mesh of a volume's surface, with fewer triangles where the parameters ask for it.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "base/Tolerance.h"
 #include "tools/AxisDrag.h"
 
 #include <rapidcheck.h>
@@ -60,6 +61,7 @@ class AxisDragTest : public QObject {
   void slides();
   void slidesWithTheRay();
   void places();
+  void nearlyParallelRays();
 };
 
 // Seen along the axis only the ray's way around it counts, not how near it is.
@@ -167,6 +169,22 @@ void AxisDragTest::places() {
   const auto place = placeUnder({0, 0, 10}, -Vec3::UnitZ(), rayThrough({0, 0, 110}, {30, 40, 60}));
   QVERIFY(place && (*place - Vec3(60, 80, 10)).norm() < 1e-9);
   QVERIFY(!placeUnder({0, 0, 10}, -Vec3::UnitZ(), {{0, 0, 0}, Vec3::UnitX()}));
+}
+
+// A ray tells a place from a sine of kParallelLines between it and the axis, or the plane, on.
+void AxisDragTest::nearlyParallelRays() {
+  const HeldPoint held{Vec3::Zero(), Vec3::UnitX(), {10, 0, 0}};
+  for (const double share : {0.9, 1.1}) {
+    const double sine = share * tolerance::kParallelLines;
+    const Vec3 direction(std::sqrt(1.0 - sine * sine), 0.0, -sine);
+    const Ray ray{Vec3(40, 0, 0) - 100.0 * direction, direction};  // through the axis at x = 40
+    const auto way = translationUnder(held, ray);
+    const auto place = placeUnder({0, 0, 0}, Vec3::UnitZ(), ray);
+    QCOMPARE(way.has_value(), share > 1.0);
+    QCOMPARE(place.has_value(), share > 1.0);
+    if (way) QVERIFY(std::abs(*way - 30.0) < 1e-6);
+    if (place) QVERIFY((*place - Vec3(40, 0, 0)).norm() < 1e-6);
+  }
 }
 
 HANDWHEEL_TEST(AxisDragTest)

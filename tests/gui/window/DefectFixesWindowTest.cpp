@@ -54,6 +54,42 @@ class DefectFixesWindowTest : public QObject {
     driver.click("quickActions/undo");
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+    // "Repair all" does it, too, and then has nothing more to do.
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::SelfIntersection), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
+  }
+
+  // What opening turns over is done, with undo; neither asks to save.
+  void turnedOnOpening() {
+    TriangleSoup soup = icosphere(2);
+    for (const std::size_t f : {3, 40, 200}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+    WindowDriver driver;
+    QVERIFY(driver.open(file("turned.stl", soup)));
+    QCOMPARE(driver.count(DefectKind::Flipped), 3);
+    QCOMPARE(driver.count(DefectKind::Inconsistent), 0);
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Flipped), 0);
+    QCOMPARE(driver.count(DefectKind::Inconsistent), 3);
+    QCOMPARE(driver.count(DefectKind::Hole), 0);
+    QCOMPARE(driver.text("stateHeadline"), "Inconsistently oriented");
+    QVERIFY(!driver.window().isWindowModified());
+    QVERIFY(driver.find<QAbstractButton>("repairAllButton")->isEnabled());
+    driver.click("quickActions/redo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Flipped), 3);
+    QVERIFY(!driver.window().isWindowModified());
+    driver.click("quickActions/undo");
+    clickGroup(driver, DefectKind::Inconsistent);
+    driver.click("fixDefectButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Inconsistent), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QVERIFY(driver.window().isWindowModified());
   }
 
   // Two cubes that touch along an edge, and two that intersect: the card names both defects, with their numbers.
@@ -286,6 +322,13 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(!driver.text("fixPreviewStatus").contains("Repair all"));  // without a hole it would do no more
     QVERIFY(!driver.find<QAbstractButton>("fixDefectButton")->isEnabled());
     QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+    // Nor by "Repair all", whose card says why.
+    driver.click("repairAllButton");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+    QVERIFY2(driver.text("nextStepDetail").contains("no cut would separate"),
+             qPrintable(driver.text("nextStepDetail")));
+    QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
   }
 
   // Two solids that overlap, with walls in one plane, become one.

@@ -290,7 +290,7 @@ class RepairFlowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Self-intersecting", kPatienceMs);
     QVERIFY(driver.settle());
     QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
-    QVERIFY(driver.find<QAbstractButton>("nextStep/resolveIntersections")->isEnabled());
+    QVERIFY(driver.find<QAbstractButton>("nextStep/repairAll")->isEnabled());
   }
 
   // What stands out may be pressed by habit.

@@ -204,6 +204,7 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
     case DefectKind::NearVertex:
     case DefectKind::SelfIntersection:
       return tr("Pair %1").arg(row + 1);
+    case DefectKind::Inconsistent:
     case DefectKind::Flipped:
     case DefectKind::Degenerate:
     case DefectKind::Duplicate:
@@ -236,6 +237,8 @@ std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
       return {m_inspection->document().reversedFaces()[i]};
     case DefectKind::InsideOut:
       return defects.insideOut[i];
+    case DefectKind::Inconsistent:
+      return {defects.inconsistentFaces[i]};
     case DefectKind::Degenerate:
       return {defects.degenerateFaces[i]};
     case DefectKind::Duplicate:

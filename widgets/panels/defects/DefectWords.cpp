@@ -30,6 +30,8 @@ QString defectKindName(DefectKind kind) {
       return DefectWords::tr("One-sided edges");
     case DefectKind::InsideOut:
       return DefectWords::tr("Inside out");
+    case DefectKind::Inconsistent:
+      return DefectWords::tr("Inconsistent triangles");
     case DefectKind::NearVertex:
       return DefectWords::tr("Near vertices");
     case DefectKind::Flipped:
@@ -64,19 +66,23 @@ QString defectKindHint(DefectKind kind) {
       return DefectWords::tr("Vertices on open edges that differ only by rounding in the file. A repair merges them.");
     case DefectKind::InsideOut:
       return DefectWords::tr("Bodies whose triangles face inwards, so that inside and outside are swapped.");
+    case DefectKind::Inconsistent:
+      return DefectWords::tr(
+          "Triangles with an orientation opposite to that of their neighbours. Opening a file reverses them, as the "
+          "first step of the history; they are listed here where that step is undone.");
     case DefectKind::Flipped:
       return DefectWords::tr(
           "No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were "
-          "reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.");
+          "reversed on opening, as the first step of the history. If the neighbours were wrong, “Reverse faces” "
+          "reverses the whole shell.");
     case DefectKind::Degenerate:
       return DefectWords::tr("Triangles without area.");
     case DefectKind::Duplicate:
       return DefectWords::tr("Triangles that lie exactly on another one.");
     case DefectKind::SelfIntersection:
       return DefectWords::tr(
-          "Pairs of triangles that intersect. “Repair all” resolves only those that keep a hole from being closed; "
-          "“Resolve "
-          "self-intersections” resolves the others.");
+          "Pairs of triangles that intersect. “Repair all” cuts them along each other and joins them so that none "
+          "intersects another, where that leaves nothing else worse.");
     case DefectKind::Debris:
       return DefectWords::tr(
                  "Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its "

@@ -101,6 +101,8 @@ std::size_t Inspection::count(DefectKind kind) const {
       return defects.nonOrientableEdges.size();
     case DefectKind::InsideOut:
       return defects.insideOut.size();
+    case DefectKind::Inconsistent:
+      return defects.inconsistentFaces.size();
     case DefectKind::NearVertex:
       return defects.nearVertices.size();
     case DefectKind::Flipped:
@@ -174,9 +176,11 @@ MeshState Inspection::state() const {
 }
 
 bool Inspection::isClean() const {
-  return m_holes.empty() && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0 &&
-         count(DefectKind::OneSided) == 0 && count(DefectKind::InsideOut) == 0 && count(DefectKind::NearVertex) == 0 &&
-         count(DefectKind::Degenerate) == 0 && count(DefectKind::Duplicate) == 0;
+  const bool hasIntersections = count(DefectKind::SelfIntersection) > 0 && !isHopeless(DefectKind::SelfIntersection);
+  return !hasIntersections && m_holes.empty() && count(DefectKind::NonManifoldEdge) == 0 &&
+         count(DefectKind::NonManifoldVertex) == 0 && count(DefectKind::OneSided) == 0 &&
+         count(DefectKind::InsideOut) == 0 && count(DefectKind::Inconsistent) == 0 &&
+         count(DefectKind::NearVertex) == 0 && count(DefectKind::Degenerate) == 0 && count(DefectKind::Duplicate) == 0;
 }
 
 int Inspection::loopNumber(int id) const {

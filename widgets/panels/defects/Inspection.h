@@ -75,7 +75,8 @@ class Inspection : public QObject {
   std::optional<std::size_t> countBefore(DefectKind kind) const;
   // The state of the present mesh, with its self-intersections once they are computed.
   MeshState state() const;
-  // Whether there is nothing that a repair would change.
+  // Whether there is nothing that a repair would change; self-intersections count once they are known, until one has
+  // found that it cannot resolve them.
   bool isClean() const;
 
   // The number of a loop, assigned when it first appears, from 1; holes and outer edges are counted separately. It does

@@ -33,6 +33,8 @@ QString defectPhrase(DefectKind kind, std::size_t count) {
       return RepairAccountWords::tr("%Ln one-sided edge(s)", nullptr, n);
     case DefectKind::InsideOut:
       return RepairAccountWords::tr("%Ln body(ies) inside out", nullptr, n);
+    case DefectKind::Inconsistent:
+      return RepairAccountWords::tr("%Ln inconsistent triangle(s)", nullptr, n);
     case DefectKind::NearVertex:
       return RepairAccountWords::tr("%Ln pair(s) of near vertices", nullptr, n);
     case DefectKind::Degenerate:
@@ -61,8 +63,9 @@ QStringList repairAccount(const Inspection& inspection) {
       continue;
     }
     const QString done = QLocale().toString(static_cast<int>(was - is)), all = defectPhrase(kind, was);
-    parts << (kind == DefectKind::InsideOut ? RepairAccountWords::tr("%1 of %2 corrected").arg(done, all)
-                                            : RepairAccountWords::tr("%1 of %2 removed").arg(done, all));
+    const bool isTurned = kind == DefectKind::InsideOut || kind == DefectKind::Inconsistent;
+    parts << (isTurned ? RepairAccountWords::tr("%1 of %2 corrected").arg(done, all)
+                       : RepairAccountWords::tr("%1 of %2 removed").arg(done, all));
   }
   if (!fresh.isEmpty()) parts << RepairAccountWords::tr("new: %1").arg(fresh.join(QStringLiteral(", ")));
   return parts + inspection.doneBesides();

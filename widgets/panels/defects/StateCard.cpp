@@ -35,6 +35,7 @@ Verdict verdictOn(const Inspection& inspection) {
   };
   if (!state.manifold) return warning(StateCard::tr("Not manifold"));
   if (inspection.count(DefectKind::InsideOut) > 0) return warning(StateCard::tr("Inside out"));
+  if (inspection.count(DefectKind::Inconsistent) > 0) return warning(StateCard::tr("Inconsistently oriented"));
   if (!state.oriented) return warning(StateCard::tr("Not oriented"));
   if (state.selfIntersectingPairs.value_or(0) > 0) return warning(StateCard::tr("Self-intersecting"));
   if (state.isKnownSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};

@@ -55,6 +55,11 @@ std::vector<Operation> mendOperations() {
        .title = QT_TRANSLATE_NOOP("Tool", "Reverse faces"),
        .meaning = "Reverse the shells that have these triangles: 7,9; without a list the bodies that are inside out",
        .operands = "[TRIANGLES]"},
+      {.id = "orient",
+       .title = QT_TRANSLATE_NOOP("Tool", "Orient consistently"),
+       .meaning =
+           "Reverse single triangles so that neighbours agree, the fewest in each part; or exactly these: 7-9,12",
+       .operands = "[TRIANGLES]"},
       {.id = "near-vertices",
        .title = QT_TRANSLATE_NOOP("Tool", "Merge near vertices"),
        .meaning = "Merge these pairs of vertices; without a list all near pairs",

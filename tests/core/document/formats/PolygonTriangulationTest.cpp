@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "base/Tolerance.h"
 #include "document/formats/PolygonTriangulation.h"
 
 #include <rapidcheck.h>
@@ -118,6 +119,31 @@ class PolygonTriangulationTest : public QObject {
   void notPlanarIsAFan() {
     QCOMPARE(cut({{0, 0, 0}, {2, 1, 1}, {0, 2, 0}, {0.5, 1, -1}}).triangles,
              (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  }
+
+  // A notched quad whose notch is off its plane: up to a thousandth of its size it is cut at the notch as a planar one,
+  // beyond that it is a fan.
+  void asPlanarAsFilesAre() {
+    const auto notched = [](double height) {
+      return std::vector<Vec3>{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, height}};
+    };
+    const auto share = [&](double height) {  // of the size, how far the corners are apart along the normal
+      const std::vector<Vec3> points = notched(height);
+      const Vec3 normal = areaOf(points).normalized();
+      double low = 0.0, high = 0.0;
+      for (const Vec3& p : points) {
+        low = std::min(low, normal.dot(p));
+        high = std::max(high, normal.dot(p));
+      }
+      return (high - low) / 2.0;
+    };
+    const double unit = 1e-4 / share(1e-4);  // the height for a share is proportional to it, as long as it is small
+    for (const double wanted : {0.9e-3, 1.1e-3}) {
+      const double height = unit * wanted;
+      QVERIFY(std::abs(share(height) / wanted - 1.0) < 1e-3);
+      const bool isFan = cut(notched(height)).triangles == (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+      QCOMPARE(isFan, wanted > tolerance::kPlanarPolygon);
+    }
   }
 
   // No sensible cut exists, but the number of triangles is as for any polygon.

@@ -3,9 +3,11 @@
 #include "document/mesh/MeshDocument.h"
 
 #include "MeshDocuments.h"
+#include "MeshShapes.h"
 #include "TestClass.h"
 #include "document/UndoCommand.h"
 #include "mesh/measure/MeshFidelity.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <rapidcheck.h>
 #include <QSignalSpy>
@@ -121,9 +123,18 @@ class MeshDocumentTest : public QObject {
   // setting is when they are undone.
   void historyIsExact() {
     const bool holds = rc::check("undo and redo restore every slot", [] {
-      const auto document = documentOf(sheet(4));
+      TriangleSoup soup = sheet(4);
+      for (Triangle& t : soup.triangles)
+        if (*rc::gen::inRange(0, 6) == 0) std::swap(t[1], t[2]);
+      const auto document = documentOf(soup);
       std::vector<HalfEdgeMesh> states{document->mesh()};
       std::size_t present = 0;
+      if (document->openingSteps() == 1) {  // the history begins with the turn
+        document->history()->undo();
+        states.insert(states.begin(), document->mesh());
+        document->history()->redo();
+        present = 1;
+      }
       const int steps = *rc::gen::inRange(1, 20);
       for (int i = 0; i < steps; ++i) {
         const std::uint64_t revision = document->revision();
@@ -248,6 +259,57 @@ class MeshDocumentTest : public QObject {
     QCOMPARE(document->reversedFaces(), std::vector<Face>{5});
   }
 
+  // As the first step of the history: undone, every triangle is as in the file, corner for corner.
+  void reversalOnOpeningIsAStep() {
+    TriangleSoup soup = test::sphereWithHoles(2, 2, 0.4);
+    for (std::size_t f = 0; f < soup.triangles.size(); f += 5) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+    const auto document = documentOf(soup);
+    const HalfEdgeMesh opened = document->mesh();
+    const auto turned = document->reversedFaces();
+    QVERIFY(turned.size() > 10);
+    QCOMPARE(document->history()->count(), 1);
+    QCOMPARE(document->history()->undoText(), QString("Triangles reversed on opening: %1").arg(turned.size()));
+    QVERIFY(!document->isModified() && document->defects().inconsistentFaces.empty());
+    QVERIFY(document->facesAsInFile().empty());
+
+    document->history()->undo();
+    QVERIFY(!document->isModified());  // the file has it so
+    QCOMPARE(validate(document->mesh()), std::string());
+    for (Face f = 0; f < document->mesh().faceSlots(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) QVERIFY(document->mesh().points(f)[k] == soup.points[soup.triangles[f][k]]);
+    QCOMPARE(document->defects().inconsistentFaces, turned);
+    QVERIFY(!document->defects().state(0).oriented);
+    QVERIFY(document->reversedFaces().empty());
+    QCOMPARE(document->facesAsInFile(), turned);
+
+    document->history()->redo();
+    QVERIFY(!document->isModified());
+    QVERIFY(sameSlots(document->mesh(), opened));
+    QCOMPARE(document->reversedFaces(), turned);
+    QVERIFY(documentOf(test::sphereWithHoles(2, 2, 0.4))->history()->count() == 0);  // nothing to turn, no step
+  }
+
+  // Before and after that step it is as its file; on other branches, and once another state is saved, it is not.
+  void reversalOnOpeningIsNoModification() {
+    TriangleSoup soup = sheet(3);
+    std::swap(soup.triangles[5][1], soup.triangles[5][2]);
+    const auto document = documentOf(soup);
+    QSignalSpy changed(document.get(), &MeshDocument::fileChanged);
+    document->history()->undo();
+    QVERIFY(changed.count() >= 1);
+    QVERIFY(document->commit("Remove face", inspected(without(document->mesh(), 0))));
+    QVERIFY(document->isModified());
+    changed.clear();
+    document->history()->undo();
+    QVERIFY(!document->isModified());
+    QVERIFY(changed.count() >= 1);
+    document->history()->redo();
+    document->markSaved("/scans/mended.stl", false);
+    QVERIFY(!document->isModified());
+    document->history()->undo();
+    QVERIFY(document->isModified());
+  }
+
   void savingMakesItClean() {
     const auto document = documentOf(sheet(2));
     QCOMPARE(document->name(), QString("part.stl"));
@@ -262,6 +324,23 @@ class MeshDocumentTest : public QObject {
     QCOMPARE(document->fileNumbers(), NumberType::Float32);  // of the scan; PLY would hold more
     document->history()->undo();
     QVERIFY(document->isModified());
+  }
+
+  // Until it has a file of its own.
+  void aCopyIsNamedAfterItsSource() {
+    static const MeshKind kind;
+    MeshFile file;
+    file.soup = sheet(2);
+    OpenedFile opened;
+    opened.kind = &kind;
+    opened.content = meshSnapshotOf(file);
+    MeshDocument nameless(opened);
+    QCOMPARE(nameless.name(), QString("Untitled"));
+    opened.file.copyOf = "/scans/part.v2.stl";
+    MeshDocument copy(opened);
+    QCOMPARE(copy.name(), QString("part.v2"));
+    copy.markSaved("/scans/other.handwheel", true);
+    QCOMPARE(copy.name(), QString("other.handwheel"));
   }
 
   // The history tells that it is clean when it dies; a half-destroyed document must not pass that on.

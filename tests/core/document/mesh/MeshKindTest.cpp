@@ -164,6 +164,23 @@ class MeshKindTest : public QObject {
     QVERIFY((*container.manifest)["document"]["turned_faces"] == 8);
   }
 
+  // Where the turn is undone, the container holds the directions of the file, and nothing that was turned.
+  void directionsOfTheFileComeBack() {
+    TriangleSoup soup = grid(4);
+    for (std::size_t f = 0; f < 8; ++f) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+    const auto document = test::meshDocument(soup);
+    document->history()->undo();
+    std::vector<Error> damage;
+    const auto back = reloaded(*document, damage);
+    QVERIFY(back.hasValue());
+    QVERIFY(damage.empty());
+    const MeshSnapshot& mesh = meshOf(*back);
+    QVERIFY(mesh.build->reversedFaces.empty());
+    QCOMPARE(mesh.mesh.defects->inconsistentFaces.size(), std::size_t(8));
+    for (Face f = 0; f < soup.triangles.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) QVERIFY(mesh.mesh.mesh.points(f)[k] == soup.points[soup.triangles[f][k]]);
+  }
+
   // Two halves of a sheet, torn apart by 1e-4 of the diagonal: whether that is one vertex is a matter of the setting.
   void filesAreInspectedWithTheNearWeldChosen() {
     TriangleSoup soup = grid(4);

@@ -28,6 +28,7 @@ class DefectsTest : public QObject {
   void soundShapes();
   void touchingCubes();
   void nonOrientable();
+  void inconsistent();
   void threeFacesAtAnEdge();
   void badFaces();
   void nearVertices();
@@ -84,6 +85,22 @@ void DefectsTest::nonOrientable() {
   }
   for (const TriangleSoup& s : {test::cube(), test::disc(7, 2), test::boxWithInnerWall()})
     QVERIFY(defectsOf(s).nonOrientableEdges.empty());
+}
+
+// Of a cube with two reversed neighbours those two; of one with eleven reversed sides the twelfth. No holes by that.
+void DefectsTest::inconsistent() {
+  for (const std::vector<Face>& odd : {std::vector<Face>{2, 3}, std::vector<Face>{7}}) {
+    HalfEdgeMesh mesh = buildMesh(test::cube()).mesh;
+    if (odd.size() == 1) mesh = buildMesh(test::turnedOver(test::cube())).mesh;
+    reverseFaces(mesh, odd);
+    const Defects d = findDefects(mesh);
+    QCOMPARE(d.inconsistentFaces, odd);
+    QCOMPARE(findInconsistentFaces(mesh), odd);
+    QVERIFY(d.loops.empty() && d.nonOrientableEdges.empty() && d.nonManifoldEdges.empty());
+    QVERIFY(!d.state(0).oriented && d.state(0).closed);
+  }
+  QVERIFY(defectsOf(test::cube()).inconsistentFaces.empty());
+  QVERIFY(defectsOf(test::moebiusStrip(24, 3)).inconsistentFaces.empty());
 }
 
 void DefectsTest::threeFacesAtAnEdge() {

@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "base/Tolerance.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -28,6 +29,7 @@ class SectionTest : public QObject {
   void overlapsOfRandomBoxes();
   void insideOut();
   void axesOfThePlane();
+  void axesNearZ();
   void blocksInLayers();
   void slicesAddUpToTheVolume();
   void openSheet();
@@ -280,6 +282,16 @@ void SectionTest::cancelled() {
   JobState job;
   job.cancelled = true;
   QVERIFY(sectionOf(sectionMeshOf(test::cube()), Vec3::UnitZ(), 0.5, Progress(job)).curves.empty());
+}
+
+// Across Z and the normal, from a sine of kAlongAxis between them on; nearer, X in the plane.
+void SectionTest::axesNearZ() {
+  for (const double share : {0.5, 2.0}) {
+    const double sine = share * tolerance::kAlongAxis;
+    const Vec3 normal(0.0, sine, std::sqrt(1.0 - sine * sine));
+    const Vec3 expected = share > 1.0 ? Vec3(-1, 0, 0) : Vec3(1, 0, 0);  // Z × normal
+    QVERIFY((axesOfPlane(normal).u - expected).norm() < 1e-12);
+  }
 }
 
 HANDWHEEL_TEST(SectionTest)

@@ -50,6 +50,7 @@ class RepairBudgetTest : public QObject {
  private slots:
   void growsWithTheMesh_data();
   void growsWithTheMesh();
+  void bothBounds();
   void passesOverAnyMeshAreAllowed();
   void damagedSpheres();
   void damagedFiles();
@@ -62,6 +63,19 @@ void RepairBudgetTest::growsWithTheMesh_data() {
   QTest::addColumn<std::uint32_t>("size");
   QTest::newRow("a sheet gets a back") << false << 60u;
   QTest::newRow("fans that touch are parted") << true << 1'000u;
+}
+
+// n log2 n thousand steps, and two million where that is less: from 243 + 2 faces on, as 245 · log2 245 = 1944.5 and
+// 251 · log2 251 = 2000.9.
+void RepairBudgetTest::bothBounds() {
+  QCOMPARE(repairBudget(0), std::size_t{2'000'000});
+  QCOMPARE(repairBudget(243), std::size_t{2'000'000});
+  QCOMPARE(repairBudget(248), std::size_t{2'000'000});
+  QVERIFY(repairBudget(249) > 2'000'000 && repairBudget(249) < 2'002'000);
+  QCOMPARE(repairBudget(1022), std::size_t{10'240'000});  // 1024 · 10 thousand
+  // Of one kind of work half of that, or what is fixed and forty steps a face.
+  QCOMPARE(repairBudget(1022, 0.5, 10'000'000), std::size_t{5'120'000});
+  QCOMPARE(repairBudget(1022, 0.5, 1'000), std::size_t{1'000 + 40 * 1022});
 }
 
 // What is done for a mesh, and for the same one twice as fine: a sheet then has four times the triangles, all else

@@ -5,6 +5,8 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "base/Tolerance.h"
+#include "mesh/repair/SheetClosing.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 
@@ -79,6 +81,7 @@ class SheetThickeningTest : public QObject {
   void fold();
   void saysWhatWasReached();
   void noRoomForTheThickness();
+  void flakesNobodyAskedFor();
 };
 
 // A prism under the triangle.
@@ -377,6 +380,20 @@ void SheetThickeningTest::noRoomForTheThickness() {
   QCOMPARE(thickened(mesh, sheetOf(mesh, 0), 1e-3, NumberType::Float32).isThickened, std::vector<bool>{false});
   QVERIFY(test::sameMesh(mesh, before));
   QCOMPARE(thickened(mesh, sheetOf(mesh, 0), 1.0, NumberType::Float32).isThickened, std::vector<bool>{true});
+}
+
+// A flake that nobody asked to thicken gets a quarter of its shortest edge at most; who asks gets what was asked for.
+void SheetThickeningTest::flakesNobodyAskedFor() {
+  for (const double side : {2.0, 3.0, 5.0, 8.0}) {
+    for (const bool isWanted : {false, true}) {
+      HalfEdgeMesh mesh = buildMesh({{{0, 0, 0}, {side, 0, 0}, {0, 10, 0}}, {{0, 1, 2}}}).mesh;
+      const LoopOfSheet loop{0, isWanted};
+      const SheetTrial trial = thickenAt(mesh, {&loop, 1}, 1.0, NumberType::Float64, {});
+      QCOMPARE(trial.isThickened, std::vector<bool>{true});
+      const double expected = isWanted ? 1.0 : std::min(1.0, tolerance::kSheetOffsetEdge * side);
+      QVERIFY(std::abs(trial.thickness.largest - expected) < 1e-12);
+    }
+  }
 }
 
 HANDWHEEL_TEST(SheetThickeningTest)

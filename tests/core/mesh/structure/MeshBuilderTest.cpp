@@ -57,6 +57,7 @@ class MeshBuilderTest : public QObject {
   void soups();
   void relinkChangesNothingTwice();
   void relinkNeedsNoNewVertices();
+  void singleFacesAreReversed();
 };
 
 // V - E + F = 2 · parts - 2 · handles - border loops, for orientable surfaces.
@@ -287,6 +288,36 @@ void MeshBuilderTest::relinkNeedsNoNewVertices() {
   QCOMPARE(mesh.vertexSlots(), before);
   for (Face f = 12; f < 24; ++f)
     for (Vertex v : mesh.triangle(f)) QVERIFY(mesh.position(v) != Vec3(1, 1, 1) || v == theirs);
+}
+
+// With the reversed faces as the soup has them, every corner stands where it stood in the soup; an edge at which two of
+// its triangles disagree is no border. relink() turns the same faces once more.
+void MeshBuilderTest::singleFacesAreReversed() {
+  QVERIFY(rc::check("what building reverses can be reversed back", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    TriangleSoup soup = *rc::gen::arbitrary<bool>()
+                            ? test::sphereWithHoles(2, 2, 0.4)
+                            : test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 60), 4);
+    for (Triangle& t : soup.triangles)
+      if (random() % 4 == 0) std::swap(t[1], t[2]);
+    const BuiltMesh built = buildMesh(soup);
+    HalfEdgeMesh mesh = built.mesh;
+    reverseFaces(mesh, built.report.reversedFaces);
+    RC_ASSERT(validate(mesh) == std::string());
+    for (Face f = 0; f < mesh.faceSlots(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) RC_ASSERT(mesh.points(f)[k] == soup.points[soup.triangles[f][k]]);
+    RC_ASSERT(test::countBorder(mesh) == test::countEdges(soup).border);
+    RC_ASSERT(relink(mesh).reversedFaces == built.report.reversedFaces);
+    for (Face f = 0; f < mesh.faceSlots(); ++f) RC_ASSERT(mesh.points(f) == built.mesh.points(f));
+  }));
+  HalfEdgeMesh mesh = buildMesh(test::cube()).mesh;
+  const Face one[] = {4};
+  reverseFaces(mesh, one);
+  QCOMPARE(test::countSeams(mesh), std::size_t{6});  // three edges, both sides
+  JobState state;
+  state.cancelled = true;
+  reverseFaces(mesh, one, Progress(state));
+  QCOMPARE(test::countSeams(mesh), std::size_t{6});
 }
 
 HANDWHEEL_TEST(MeshBuilderTest)

@@ -30,6 +30,7 @@ class FillHoleToolTest : public QObject {
   void lateAnswersAreNotShown();
   void followsTheDocument();
   void whileTheWorkerCommits();
+  void quickerThanThePatch();
   void deviceButton();
   void nothingToFill();
 
@@ -210,7 +211,10 @@ void FillHoleToolTest::whileTheWorkerCommits() {
   FillServices services = test::fillServices(*m_document, m_answering);
   std::function<void()> later;
   const auto now = services.commit;
-  services.commit = [&](const BoundaryLoop& loop, const FillAttempt& attempt) { later = [=] { now(loop, attempt); }; };
+  services.commit = [&](const BoundaryLoop& loop, const FillAttempt& attempt) {
+    later = [=] { now(loop, attempt); };
+    return true;
+  };
   m_tool = std::make_unique<FillHoleTool>(*m_document, services);
   m_answering = m_tool.get();
   m_tool->perform("next");
@@ -222,6 +226,40 @@ void FillHoleToolTest::whileTheWorkerCommits() {
   QCOMPARE(loops().size(), std::size_t(3));
   QCOMPARE(chosen(), second);
   QVERIFY(m_tool->state() == State::Ready);
+}
+
+// Whoever presses Enter before the patch is there gets it as soon as it is; where the owner is busy, it stays as it
+// was.
+void FillHoleToolTest::quickerThanThePatch() {
+  FillServices services = test::fillServices(*m_document, m_answering);
+  std::vector<FillRequest> requests;
+  bool isFree = false;
+  services.request = [&](const FillRequest& request) { requests.push_back(request); };
+  const auto now = services.commit;
+  services.commit = [&](const BoundaryLoop& loop, const FillAttempt& attempt) { return isFree && now(loop, attempt); };
+  m_tool = std::make_unique<FillHoleTool>(*m_document, services);
+  const auto answer = [&] {
+    const FillRequest asked = requests.back();
+    m_tool->previewReady(asked.ticket, HoleFiller(m_document->mesh()).propose(asked.loop, {}));
+  };
+  m_tool->perform("next");
+  QVERIFY(m_tool->state() == State::Computing && test::isEnabled(*m_tool, "commit"));
+  answer();
+  QVERIFY(m_tool->state() == State::Ready);
+  QCOMPARE(m_tool->perform("commit"), ToolReply::Ignored);
+  QVERIFY(m_tool->state() == State::Ready && m_tool->preview().parts.size() == 1);
+  QCOMPARE(loops().size(), std::size_t(4));
+
+  isFree = true;
+  m_tool->perform("next");
+  QCOMPARE(m_tool->perform("commit"), ToolReply::Used);
+  QCOMPARE(loops().size(), std::size_t(4));
+  answer();
+  QCOMPARE(loops().size(), std::size_t(3));
+  QVERIFY(m_tool->state() == State::Computing);  // the next hole
+  answer();
+  QVERIFY(m_tool->state() == State::Ready);  // which nobody has asked to fill
+  QCOMPARE(loops().size(), std::size_t(3));
 }
 
 void FillHoleToolTest::deviceButton() {

@@ -21,7 +21,7 @@ inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
   services.commit = [&document](const BoundaryLoop& loop, const FillAttempt& attempt) {
     HoleFiller filler(document.mesh());
     filler.accept(loop, attempt.patch);
-    document.commit("Fill hole", inspected(filler.mesh()));
+    return document.commit("Fill hole", inspected(filler.mesh()));
   };
   return services;
 }

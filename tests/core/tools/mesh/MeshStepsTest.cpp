@@ -48,6 +48,7 @@ class MeshStepsTest : public QObject {
   void standardPlaces();
   void deleting();
   void reversing();
+  void orienting();
   void filling();
   void bridgesOfAFill();
   void keepingOpen();
@@ -78,6 +79,32 @@ void MeshStepsTest::placing() {
   QVERIFY2(work.step().starts_with("place --unit in --scale 1.1 --turn 0,5.72957795130823"), work.step().c_str());
   QVERIFY2(work.step().ends_with(",30 --move -0.3333333333333333,0,0"), work.step().c_str());
   QCOMPARE(work.check(), std::string());
+}
+
+// Undone, the turn on opening is a step; so is what mends it.
+void MeshStepsTest::orienting() {
+  TriangleSoup soup = test::icosphere(2);
+  for (const Face f : {3u, 4u, 5u, 90u}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+  Work work(soup);
+  QVERIFY(stepsSince(*work.document).value().empty());
+  work.document->history()->undo();
+  QCOMPARE(stepsSince(*work.document).value(), std::vector<std::string>{"orient 3-5,90"});
+  QCOMPARE(work.check(0), std::string());
+  const HistoryPoint asInFile = presentPoint(*work.document);
+  QVERIFY(asInFile != HistoryPoint());
+  work.services().commit(orientFix({4}));
+  QCOMPARE(work.document->defects().inconsistentFaces, (std::vector<Face>{3, 5, 90}));
+  work.services().commit(orientFix());
+  QVERIFY(work.document->defects().inconsistentFaces.empty());
+  QCOMPARE(stepsSince(*work.document).value(), (std::vector<std::string>{"orient 3-5,90", "orient 4", "orient"}));
+  QCOMPARE(stepsSince(*work.document, asInFile).value(), (std::vector<std::string>{"orient 4", "orient"}));
+  QCOMPARE(work.check(2), std::string());
+
+  Work forward(soup);
+  forward.services().commit(deleteChange({7}, "Delete faces"));
+  QCOMPARE(stepsSince(*forward.document).value(), std::vector<std::string>{"delete 7"});
+  QVERIFY(!stepsSince(*forward.document, asInFile));
+  QCOMPARE(forward.check(1), std::string());
 }
 
 void MeshStepsTest::standardPlaces() {

@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "base/Tolerance.h"
 #include "haptics/contact/TouchableSurface.h"
 #include "haptics/snap/SnapProxy.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -81,6 +82,17 @@ class NearFeaturesTest : public QObject {
     QCOMPARE(countsOf(felt.near(kOfPoints, middle, 9.0)), (Counts{20, 20, 0}));
     QCOMPARE(countsOf(felt.near(kOfBorders, middle, 9.0)), (Counts{20, 20, 0}));
     QCOMPARE(countsOf(felt.near(kOfFaces, middle, 9.0)), (Counts{0, 20, 50}));
+  }
+
+  // A roof is an edge from a degree on, between its two sides; beside it are the four edges of its border.
+  void aFoldOfADegree() {
+    for (const double share : {0.9, 1.1}) {
+      const double fold = share * tolerance::kFlatEdge;
+      const Vec3 down(0.0, std::cos(fold), -std::sin(fold));
+      const Felt roof({{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, 0.5 * Vec3::UnitX() + down}, {{0, 1, 3}, {1, 0, 2}}});
+      QCOMPARE(countOf(roof.near({.edges = true}, Vec3(0.5, 0, 0), 9.0), SnapKind::Segment),
+               std::size_t(share > 1.0 ? 5 : 4));
+    }
   }
 
   void theMeanSide() {

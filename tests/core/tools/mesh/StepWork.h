@@ -15,7 +15,7 @@ struct Work {
 
   explicit Work(TriangleSoup of) : soup(std::move(of)), document(test::meshDocument(soup)) {}
   MeshServices services() const { return immediateServices(*document); }
-  int steps() const { return document->history()->index(); }
+  int steps() const { return document->history()->index() - document->openingSteps(); }
   std::string step(int i = 0) const { return stepsSince(*document).value().at(static_cast<std::size_t>(i)); }
   // Empty when it was done, so many steps, and can be done once more.
   std::string check(int count = 1) const {

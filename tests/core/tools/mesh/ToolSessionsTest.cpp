@@ -48,13 +48,15 @@ class Session {
 
   // The first thing that is wrong, or nothing.
   std::string run(int steps) {
+    QUndoStack& history = *m_document->history();
+    history.setIndex(0);  // before opening has turned faces over, which is a step
     const HalfEdgeMesh before = m_document->mesh();
+    history.setIndex(history.count());
     for (int i = 0; i < steps; ++i) {
       step();
       if (const std::string problem = check(); !problem.empty()) return "step " + std::to_string(i) + ": " + problem;
     }
     m_runner.stop();
-    QUndoStack& history = *m_document->history();
     history.setIndex(history.count());
     const HalfEdgeMesh after = m_document->mesh();
     history.setIndex(0);

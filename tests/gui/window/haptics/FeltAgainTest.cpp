@@ -71,6 +71,58 @@ class FeltAgainTest : public QObject {
     QCOMPARE(same.captured(1), all.captured(1));
     QVERIFY(!out.contains("Peak force   0 N"));
   }
+
+  // A box is pressed while a ball beside it is moved away and back: it is felt where it was all the time.
+  void whereTheBodiesOfACellWere() {
+    const QTemporaryDir folder;
+    const QString cell = folder.filePath("cell.handwheel"), table = folder.filePath("session.csv");
+    WindowDriver driver;
+    HapticSession& session = *driver.window().findChild<HapticSession*>();
+    driver.choose("openRobotSample");
+    QVERIFY(driver.settle());
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    const auto coordinate = [&](const char* property) {
+      return driver.find<QWidget>(property)->findChild<QLineEdit*>()->text().toDouble();
+    };
+    const Vec3 box(coordinate("property/body.1.x"), coordinate("property/body.1.y"), coordinate("property/body.1.z"));
+    driver.choose("add-sphere");
+    QVERIFY(driver.settle());
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", cell));
+    QVERIFY(driver.settle());
+    session.choose("simulated", "hand");
+    QTRY_VERIFY(session.latest() != nullptr);
+    QVERIFY(driver.settle());
+    driver.choose("recordDevice");
+    const auto leadIn = [&] {
+      const WorkspaceMapping mapping = session.mappingInScene();
+      const Vec3 inView = mapping.sceneFromView.linear().transpose() * (box - session.latest()->tip.position);
+      HandPose pose;
+      pose.position = session.latest()->device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
+      session.simulatedHand()->setTarget(pose);
+      return session.latest()->felt.isContact && (session.latest()->tip.position - box).norm() < 70.0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(leadIn(), kPatienceMs);
+    for (const char* y : {"900", "-700"}) {
+      driver.edit("body.2.y", y);
+      QVERIFY(driver.settle());
+      QTest::qWait(100);
+    }
+    driver.choose("recordDevice");
+    driver.choose("exportRecording");
+    QVERIFY(driver.enterFileName("exportRecordingDialog", table));
+    QVERIFY(driver.settle());
+    session.close();
+
+    QProcess again;
+    again.start(HANDWHEEL_PROGRAM, {"feel", cell, "--path", table});
+    QVERIFY(again.waitForFinished());
+    const QByteArray out = again.readAllStandardOutput(), errors = again.readAllStandardError();
+    QVERIFY2(out.contains(", edits 3\n"), out + errors);
+    QVERIFY2(out.contains("the largest difference is 0 N\n"), out + errors);
+    QVERIFY(!out.contains("Peak force   0 N"));
+  }
 };
 
 HANDWHEEL_WINDOW_TEST(FeltAgainTest)

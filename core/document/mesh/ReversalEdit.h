@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/mesh/MeshEdit.h"
+
+namespace handwheel {
+
+// The reversal of faces on opening, which is the first step of the history of a mesh from a foreign file. Its inverse
+// gives the faces the directions that they have in the file.
+class ReversalEdit : public MeshEdit {
+ public:
+  using MeshEdit::MeshEdit;
+
+  void exchange(Document& document) override;
+};
+
+}  // namespace handwheel
