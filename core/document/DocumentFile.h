@@ -22,8 +22,9 @@ class DocumentKind;
 
 // What a document stores about the file that it was read from.
 struct DocumentFile {
-  std::string id;                       // UUID; made when a document is imported, kept in containers
-  std::string path;                     // absolute, as bytes; empty for a document that was never saved
+  std::string id;           // UUID; made when a document is imported, kept in containers
+  std::string path;         // absolute, as bytes; empty for a document that was never saved
+  std::string copyOf = {};  // as path: the file whose surface it was made of, which names it until it is saved
   std::optional<FileStamp> stamp = {};  // of that file as it was read or written; none where that is not known
   LengthUnit displayUnit = LengthUnit::Millimetre;
   std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made

@@ -53,7 +53,7 @@ void CopyActions::start(const DocumentKind& kind) {
     emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});
   };
   job.work = [this, failed, &kind, name = name.toStdString(), &own = from->document.kind(),
-              content = from->document.snapshot(),
+              content = from->document.snapshot(), file = from->document.file().path,
               unit = from->document.displayUnit()](Progress progress) -> Job::Finish {
     Result<SnapshotPointer> made = kind.ofSurface(placedSoup(own.display(*content)), name, progress);
     if (!made) return [failed, error = made.error()] { failed(error); };
@@ -61,6 +61,7 @@ void CopyActions::start(const DocumentKind& kind) {
     opened.kind = &kind;
     opened.file.id = newDocumentId();
     opened.file.displayUnit = unit;
+    opened.file.copyOf = file;
     opened.content = std::move(*made);
     return [this, opened = std::move(opened)]() mutable { m_open(std::move(opened)); };
   };
