@@ -26,6 +26,7 @@
 
 class QLabel;
 class QStackedWidget;
+class QUndoView;
 class QToolBar;
 
 namespace handwheel {
@@ -137,6 +138,7 @@ class MainWindow : public QMainWindow {
   Viewport* m_viewport;
   ViewActions* m_viewActions;
   DocumentsPanel* m_documents;
+  QUndoView* m_history;
   StartPage* m_start;
   QStackedWidget* m_stack;
   QStackedWidget* m_kindPanels;

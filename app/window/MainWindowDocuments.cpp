@@ -26,12 +26,28 @@
 #include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
+#include <QUndoView>
 
 namespace handwheel {
+
+namespace {
+
+// Of an undo stack: what the panel calls the state before its first step.
+constexpr const char* kBeginning = "beginning";
+
+// A project keeps what was made of its steps, not the steps.
+QString beginningOf(const Document& opened) {
+  if (opened.file().path.empty()) return MainWindow::tr("As created");
+  return opened.file().isContainer ? MainWindow::tr("History begins when the file was opened")
+                                   : MainWindow::tr("As in the file");
+}
+
+}  // namespace
 
 void MainWindow::connectDocuments() {
   connect(m_tabs, &DocumentTabs::added, this, [this](DocumentTab* opened) {
     m_undo.addStack(opened->document.history());
+    opened->document.history()->setProperty(kBeginning, beginningOf(opened->document));
     m_documents->addDocument(&opened->document);
     m_documents->setPicture(&opened->document, Thumbnails::of(opened->document.path()));
     connect(&opened->document, &Document::fileChanged, this, [this] {
@@ -159,6 +175,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_tabs->setVisible(document != nullptr);
   m_stack->setCurrentWidget(document ? static_cast<QWidget*>(m_viewport) : m_start);
   m_undo.setActiveStack(document ? document->document.history() : nullptr);
+  if (document) m_history->setEmptyLabel(document->document.history()->property(kBeginning).toString());
   m_documents->setCurrent(document ? &document->document : nullptr);
   m_messages->setDocument(document ? &document->document : nullptr);
   m_properties->setDocument(document ? &document->document : nullptr,

@@ -102,14 +102,13 @@ void MainWindow::buildCentre() {
 
 void MainWindow::buildDocks() {
   m_documents = new DocumentsPanel(this);
-  auto* history = new QUndoView(&m_undo, this);
-  history->setObjectName(QStringLiteral("historyView"));
-  history->setAccessibleName(tr("History"));
-  history->setEmptyLabel(tr("As opened"));
+  m_history = new QUndoView(&m_undo, this);
+  m_history->setObjectName(QStringLiteral("historyView"));
+  m_history->setAccessibleName(tr("History"));
   m_kindPanels = new QStackedWidget(this);
   for (const auto& [id, each] : m_uis) m_kindPanels->addWidget(each->panel());
   m_documentsDock = addDock(*this, Qt::LeftDockWidgetArea, "documentsDock", tr("Documents"), m_documents, "documents");
-  m_historyDock = addDock(*this, Qt::LeftDockWidgetArea, "historyDock", tr("History"), history, "history");
+  m_historyDock = addDock(*this, Qt::LeftDockWidgetArea, "historyDock", tr("History"), m_history, "history");
   m_kindDock = addDock(*this, Qt::RightDockWidgetArea, "kindDock", {}, m_kindPanels, "file");
   m_toolDock = addDock(*this, Qt::RightDockWidgetArea, "toolDock", tr("Tool"), m_toolPanel, "tool-settings");
   auto* properties = new PropertyList(this);

@@ -20,6 +20,10 @@ QString labelOf(const Property& property) {
                              : QString::fromStdString(property.label);
 }
 
+QString pathOf(const std::string& bytes) {
+  return QFile::decodeName(QByteArray::fromStdString(bytes));
+}
+
 // A group with a name of its own is one of several things that have such a property.
 QString changeText(const Property& property) {
   if (property.groupTranslated) return Document::tr("Change %1").arg(labelOf(property));
@@ -39,12 +43,13 @@ Document::~Document() {
 }
 
 QString Document::path() const {
-  return QFile::decodeName(QByteArray::fromStdString(m_file.path));
+  return pathOf(m_file.path);
 }
 
 QString Document::name() const {
   if (!m_file.path.empty()) return QFileInfo(path()).fileName();
-  return m_file.title.empty() ? tr("Untitled") : QString::fromStdString(m_file.title);
+  if (!m_file.title.empty()) return QString::fromStdString(m_file.title);
+  return m_file.copyOf.empty() ? tr("Untitled") : QFileInfo(pathOf(m_file.copyOf)).completeBaseName();
 }
 
 void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp) {

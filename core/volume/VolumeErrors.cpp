@@ -33,10 +33,8 @@ const ErrorDescription VolumeErrors::NoVoxelInside{
 const ErrorDescription VolumeErrors::NothingInside{
     .id = "NothingInside",
     .sentences = {translatable("ErrorText", "the surface encloses no volume")},
-    .advice = {
-        translatable("ErrorText",
-                     "Turn its faces outwards if it is inside out. Sheets, and triangles that share no edges, have no "
-                     "inside: 'handwheel voxelize --wall MM' makes walls of them.")}};
+    .advice = {translatable("ErrorText",
+                            "Turn its faces outwards, or make walls of sheets: 'handwheel voxelize --wall MM'.")}};
 
 const ErrorDescription VolumeErrors::NothingLeft{
     .id = "NothingLeft",

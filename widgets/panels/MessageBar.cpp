@@ -114,9 +114,10 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MessageBar::showMessage(const Message& message) {
-  std::erase_if(m_messages, [&message, text = textOf(message)](const Entry& earlier) {
+  std::erase_if(m_messages, [&message](const Entry& earlier) {
     const bool isOver = earlier.message.isOver && earlier.message.isOver();
-    return isOver || (earlier.message.about == message.about && textOf(earlier.message) == text);
+    const bool isSame = earlier.message.about == message.about && earlier.message.title == message.title;
+    return isOver || (isSame && (message.about || textOf(earlier.message) == textOf(message)));
   });
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
   m_messages.push_back({message, m_document, {}});

@@ -138,7 +138,8 @@ Result<Edited> editFile(const Arguments& arguments, const DocumentKinds& kinds, 
 
   const DocumentKind& kind = *opened->kind;
   MeshDocument document(std::move(*opened));
-  document.history()->setUndoLimit(1);  // nobody takes a step back here
+  // Nobody takes a step back here, but for the turn of faces on opening, which "orient" may undo.
+  if (document.openingSteps() == 0) document.history()->setUndoLimit(1);
   done.facesBefore = document.mesh().liveFaceCount();
   const Status applied = applySteps(document, *steps, kinds, done, progress.part(0.2, 0.8));
   if (!applied) return applied.error();

@@ -57,7 +57,7 @@ void CopyActions::start(const DocumentKind& kind) {
   const std::string title =
       from->document.path().isEmpty() ? from->document.file().title : QFileInfo(name).completeBaseName().toStdString();
   job.work = [this, failed, &kind, title, name = name.toStdString(), &own = from->document.kind(),
-              content = from->document.snapshot(),
+              content = from->document.snapshot(), file = from->document.file().path,
               unit = from->document.displayUnit()](Progress progress) -> Job::Finish {
     Result<SnapshotPointer> made = kind.ofSurface(placedSoup(own.display(*content)), name, progress);
     if (!made) return [failed, error = made.error()] { failed(error); };
@@ -66,6 +66,7 @@ void CopyActions::start(const DocumentKind& kind) {
     opened.file.id = newDocumentId();
     opened.file.title = title;
     opened.file.displayUnit = unit;
+    opened.file.copyOf = file;
     opened.content = std::move(*made);
     return [this, opened = std::move(opened)]() mutable { m_open(std::move(opened)); };
   };

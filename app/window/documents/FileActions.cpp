@@ -233,7 +233,8 @@ void FileActions::askForName(DocumentTab* document, std::function<void(bool)> en
   const bool hasRecordings = !document->document.file().recordings.empty();  // which no foreign file holds
   QString suggestion = hasRecordings || asContainer ? document->ui.KindUi::suggestedName(*document)
                                                     : document->ui.suggestedName(*document);
-  if (needsNewName(*document) && suggestion == document->document.path())
+  const bool isCopy = document->document.file().path.empty() && QFileInfo::exists(suggestion);
+  if (isCopy || (needsNewName(*document) && suggestion == document->document.path()))
     suggestion = freeName(document->document.kind(), suggestion);
   const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();

@@ -7,6 +7,8 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileFilters.h"
 
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
@@ -57,7 +59,10 @@ std::vector<Property> KindUi::listedProperties(const Document& document) const {
 // The container beside the file that it came from.
 QString KindUi::suggestedName(const DocumentTab& document) const {
   const QString ending = containerEnding();
-  if (document.document.file().path.empty()) return document.document.name() + ending;
+  const DocumentFile& of = document.document.file();
+  if (of.path.empty() && of.copyOf.empty()) return document.document.name() + ending;
+  if (of.path.empty())
+    return QFileInfo(QFile::decodeName(of.copyOf.c_str())).dir().filePath(document.document.name() + ending);
   const QFileInfo file(document.document.path());
   const QString name = file.fileName().chopped(endingOf(document.document.kind(), document.document.path()).size());
   return file.path() + QLatin1Char('/') + name + ending;

@@ -66,7 +66,12 @@ std::unique_ptr<Tool> MeshTools::fillTool() {
   services.values = m_preview.choice();
   services.faces = [this] { return m_layer.faces(); };
   services.request = [this](const FillRequest& wanted) { request(wanted); };
-  services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
+  services.commit = [this](const BoundaryLoop&, const FillAttempt&) {
+    QAction* const fill = m_actions.fill();
+    const bool isFree = fill->isEnabled();
+    fill->trigger();
+    return isFree;
+  };
   services.showsPatch = [this] { return m_actions.preview()->isChecked() && !m_isPatchHidden; };
   const Vertex selected = m_document->selected;
   return std::make_unique<FillHoleTool>(m_document->document, std::move(services),

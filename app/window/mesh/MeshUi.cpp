@@ -336,8 +336,9 @@ QString MeshUi::saveCommand(const DocumentTab& open, const QString& path) const 
 }
 
 QString MeshUi::suggestedName(const DocumentTab& document) const {
-  if (document.document.path().isEmpty()) return KindUi::suggestedName(document);
-  return document.document.file().isContainer ? document.document.path() : repairedName(document.document.path());
+  const DocumentFile& file = document.document.file();
+  if (file.path.empty()) return KindUi::suggestedName(document);
+  return file.isContainer ? document.document.path() : repairedName(document.document.path());
 }
 
 bool MeshUi::isSettled() const {

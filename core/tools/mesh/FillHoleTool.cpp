@@ -86,6 +86,7 @@ void FillHoleTool::choose(std::optional<Vertex> key) {
 
 void FillHoleTool::request() {
   m_state = State::Computing;
+  m_isCommitWanted = false;
   m_patch.reset();
   m_attempt = {};
   m_services.request({++m_ticket, *loop(), m_bridges.own()});
@@ -98,6 +99,7 @@ void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
   if (m_state == State::Ready)
     m_patch = std::make_shared<const TriangleSoup>(TriangleSoup{m_attempt.patch.points, m_attempt.patch.triangles});
   reportUpdated();
+  if (m_isCommitWanted) commit();
 }
 
 std::optional<Vertex> FillHoleTool::holeFrom(std::size_t index, bool forward) const {
@@ -197,12 +199,19 @@ ToolReply FillHoleTool::perform(std::string_view action) {
 
 // The document may change now or later; documentChanged() goes on to the next hole.
 ToolReply FillHoleTool::commit() {
-  if (m_state != State::Ready) return ToolReply::Ignored;
+  m_isCommitWanted = m_state == State::Computing;  // who is quicker than the patch need not wait for it
+  if (m_isCommitWanted) return ToolReply::Used;
+  const BoundaryLoop* chosen = m_state == State::Ready ? loop() : nullptr;
+  if (!chosen) return ToolReply::Ignored;
   m_state = State::Committing;
-  m_patch.reset();
-  const BoundaryLoop filled = *loop();
-  const FillAttempt attempt = std::move(m_attempt);
-  m_services.commit(filled, attempt);
+  const std::uint64_t ticket = m_ticket;
+  const BoundaryLoop filled = *chosen;
+  const FillAttempt attempt = m_attempt;
+  if (!m_services.commit(filled, attempt)) {
+    m_state = State::Ready;
+    return ToolReply::Ignored;
+  }
+  if (ticket == m_ticket) m_patch.reset();
   return m_key ? ToolReply::Used : ToolReply::Finished;
 }
 
@@ -233,7 +242,7 @@ std::vector<ToolAction> FillHoleTool::actions() const {
   const bool any = neighbour(true).has_value();
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a hole")},
-      actionOf(kFillHoleKeys, "commit", m_state == State::Ready),
+      actionOf(kFillHoleKeys, "commit", m_state == State::Ready || m_state == State::Computing),
       actionOf(kFillHoleKeys, "next", any),
       actionOf(kFillHoleKeys, "previous", any),
       actionOf(kFillHoleKeys, "keep", chosen != nullptr,

@@ -30,8 +30,8 @@ struct FillServices {
   std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // "picking", as in MeshServices
   // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request replaces the previous one.
   std::function<void(const FillRequest&)> request;
-  // Puts a proposed patch into the document as one step, now or later.
-  std::function<void(const BoundaryLoop&, const FillAttempt&)> commit;
+  // Puts a proposed patch into the document as one step, now or later. False where something else is under way.
+  std::function<bool(const BoundaryLoop&, const FillAttempt&)> commit;
   // Whether the patch is to be seen before it is put in.
   std::function<bool()> showsPatch = [] { return true; };
 };
@@ -93,6 +93,7 @@ class FillHoleTool : public Tool {
   std::optional<Vertex> m_hovered;
   std::size_t m_index = 0;  // of the chosen loop, in the mesh for which it was chosen
   std::uint64_t m_ticket = 0;
+  bool m_isCommitWanted = false;  // as soon as there is a patch
   FillAttempt m_attempt;
   BridgeEditing m_bridges;
   std::shared_ptr<const TriangleSoup> m_patch;

@@ -57,11 +57,19 @@ Limits radiusLimits(const SparseVolume& volume) {
   return {kLeastVoxels * volume.voxel(), ClayDab::kMostVoxels * volume.voxel()};
 }
 
+// Three digits, as many decimals as that takes: strokes of a dental drill and of a boat's hull have both a size.
+QString amountText(double volume) {
+  constexpr int kDigits = 3, kMostDecimals = 9;
+  const double size = std::abs(volume);
+  const int places = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
+  const int decimals = std::clamp(kDigits - 1 - places, 0, kMostDecimals);
+  if (size < 0.5 * std::pow(10.0, -kMostDecimals)) return QStringLiteral("0");
+  return (volume < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + QLocale().toString(size, 'f', decimals);
+}
+
 // "Carve clay: −12.3 mm³"
 QString strokeText(ClayAction action, double change) {
-  const QLocale locale;
-  const QString amount = (change < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
-                         locale.toString(std::abs(change), 'f', std::abs(change) < 10.0 ? 2 : 0);
+  const QString amount = amountText(change);
   return QCoreApplication::translate("Tool", "%1: %2 mm³")
       .arg(QCoreApplication::translate("Tool", kActions[static_cast<int>(action)].history), amount);
 }

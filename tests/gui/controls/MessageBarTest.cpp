@@ -74,8 +74,27 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isHidden());
   }
 
-  // Pointers to documents are only compared.
+  // What a later message about the same thing says anew is not said twice; of other things, and of no document, it is.
+  void laterMessagesReplaceEarlierOnes() {
+    QWidget window;
+    MessageBar bar(&window);
+    window.show();
+    const char bench[] = "ab";
+    const auto* a = reinterpret_cast<const Document*>(bench);
+    bar.setDocument(a);
+    const auto show = [&bar](const char* detail, const Document* about) {
+      bar.showMessage({Message::Weight::Warning, "path.src was written", detail, {}, {}, {}, {}, {}, about});
+    };
+    const auto* more = bar.findChild<QWidget*>("messageMore");
+    show("the part has moved", a);
+    show("all is well", a);
+    QVERIFY(!more->isVisible());
+    QVERIFY(bar.findChild<QLabel*>("messageText")->text().contains("all is well"));
+    show("all is well", nullptr);
+    QVERIFY(more->isVisible());
+  }
 
+  // Pointers to documents are only compared.
   void messagesGoWithTheirDocument() {
     QWidget window;
     MessageBar bar(&window);

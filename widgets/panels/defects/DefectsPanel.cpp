@@ -20,6 +20,9 @@ namespace handwheel {
 
 namespace {
 
+constexpr int kFewestRows = 3;  // of the list, whatever is below it
+constexpr int kRowMargin = 8;   // px
+
 QTreeView* defectList(QWidget* parent, DefectModel* model, DefectDelegate* delegate) {
   auto* list = new QTreeView(parent);
   list->setObjectName(QStringLiteral("defectList"));
@@ -28,6 +31,7 @@ QTreeView* defectList(QWidget* parent, DefectModel* model, DefectDelegate* deleg
   list->setItemDelegate(delegate);
   list->setHeaderHidden(true);
   list->setUniformRowHeights(true);
+  list->setMinimumHeight(kFewestRows * (list->fontMetrics().height() + kRowMargin));
   list->setIndentation(16);
   list->setMouseTracking(true);
   list->setExpandsOnDoubleClick(true);

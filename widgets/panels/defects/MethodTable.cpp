@@ -7,10 +7,13 @@
 
 #include <QHeaderView>
 #include <QLocale>
+#include <algorithm>
 
 namespace handwheel {
 
 namespace {
+
+constexpr int kFewestMethods = 3;
 
 enum MethodColumn { kMethod, kTriangles, kArea, kLargestBend, kColumns };
 
@@ -59,6 +62,7 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kMethod, QHeaderView::Stretch);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   header()->setStretchLastSection(false);
+  setMaximumHeight(QTreeWidget::sizeHint().height());
   connect(this, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem* row) {
     emit methodChosen(static_cast<FillMethod>(row->data(kMethod, Qt::UserRole).toInt()));
   });
@@ -68,8 +72,17 @@ void MethodTable::showTrials(const std::vector<MethodTrial>& trials) {
   clear();
   for (const MethodTrial& trial : trials) fill(*new QTreeWidgetItem(this), trial);
   if (trials.empty()) return;
-  const int rows = static_cast<int>(trials.size()) * sizeHintForRow(0);
-  setFixedHeight(header()->sizeHint().height() + rows + 2 * frameWidth());
+  // All methods where there is room; else some, and it scrolls, so that the list above keeps its rows.
+  const auto heightOf = [this](int rows) {
+    return header()->sizeHint().height() + rows * sizeHintForRow(0) + 2 * frameWidth();
+  };
+  const auto all = static_cast<int>(trials.size());
+  setMinimumHeight(heightOf(std::min(all, kFewestMethods)));
+  setMaximumHeight(heightOf(all));
+}
+
+QSize MethodTable::sizeHint() const {
+  return {QTreeWidget::sizeHint().width(), maximumHeight()};
 }
 
 void MethodTable::showChosen(FillMethod method) {

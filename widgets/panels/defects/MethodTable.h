@@ -26,6 +26,7 @@ class MethodTable : public QTreeWidget {
 
   void showTrials(const std::vector<MethodTrial>& trials);
   void showChosen(FillMethod method);
+  QSize sizeHint() const override;
 
  signals:
   void methodChosen(handwheel::FillMethod method);
