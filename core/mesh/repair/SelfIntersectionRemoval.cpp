@@ -89,7 +89,8 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   TriangleSoup soup;
   for (Vertex v : byPosition.classes.representative) soup.points.push_back(mesh.position(v));
   soup.triangles = byPosition.triangles;
-  const SharedPlanes planes = findSharedPlanes(soup, pairs, progress.part(0.25, 0.3));
+  // Not for trials of patches, which lie in no plane with what they cross and have no effort to spare.
+  const SharedPlanes planes = most ? SharedPlanes() : findSharedPlanes(soup, pairs, progress.part(0.25, 0.3));
   const Autorefinement cuts = autorefine(soup, pairs, numbers, progress.part(0.3, 0.6), planes);
   report.cutFaces = cuts.piecesOf.size();
   if (progress.cancelled() || cuts.piecesOf.empty()) return report;

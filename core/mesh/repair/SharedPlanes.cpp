@@ -23,6 +23,8 @@ constexpr double kSpanned = 1e-3;
 // Limits that keep a mesh with very many small walls from taking long. More are not looked at.
 constexpr std::size_t kMostPlanes = 200;
 constexpr std::size_t kMostInPlanes = 3'000;
+// More pairs are folded regions of a scan, whose trials have no effort to spare.
+constexpr std::size_t kMostPairs = 500;
 
 struct PlaneGroup {
   std::vector<std::uint32_t> faces;
@@ -260,6 +262,7 @@ class PlaneFinder {
 }  // namespace
 
 SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress) {
+  if (pairs.size() > kMostPairs) return {};
   return PlaneFinder(soup, pairs, progress).find();
 }
 
