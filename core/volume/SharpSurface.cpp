@@ -28,6 +28,12 @@ VoxelIndex indexOf(const Cell& cell) {
 constexpr double kBeside = 1.2;  // voxels, of the point of an edge from the cell that has it, at most
 constexpr double kApart = 0.05;  // voxels, of such points from one another, at least
 
+// As many files of meshes hold them.
+std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
+  for (Vec3& p : points) p = rounded(p, NumberType::Float32);
+  return points;
+}
+
 // A cell with one polygon, its triangles in a row of the list, and what is sharp in it.
 struct SharpCell {
   Cell cell;
@@ -48,14 +54,19 @@ class Sharpening {
   }
 
   TriangleSoup run(Progress progress) {
-    constexpr int kMostRounds = 30;  // each leaves out what met in the last; then all
+    constexpr int kMostRounds = 40;  // each leaves out what met in the last; then all
+    bool isRounded = false;
+    int clean = 0;  // checks in a row: as it is, and rounded
     for (int round = 0; !progress.cancelled(); ++round) {
       if (round == kMostRounds)
         for (SharpCell& cell : m_cells) cell.isUsed = false;
       TriangleSoup made = assembled();
-      const auto pairs = selfIntersections(made.points, made.triangles, progress);
-      if (!pairs || round >= kMostRounds || !leaveOut(*pairs)) return pairs ? made : TriangleSoup{};
-      progress.set(1.0 - 1.0 / (2.0 + round));
+      const auto pairs = selfIntersections(isRounded ? inSinglePrecision(made.points) : made.points, made.triangles,
+                                           progress.part(0.0, 1.0 - 1.0 / (2.0 + round)));
+      if (!pairs) break;
+      clean = leaveOut(*pairs) ? 0 : clean + 1;
+      if (clean == 2) return made;
+      if (clean == 1) isRounded = !isRounded;
     }
     return {};
   }
