@@ -42,7 +42,7 @@ std::optional<Error> refusalOf(double voxel, double bytes) {
 class SurfaceOfVolume {
  public:
   static Result<SurfaceOfVolume> of(const SparseVolume& volume, Progress progress) {
-    const double bytes = kBytesOfTriangles * static_cast<double>(volume.blockCount());
+    const double bytes = predictedOffsetBytes(static_cast<double>(volume.blockCount()));
     if (const auto error = refusalOf(volume.voxel(), bytes)) return *error;
     SurfaceOfVolume made(volume);
     TriangleSoup soup = surfaceOf(volume, progress.part(0.0, 0.4));
@@ -260,6 +260,10 @@ Result<SparseVolume> shellOf(const SparseVolume& volume, double wall, WallSide s
     *moved = std::move(*made);
   }
   return combined(outer, inner, VolumeBoolean::Subtract, progress.part(0.8, 1.0));
+}
+
+double predictedOffsetBytes(double blocks) {
+  return kBytesOfTriangles * blocks;
 }
 
 Result<SparseVolume> withoutGaps(const SparseVolume& volume, double radius, Progress progress) {
