@@ -5,10 +5,10 @@
 #include "base/NumberText.h"
 #include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/Weld.h"
-#include "process/SystemMemory.h"
 #include "volume/Membranes.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
+#include "volume/VolumeMemory.h"
 
 #include <cmath>
 #include <utility>
@@ -85,9 +85,7 @@ Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double vo
   const Vec3 across = made.bounds.sizes() / voxel;
   const double bytes = predictedMakingBytes(surfaceArea(made.closed), across, 1.0) +
                        Membranes::predictedBlocks(made.closed, made.caps.wide) * Membranes::kBytes;
-  if (const auto left = static_cast<double>(systemMemory()); bytes > left)
-    return Error{
-        VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
+  if (const auto error = memoryRefusal(voxel, bytes)) return *error;
   return made;
 }
 

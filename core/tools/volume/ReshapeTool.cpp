@@ -51,7 +51,10 @@ struct DebrisMade {
 
 DebrisMade debrisOf(const SparseVolume& volume, const OperationValues& values, std::shared_ptr<const VolumeParts> parts,
                     const Progress& progress) {
-  if (!parts) parts = std::make_shared<const VolumeParts>(volume, progress.part(0.0, 0.4));
+  if (!parts) {
+    if (const auto error = VolumeParts::refusal(volume)) return {*error, nullptr, 0, nullptr};
+    parts = std::make_shared<const VolumeParts>(volume, progress.part(0.0, 0.4));
+  }
   if (progress.cancelled()) return {Error{ErrorCode::Cancelled, {}, {}, {}}, nullptr, 0, nullptr};
   DebrisMade made{volume, parts, keptParts(*parts, values, volume.voxel()), nullptr};
   if (made.kept == parts->voxels().size()) return made;
