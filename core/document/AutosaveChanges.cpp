@@ -33,6 +33,23 @@ bool isThis(const json& text, std::string_view bytes) {
   return countAt(text, kBytes) == bytes.size() && stringAt(text, kChecksum) == layout::checksumText(bytes);
 }
 
+// Whether changes say that they are of another autosave than this, where both are sound. Errors: OutOfMemory.
+Result<bool> areOfAnother(std::string_view autosave, std::string_view changes) {
+  const auto isLacking = [](const Result<ReadContainer>& read) {
+    return !read && read.error().code == ErrorCode::OutOfMemory;
+  };
+  {
+    const Result<ReadContainer> read = readContainer(changes);
+    if (isLacking(read)) return read.error();
+    if (!read) return false;
+    const json base = JsonFieldReader(*read->container.manifest).member(kBase);
+    if (!base.is_object() || isThis(base, autosave)) return false;
+  }
+  const Result<ReadContainer> whole = readContainer(autosave);
+  if (isLacking(whole)) return whole.error();
+  return whole && whole->damage.empty();
+}
+
 }  // namespace
 
 StoredAutosave storedAutosave(const Container& container, std::string_view archive) {
@@ -83,22 +100,30 @@ std::optional<Container> withChanges(std::string_view autosave, std::string_view
   return joined;
 }
 
-Status joinChanges(const std::filesystem::path& autosave, Progress progress) {
+Result<JoinedChanges> joinChanges(const std::filesystem::path& autosave, Progress progress) {
   const std::filesystem::path beside = recovery::changesFile(autosave);
   std::error_code ignored;
-  if (!std::filesystem::exists(beside, ignored)) return Done{};
+  if (!std::filesystem::exists(beside, ignored)) return JoinedChanges::All;
   const Result<std::string> changes = readFileBytes(beside, progress.part(0.0, 0.1));
   if (!changes) return changes.error();
   const Result<std::string> base = readFileBytes(autosave, progress.part(0.1, 0.3));
   if (!base) return base.error();
   const std::optional<Container> joined = withChanges(*base, *changes);
-  if (!joined) return Done{};
+  if (!joined) {
+    const Result<bool> other = areOfAnother(*base, *changes);
+    if (!other) return other.error();
+    if (*other) return JoinedChanges::All;
+    std::error_code failed;
+    std::filesystem::rename(beside, recovery::damagedFile(autosave), failed);
+    if (failed) return Error{ErrorCode::WriteFailed, {failed.message()}, {}, beside.string()};
+    return JoinedChanges::Damaged;
+  }
   const Result<std::string> bytes = writeContainer(*joined, Compression::None, progress.part(0.3, 0.6));
   if (!bytes) return bytes.error();
   if (const Status written = writeFileAtomically(autosave, *bytes, progress.part(0.6, 1.0)); !written)
     return written.error();
   std::filesystem::remove(beside, ignored);  // where that fails, they are no longer of this file
-  return Done{};
+  return JoinedChanges::All;
 }
 
 }  // namespace handwheel

@@ -35,8 +35,12 @@ std::optional<Container> changesSince(const StoredAutosave& stored, const Contai
 // autosave than this: one that replaced it is newer than they are.
 std::optional<Container> withChanges(std::string_view autosave, std::string_view changes);
 
-// Writes the changes of an autosave that were stored beside it (recovery::changesFile()) into it. Done where there are
-// none, or none that fit. After a failure all is as it was. Errors: those of reading and writing files.
-Status joinChanges(const std::filesystem::path& autosave, Progress progress = {});
+// Whether the changes beside an autosave are part of it now; those of another autosave do not count.
+enum class JoinedChanges { All, Damaged };
+
+// Writes the changes of an autosave that were stored beside it (recovery::changesFile()) into it. Where they are
+// damaged, or it is, it stays without them, and they are moved to recovery::damagedFile(). After a failure all is as it
+// was. Errors: those of reading and writing files.
+Result<JoinedChanges> joinChanges(const std::filesystem::path& autosave, Progress progress = {});
 
 }  // namespace handwheel

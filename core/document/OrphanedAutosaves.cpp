@@ -26,9 +26,21 @@ std::vector<fs::path> childrenOf(const fs::path& folder) {
   return children;
 }
 
-bool isAutosave(const fs::path& file) {
+bool isRegular(const fs::path& file, const char* ending) {
   std::error_code ignored;
-  return file.extension() == kAutosaveEnding && fs::is_regular_file(fs::symlink_status(file, ignored));
+  return file.extension() == ending && fs::is_regular_file(fs::symlink_status(file, ignored));
+}
+
+bool isAutosave(const fs::path& file) {
+  return isRegular(file, kAutosaveEnding);
+}
+
+bool isDamaged(const fs::path& file) {
+  return isRegular(file, kDamagedEnding);
+}
+
+Error damagedEntry(const fs::path& file) {
+  return {ArchiveError::EntryDamaged, {file.filename().string()}, {}, file.string()};
 }
 
 std::int64_t timeOf(const fs::path& file) {
@@ -43,7 +55,8 @@ namespace recovery {
 
 void removeIfEmpty(const fs::path& session) {
   const std::vector<fs::path> files = childrenOf(session);
-  if (std::any_of(files.begin(), files.end(), isAutosave)) return;
+  if (std::any_of(files.begin(), files.end(), [](const fs::path& file) { return isAutosave(file) || isDamaged(file); }))
+    return;
   std::error_code ignored;
   fs::remove_all(session, ignored);  // the lock, and what a killed write left half done
 }
@@ -70,6 +83,7 @@ void OrphanedAutosaves::list(const fs::path& folder) {
   if (!lock) return;
   for (const fs::path& file : childrenOf(folder)) {
     if (isAutosave(file)) look(file);
+    if (isDamaged(file)) m_skipped.push_back(damagedEntry(file));
   }
   m_sessions.push_back({folder, std::move(*lock)});
 }
@@ -77,7 +91,7 @@ void OrphanedAutosaves::list(const fs::path& folder) {
 void OrphanedAutosaves::look(const fs::path& file) {
   const Result<std::string> head = readFileHead(file);
   if (!head || !looksLikeContainer(*head)) {
-    Error error = head ? Error{ArchiveError::EntryDamaged, {file.filename().string()}, {}, {}} : head.error();
+    Error error = head ? damagedEntry(file) : head.error();
     error.subject = file.string();
     m_skipped.push_back(std::move(error));
     return;

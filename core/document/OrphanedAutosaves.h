@@ -30,7 +30,7 @@ class OrphanedAutosaves {
   OrphanedAutosaves& operator=(OrphanedAutosaves&&) = delete;
 
   const std::vector<OrphanedAutosave>& found() const { return m_found; }  // the newest first
-  // Files too damaged to be autosaves: EntryDamaged {name}; subject: its path.
+  // Files too damaged to be autosaves, or changes of them: EntryDamaged {name}; subject: its path.
   const std::vector<Error>& skipped() const { return m_skipped; }
 
   void discard(const OrphanedAutosave& leftover) const;

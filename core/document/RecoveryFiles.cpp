@@ -29,6 +29,10 @@ std::filesystem::path changesFile(std::filesystem::path autosave) {
   return autosave.replace_extension(".changes");
 }
 
+std::filesystem::path damagedFile(std::filesystem::path autosave) {
+  return autosave.replace_extension(kDamagedEnding);
+}
+
 // The autosave first: changes alone say nothing.
 void removeAutosave(const std::filesystem::path& autosave) {
   std::error_code ignored;

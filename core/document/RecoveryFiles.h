@@ -9,7 +9,7 @@
 
 // Layout of a recovery folder: <root>/<session>/ holds the file "lock", and for each autosave <number>.handwheel, a
 // container like any other, and <number>.json, which describes its document; where little has changed since,
-// <number>.changes has what did (AutosaveChanges.h).
+// <number>.changes has what did (AutosaveChanges.h), or <number>.damaged if that cannot be read.
 namespace handwheel {
 
 // Describes the document that an autosave belongs to.
@@ -27,6 +27,7 @@ std::filesystem::path recoveryFolder();
 namespace recovery {
 
 inline constexpr const char* kAutosaveEnding = ".handwheel";
+inline constexpr const char* kDamagedEnding = ".damaged";
 
 // The path of an autosave.
 std::filesystem::path autosaveFile(const std::filesystem::path& session, std::uint64_t key);
@@ -34,6 +35,8 @@ std::filesystem::path autosaveFile(const std::filesystem::path& session, std::ui
 std::filesystem::path infoFile(std::filesystem::path autosave);
 // The path of what has changed since an autosave, next to it.
 std::filesystem::path changesFile(std::filesystem::path autosave);
+// Where changes that cannot be read are kept.
+std::filesystem::path damagedFile(std::filesystem::path autosave);
 // Removes an autosave and its changes; the description stays.
 void removeAutosave(const std::filesystem::path& autosave);
 

@@ -5,20 +5,16 @@
 #include "base/NumberText.h"
 #include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/Weld.h"
-#include "process/SystemMemory.h"
 #include "volume/Membranes.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
+#include "volume/VolumeMemory.h"
 
 #include <cmath>
 #include <utility>
 
 namespace handwheel {
 namespace {
-
-// What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
-// measured.
-constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
 
 // The origin of a grid for what begins at this place, mm.
 Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& alignedTo) {
@@ -87,12 +83,9 @@ Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double vo
   for (Vec3& p : made.closed.points) p = (p - made.grid.origin()) / voxel;
   made.caps = closeBoundaries(made.closed, wideFrom, progress);
   const Vec3 across = made.bounds.sizes() / voxel;
-  const double bytes = predictedVolumeBytes(made.closed, 1.0) * (1.0 + kWhileMaking + kTriangles) +
-                       Membranes::predictedBlocks(made.closed, made.caps.wide) * Membranes::kBytes +
-                       across.y() * across.z() * sizeof(std::size_t);  // the index of the rows
-  if (const auto left = static_cast<double>(systemMemory()); bytes > left)
-    return Error{
-        VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
+  const double bytes = predictedMakingBytes(surfaceArea(made.closed), across, 1.0) +
+                       Membranes::predictedBlocks(made.closed, made.caps.wide) * Membranes::kBytes;
+  if (const auto error = memoryRefusal(voxel, bytes)) return *error;
   return made;
 }
 

@@ -21,7 +21,11 @@ namespace {
 
 constexpr double kBand = 3.0;  // voxels from the surface in which distances are exact
 constexpr double kWide = 4.0;  // voxels, of a hole that a membrane closes, and no cone
-constexpr int kTile = 32;      // voxels along an edge of what is sampled at once; four blocks
+constexpr double kBytesOfBlock = sizeof(VolumeBlock) + 64.0;
+// What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
+// measured.
+constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
+constexpr int kTile = 32;  // voxels along an edge of what is sampled at once; four blocks
 
 using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map
 using Tiles = std::vector<std::pair<Tile, std::vector<std::uint32_t>>>;
@@ -271,15 +275,28 @@ double usualVoxel(const TriangleSoup& surface, double across) {
   return extent > 0.0 ? extent / across : 1.0;
 }
 
-double predictedVolumeBytes(const TriangleSoup& soup, double voxel) {
+double surfaceArea(const TriangleSoup& soup) {
   double area = 0.0;
   for (const Triangle& t : soup.triangles)
     area += 0.5 * (soup.points[t[1]] - soup.points[t[0]]).cross(soup.points[t[2]] - soup.points[t[0]]).norm();
+  return area;
+}
+
+double predictedBlocks(double area, double voxel) {
   // A plane in any direction, three voxels thick on either side, meets so many blocks to its area: their mean extent
   // across it is 1.5 edges (the mean projection of a cube), and the band's two more.
   const double edge = VolumeBlock::kSize * voxel;
-  const double blocks = area / (edge * edge) * (1.5 + 2.0 * kBand / VolumeBlock::kSize);
-  return blocks * (sizeof(VolumeBlock) + 64.0);
+  return area / (edge * edge) * (1.5 + 2.0 * kBand / VolumeBlock::kSize);
+}
+
+double predictedVolumeBytes(double area, double voxel) {
+  return kBytesOfBlock * predictedBlocks(area, voxel);
+}
+
+double predictedMakingBytes(double area, const Vec3& extent, double voxel) {
+  const double rows = extent.y() / voxel * (extent.z() / voxel);
+  return predictedVolumeBytes(area, voxel) * (1.0 + kWhileMaking + kTriangles) +
+         rows * sizeof(std::size_t);  // their index
 }
 
 }  // namespace handwheel

@@ -39,8 +39,14 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
 inline constexpr double kUsualVoxels = 256.0;
 double usualVoxel(const TriangleSoup& surface, double across = kUsualVoxels);
 
-// The memory that it is going to take at least; bytes. Within a third for surfaces that are smooth at the scale of a
-// few voxels. O(n).
-double predictedVolumeBytes(const TriangleSoup& soup, double voxel);
+double surfaceArea(const TriangleSoup& soup);
+
+// The blocks that a surface of this area, mm², is going to take at least. Within a third for surfaces that are smooth
+// at the scale of a few voxels.
+double predictedBlocks(double area, double voxel);
+// The memory of the volume then; bytes.
+double predictedVolumeBytes(double area, double voxel);
+// What volumeOfSurface() asks the system for, but for wide holes; bytes. extent: of the surface, mm.
+double predictedMakingBytes(double area, const Vec3& extent, double voxel);
 
 }  // namespace handwheel

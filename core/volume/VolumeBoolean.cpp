@@ -18,7 +18,7 @@ SparseVolume::Content opposite(const SparseVolume::Content& content) {
   if (!content.block) return {nullptr, !content.isFull};
   auto turned = std::make_shared<VolumeBlock>();
   std::transform(content.block->depths.begin(), content.block->depths.end(), turned->depths.begin(),
-                 [](std::int16_t depth) { return static_cast<std::int16_t>(-depth); });
+                 [](std::int16_t depth) { return static_cast<std::int16_t>(-std::max(depth, VolumeBlock::kEmpty)); });
   return {std::move(turned), false};
 }
 

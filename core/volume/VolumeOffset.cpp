@@ -3,11 +3,11 @@
 #include "volume/VolumeOffset.h"
 
 #include "base/NumberText.h"
-#include "process/SystemMemory.h"
 #include "proximity/TriangleHierarchy.h"
 #include "volume/VolumeBoolean.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
+#include "volume/VolumeMemory.h"
 #include "volume/VolumeToSurface.h"
 
 #include <tbb/parallel_for.h>
@@ -27,23 +27,12 @@ constexpr double kRounding = 1e-3;  // voxels, of a limit of distances
 // Bytes of the triangles of a block, their hierarchy, and what it takes to make it; measured.
 constexpr double kBytesOfTriangles = 16'000.0;
 
-Error tooLarge(double voxel, double bytes, double left) {
-  return {
-      VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
-}
-
-std::optional<Error> refusalOf(double voxel, double bytes) {
-  const auto left = static_cast<double>(systemMemory());
-  if (bytes > left) return tooLarge(voxel, bytes, left);
-  return std::nullopt;
-}
-
 // The surface of a volume, from which distances are asked for. In voxels.
 class SurfaceOfVolume {
  public:
   static Result<SurfaceOfVolume> of(const SparseVolume& volume, Progress progress) {
-    const double bytes = kBytesOfTriangles * static_cast<double>(volume.blockCount());
-    if (const auto error = refusalOf(volume.voxel(), bytes)) return *error;
+    const double bytes = predictedOffsetBytes(static_cast<double>(volume.blockCount()));
+    if (const auto error = memoryRefusal(volume.voxel(), bytes)) return *error;
     SurfaceOfVolume made(volume);
     TriangleSoup soup = surfaceOf(volume, progress.part(0.0, 0.4));
     for (Vec3& p : soup.points) p = (p - volume.origin()) / volume.voxel();
@@ -122,7 +111,7 @@ class Moving {
         const Node& node = nodes[i];
         depths[i] = m_surface.depthAt(kBlock * node.block + VoxelIndex::Constant(node.side * kBlock / 2), node.limit);
       });
-      if (const auto error = refusalOf(m_made.voxel(), bytesAfter(nodes, depths))) return error;
+      if (const auto error = memoryRefusal(m_made.voxel(), bytesAfter(nodes, depths))) return error;
       nodes = divided(nodes, depths);
       progress.set(nodes.empty() ? 1.0 : 1.0 / nodes.front().side);
     }
@@ -260,6 +249,10 @@ Result<SparseVolume> shellOf(const SparseVolume& volume, double wall, WallSide s
     *moved = std::move(*made);
   }
   return combined(outer, inner, VolumeBoolean::Subtract, progress.part(0.8, 1.0));
+}
+
+double predictedOffsetBytes(double blocks) {
+  return kBytesOfTriangles * blocks;
 }
 
 Result<SparseVolume> withoutGaps(const SparseVolume& volume, double radius, Progress progress) {

@@ -24,6 +24,9 @@ enum class WallSide { Inside, Outside, Middle };
 // The wall along the surface alone. Error besides: VolumeErrors::WallTooThin for less than two voxels.
 Result<SparseVolume> shellOf(const SparseVolume& volume, double wall, WallSide side, Progress progress = {});
 
+// What they ask the system for beside a volume of so many blocks, at least; bytes.
+double predictedOffsetBytes(double blocks);
+
 // Morphological closing: gaps, cracks, holes and pits that a ball of this radius does not get into are filled. Adds
 // only.
 Result<SparseVolume> withoutGaps(const SparseVolume& volume, double radius, Progress progress = {});

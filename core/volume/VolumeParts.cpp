@@ -3,6 +3,7 @@
 #include "volume/VolumeParts.h"
 
 #include "volume/VolumeFilters.h"
+#include "volume/VolumeMemory.h"
 
 #include <algorithm>
 #include <numeric>
@@ -70,6 +71,12 @@ struct IndexHash {
 };
 
 }  // namespace
+
+std::optional<Error> VolumeParts::refusal(const SparseVolume& volume) {
+  constexpr double kPlace = 64.0;  // bytes of a block in a map
+  constexpr double kBytes = sizeof(Labels) + sizeof(Labelled) + sizeof(VolumeBlock) + 2.0 * kPlace;
+  return memoryRefusal(volume.voxel(), kBytes * static_cast<double>(volume.blockCount()));
+}
 
 VolumeParts::VolumeParts(const SparseVolume& volume, Progress progress) : m_volume(volume) {
   std::unordered_map<VoxelIndex, std::size_t, IndexHash> places;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Error.h"
 #include "base/Progress.h"
 #include "volume/SparseVolume.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -16,6 +18,8 @@ namespace handwheel {
 // one whose first block comes first. It holds a copy of the volume, and a number for each voxel near its surface.
 class VolumeParts {
  public:
+  // Why there is no memory for the parts of a volume and one of them alone: TooLarge; none where there is.
+  static std::optional<Error> refusal(const SparseVolume& volume);
   // O(voxels of the blocks with samples). After a cancel it is not to be used.
   explicit VolumeParts(const SparseVolume& volume, Progress progress = {});
 

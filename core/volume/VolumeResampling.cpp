@@ -3,9 +3,9 @@
 #include "volume/VolumeResampling.h"
 
 #include "base/NumberText.h"
-#include "process/SystemMemory.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
+#include "volume/VolumeMemory.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeRegions.h"
 
@@ -88,12 +88,7 @@ class Resampling {
     const double finer = std::max(1.0, m_from.voxel() / voxel);
     const auto bytes = 2.0 * finer * finer * static_cast<double>(m_from.blockCount()) * (sizeof(VolumeBlock) + 64.0) +
                        finer * finer * finer * static_cast<double>(regionsOf(m_from).size()) * kRegionBytes;
-    if (const auto left = static_cast<double>(systemMemory()); bytes > left)
-      return Error{VolumeErrors::TooLarge,
-                   {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)},
-                   {},
-                   {}};
-    return std::nullopt;
+    return memoryRefusal(voxel, bytes);
   }
   static constexpr double kRegionBytes = 512.0 * 24.0;  // of its blocks' pointers, and of their list here
 

@@ -175,6 +175,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "%1 of its chunks are lost, or end early"),
     QT_TRANSLATE_NOOP("ErrorWord", "%1 of its samples are lost"),
     QT_TRANSLATE_NOOP("ErrorWord", "its samples are lost"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its samples need more memory than there is"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no grid of samples"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no range of values"),
     QT_TRANSLATE_NOOP("ErrorWord", "part of what was painted is lost"),

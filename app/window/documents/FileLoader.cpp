@@ -5,6 +5,7 @@
 #include "controls/Preferences.h"
 #include "document/AutosaveChanges.h"
 #include "document/DocumentKind.h"
+#include "document/RecoveryFiles.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/LossText.h"
@@ -84,18 +85,19 @@ void FileLoader::recover(const QString& autosave, const QString& path, std::func
   job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
   job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
     const std::filesystem::path file = QFile::encodeName(autosave).toStdString();
-    if (const Status joined = joinChanges(file, progress.part(0.0, 0.4)); !joined)
-      return [this, path, error = joined.error()] { failed(path, error, ReadOptions{.partial = true}); };
+    const Result<JoinedChanges> joined = joinChanges(file, progress.part(0.0, 0.4));
+    if (!joined) return [this, path, error = joined.error()] { notRecovered(path, error); };
     Result<OpenedFile> opened = m_kinds.open(file, {}, progress.part(0.4, 1.0));
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
-    return [this, path, then, opened = std::move(opened.value())] {
+    return [this, file, path, then, joined = *joined, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);
       recovered->document.markRecovered(path);
       m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
       then(recovered);
+      if (joined == JoinedChanges::Damaged) reportDamagedChanges(recovered->document, file);
     };
   };
-  job.failed = [this, path](const Error& error) { failed(path, error, ReadOptions{.partial = true}); };
+  job.failed = [this, path](const Error& error) { notRecovered(path, error); };
   m_jobs.start(std::move(job));
 }
 
@@ -131,6 +133,34 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
   }
   m_log.add(message.title + QStringLiteral(". ") + message.detail, {}, LogEntry::Weight::Error);
   emit this->message(message);
+}
+
+// The autosave is as it was, and is offered again at the next start.
+void FileLoader::notRecovered(const QString& path, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return failed(path, error, {});
+  const QString title = path.isEmpty() ? tr("A document could not be recovered")
+                                       : tr("%1 could not be recovered").arg(QFileInfo(path).fileName());
+  m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
+  emit message({Message::Weight::Error,
+                title,
+                errorSentence(error),
+                tr("Its autosave is kept, and offered again at the next start."),
+                {},
+                {}});
+}
+
+void FileLoader::reportDamagedChanges(const Document& document, const std::filesystem::path& autosave) {
+  const QString title = tr("The last changes of %1 cannot be read").arg(document.name());
+  m_log.add(title + QStringLiteral(": ") + QFile::decodeName(recovery::damagedFile(autosave).c_str()), {},
+            LogEntry::Weight::Warning);
+  Message told{Message::Weight::Warning,
+               title,
+               tr("It is recovered as it was autosaved before them."),
+               tr("Their file is kept and listed in the Log; it can be discarded at the next start."),
+               {},
+               {}};
+  told.about = &document;
+  emit message(told);
 }
 
 void FileLoader::reportNotes(const Document& document) {

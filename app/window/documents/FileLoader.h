@@ -56,6 +56,8 @@ class FileLoader : public QObject {
   DocumentTab* add(OpenedFile opened);
   void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
+  void notRecovered(const QString& path, const Error& error);
+  void reportDamagedChanges(const Document& document, const std::filesystem::path& autosave);
   void reportNotes(const Document& document);
   void reportLosses(const Document& document);
 

@@ -125,13 +125,15 @@ std::vector<OtherBody> ReshapeActions::bodies() const {
     const DocumentKind& kind = tab->document.kind();
     const bool isSolid = kind.id() == "volume" || kind.id() == "mesh" || kind.id() == "workpiece";
     if (tab.get() == m_document || !isSolid) continue;
-    all.push_back({tab->document.name().toStdString(),
+    // Copies of a file share the id of their document.
+    const DocumentFile& file = tab->document.file();
+    all.push_back({file.id + '\n' + file.path, tab->document.name().toStdString(),
                    [&kind, content = tab->document.snapshot()](const SparseVolume& grid, Progress progress) {
                      return materialOf(kind, *content, grid, progress);
                    }});
   }
   for (const QString& path : m_files)
-    all.push_back({QFileInfo(path).fileName().toStdString(),
+    all.push_back({path.toStdString(), QFileInfo(path).fileName().toStdString(),
                    [&kinds = m_parts.kinds, path = std::filesystem::path(QFile::encodeName(path).toStdString())](
                        const SparseVolume& grid, Progress progress) -> Result<SparseVolume> {
                      const Result<OpenedFile> opened = kinds.open(path, {}, progress.part(0.0, 0.4));
@@ -150,8 +152,8 @@ void ReshapeActions::addFile() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (document != m_document) return;
-    m_files << path;
-    m_parts.tools.runner().setSetting("with", static_cast<double>(bodies().size() - 1));
+    if (!m_files.contains(path)) m_files << path;
+    m_parts.tools.runner().setSetting("with", path.toStdString());
   });
   dialog->open();
 }

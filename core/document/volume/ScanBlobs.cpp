@@ -5,6 +5,7 @@
 #include "base/JsonFields.h"
 #include "base/JsonText.h"
 #include "document/container/Blobs.h"
+#include "process/SystemMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ const std::string kSamples = "scan/samples", kSegment = "scan/segment/";
 // Places of bricks to a blob. A stroke changes few blobs, so an autosave after it has little to write.
 constexpr std::size_t kGroup = 1024;
 constexpr std::size_t kBrickNumbers = 1 + SegmentBrick::kSide * SegmentBrick::kSide;
-// Samples that are lost for each that is there, as in other arrays.
+// Samples of the image for each that is there, as in other arrays.
 constexpr std::size_t kMostLost = 64;
 
 std::string groupName(std::size_t group) {
@@ -140,8 +141,15 @@ bool isSound(std::int16_t) {
 template <class Sample>
 std::optional<ImageVolume> samplesIn(const Container& container, const ImageGrid& grid, std::vector<Error>& damage) {
   ReadArray<Sample> read = readArray<Sample>(container, kSamples, grid.count());
-  if (read.values.empty() || grid.count() / kMostLost > read.values.size()) {
+  std::size_t there = read.values.size();
+  for (const IndexRange& gap : read.lost)
+    if (gap.begin < read.values.size()) there -= std::min(gap.end, read.values.size()) - gap.begin;
+  if (there == 0 || grid.count() / kMostLost > there) {
     damage.push_back(malformed("document.scan", "its samples are lost"));
+    return {};
+  }
+  if (!read.lost.empty() && grid.count() > systemMemory() / sizeof(Sample)) {
+    damage.push_back(malformed("document.scan", "its samples need more memory than there is"));
     return {};
   }
   std::vector<Sample>& samples = read.values;

@@ -45,6 +45,13 @@ Result<SparseVolume> volumeOfVdb(const std::filesystem::path& path, std::vector<
   return std::move(read->volume);
 }
 
+// What an image takes in a document once all of it is painted.
+double mostBytes(const ImageVolume& image) {
+  double bricks = 1.0;
+  for (const int n : Segment::bricksOf(image.grid().size)) bricks *= n;
+  return static_cast<double>(image.bytes()) + bricks * (sizeof(SegmentBrick) + sizeof(std::uint16_t));
+}
+
 struct OpenedImage {
   SparseVolume volume;
   std::shared_ptr<const Scan> scan;  // null: the image is a volume already
@@ -81,7 +88,7 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
   if (bytes > kMost)
     return Error{
         VolumeErrors::TooLargeToSave, {roundedText(volume.voxel()), megabytes(bytes), megabytes(kMost)}, {}, {}};
-  if (const double image = scan ? static_cast<double>(scan->image.bytes()) : 0.0; bytes + image > kMost)
+  if (const double image = scan ? mostBytes(scan->image) : 0.0; bytes + image > kMost)
     return Error{VolumeErrors::ImageTooLarge, {megabytes(image), megabytes(bytes), megabytes(kMost)}, {}, {}};
   auto snapshot = std::make_shared<VolumeSnapshot>();
   snapshot->volume = volume;

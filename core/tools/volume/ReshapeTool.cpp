@@ -10,6 +10,7 @@
 #include "volume/VolumeToSurface.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -50,7 +51,10 @@ struct DebrisMade {
 
 DebrisMade debrisOf(const SparseVolume& volume, const OperationValues& values, std::shared_ptr<const VolumeParts> parts,
                     const Progress& progress) {
-  if (!parts) parts = std::make_shared<const VolumeParts>(volume, progress.part(0.0, 0.4));
+  if (!parts) {
+    if (const auto error = VolumeParts::refusal(volume)) return {*error, nullptr, 0, nullptr};
+    parts = std::make_shared<const VolumeParts>(volume, progress.part(0.0, 0.4));
+  }
   if (progress.cancelled()) return {Error{ErrorCode::Cancelled, {}, {}, {}}, nullptr, 0, nullptr};
   DebrisMade made{volume, parts, keptParts(*parts, values, volume.voxel()), nullptr};
   if (made.kept == parts->voxels().size()) return made;
@@ -121,6 +125,12 @@ const char* ReshapeTool::obstacle() const {
   return nullptr;
 }
 
+// Why what was made is not worth a step; null: it is, or nothing is made.
+const char* ReshapeTool::needless() const {
+  const bool isSame = m_change == Change::Debris && m_made && m_made->kept == m_made->parts;
+  return isSame ? QT_TRANSLATE_NOOP("Tool", "no part is that small") : nullptr;
+}
+
 void ReshapeTool::propose() {
   drop();
   if (obstacle()) return;
@@ -187,7 +197,7 @@ void ReshapeTool::take(std::uint64_t request, const Result<Made>& made, std::sha
     if (made.error().code != ErrorCode::Cancelled) m_services.failed(made.error());
   } else {
     m_made = *made;
-    if (std::exchange(m_isToCommit, false)) commit();
+    if (std::exchange(m_isToCommit, false) && !needless()) commit();
   }
   reportUpdated();
 }
@@ -212,7 +222,7 @@ ToolReply ReshapeTool::perform(std::string_view action) {
     m_services.addFile();
     return ToolReply::Used;
   }
-  if (action != "commit" || obstacle()) return ToolReply::Ignored;
+  if (action != "commit" || obstacle() || needless()) return ToolReply::Ignored;
   if (m_made) {
     commit();
   } else {
@@ -237,7 +247,8 @@ std::span<const ToolKey> ReshapeTool::keys() {
 }
 
 std::vector<ToolAction> ReshapeTool::actions() const {
-  const char* const why = m_isToCommit ? QT_TRANSLATE_NOOP("Tool", "it is being computed") : obstacle();
+  const char* why = m_isToCommit ? QT_TRANSLATE_NOOP("Tool", "it is being computed") : obstacle();
+  if (!why) why = needless();
   ToolAction commit = actionOf(kReshapeKeys, "commit", !why);
   if (why) commit.reason = why;
   std::vector<ToolAction> all{commit};
@@ -286,20 +297,36 @@ std::vector<Property> ReshapeTool::settings() const {
   return all;
 }
 
+// By its key, or by its number among those that are shown: others may have come and gone since. One that is chosen and
+// no longer offered stays as it was.
+void ReshapeTool::chooseBody(const PropertyValue& value) {
+  std::vector<OtherBody> shown = std::exchange(m_bodies, m_services.bodies());
+  std::size_t number = std::min(m_body, shown.size());
+  const bool isShown = assignChoice(number, value, static_cast<int>(shown.size()));
+  std::string key = number < shown.size() ? shown[number].key : std::string();
+  if (const auto* const text = std::get_if<std::string>(&value)) key = *text;
+  const auto isChosen = [&](const OtherBody& body) { return body.key == key; };
+  const auto offered = std::find_if(m_bodies.begin(), m_bodies.end(), isChosen);
+  m_body = static_cast<std::size_t>(offered - m_bodies.begin());
+  if (offered != m_bodies.end()) return;
+  if (const auto gone = std::find_if(shown.begin(), shown.end(), isChosen); gone != shown.end())
+    return m_bodies.push_back(std::move(*gone));
+  m_body = 0;
+  if (!isShown) assignChoice(m_body, value, static_cast<int>(m_bodies.size()));
+}
+
 void ReshapeTool::setSetting(std::string_view id, const PropertyValue& value) {
   const OperationValues before = values();
   const Change changeBefore = m_change;
-  const std::size_t bodyBefore = m_body;
   if (id == "change") {
     assignChoice(m_change, value, kChanges);
     if (m_change != changeBefore) m_isProposing = true;
   } else if (id == "with") {
-    m_bodies = m_services.bodies();
-    assignChoice(m_body, value, static_cast<int>(m_bodies.size()));
+    chooseBody(value);
   } else {
     takeSetting(values(), id, value);
   }
-  if (m_change == changeBefore && m_body == bodyBefore && values() == before) return;
+  if (id != "with" && m_change == changeBefore && values() == before) return;
   m_isProposing = true;
   propose();
 }

@@ -14,6 +14,7 @@ namespace handwheel {
 
 // A body that a volume can be combined with.
 struct OtherBody {
+  std::string key;   // the same for as long as it is offered, and no other's
   std::string name;  // of its document or file; UTF-8
   // Its material, best in the grid of the other. Any thread.
   std::function<Result<SparseVolume>(const SparseVolume& grid, Progress)> material;
@@ -29,9 +30,8 @@ struct ReshapeServices {
   // is cancelled calls stopped instead.
   std::function<void(Job, std::function<void()> stopped)> run;
   std::function<void()> cancel;
-  // What there is to be combined with, in an order that stays; more may be added to the end.
-  std::function<std::vector<OtherBody>()> bodies;
-  std::function<void()> addFile;  // lets a person choose a file that becomes the last of them
+  std::function<std::vector<OtherBody>()> bodies;  // what there is to be combined with at present
+  std::function<void()> addFile;                   // lets a person choose a file that becomes one of them
   std::function<void(const Error&)> failed;
 };
 
@@ -69,17 +69,19 @@ class ReshapeTool : public Tool {
   OperationValues& values() { return m_values[static_cast<std::size_t>(m_change)]; }
   const OperationValues& values() const { return m_values[static_cast<std::size_t>(m_change)]; }
   void chooseUsual();
+  void chooseBody(const PropertyValue& value);
   void propose();
   void drop();
   void take(std::uint64_t request, const Result<Made>& made, std::shared_ptr<const VolumeParts> parts);
   void commit();
   const char* obstacle() const;
+  const char* needless() const;
 
   VolumeDocument& m_document;
   ReshapeServices m_services;
   Change m_change;
   std::vector<OperationValues> m_values;  // of each change
-  std::vector<OtherBody> m_bodies;        // as they were offered
+  std::vector<OtherBody> m_bodies;        // as the settings show them
   std::size_t m_body = 0;
   std::optional<Made> m_made;                                          // of the present settings
   std::shared_ptr<const VolumeParts> m_parts;                          // of the volume as it is; null: not known

@@ -5,6 +5,7 @@
 #include "volume/VolumeBoolean.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
+#include "volume/VolumeMemory.h"
 #include "volume/VolumeOffset.h"
 
 #include <QtGlobal>
@@ -113,6 +114,7 @@ Result<SparseVolume> makeBoolean(const SparseVolume& volume, const SparseVolume&
 }
 
 Result<SparseVolume> removeDebris(const SparseVolume& volume, const OperationValues& values, Progress progress) {
+  if (const auto error = VolumeParts::refusal(volume)) return *error;
   const VolumeParts parts(volume, progress.part(0.0, 0.5));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return unlessEmpty(parts.only(0, keptParts(parts, values, volume.voxel()), progress.part(0.5, 1.0)), progress);
@@ -125,6 +127,9 @@ Result<SparseVolume> closeGaps(const SparseVolume& volume, const OperationValues
 Result<SparseVolume> smoothWhole(const SparseVolume& volume, const OperationValues& values, Progress progress) {
   SparseVolume smoothed = volume;
   const std::size_t passes = values.whole("passes");
+  // A pass makes each block anew beside what the last one made.
+  const double anew = static_cast<double>(std::min<std::size_t>(passes, 2) * volume.blockCount());
+  if (const auto error = memoryRefusal(volume.voxel(), anew * (sizeof(VolumeBlock) + 64.0))) return *error;
   for (std::size_t i = 0; i < passes && !progress.cancelled(); ++i) {
     const auto at = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(passes); };
     smooth(smoothed, progress.part(at(i), at(i + 1)));

@@ -3,10 +3,10 @@
 #include "volume/image/ImageToVolume.h"
 
 #include "base/NumberText.h"
-#include "process/SystemMemory.h"
 #include "volume/DepthWindow.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
+#include "volume/VolumeMemory.h"
 #include "volume/image/ImageExtremes.h"
 
 #include <tbb/parallel_for.h>
@@ -244,11 +244,7 @@ std::vector<VoxelIndex> sorted(SparseVolume& volume, const Placement& placement,
 
 // What the blocks may take of memory, with those around; none where it is there.
 std::optional<Error> tooLarge(std::size_t blocks, double voxel) {
-  const double bytes = 2.0 * static_cast<double>(blocks) * (sizeof(VolumeBlock) + 64);
-  const auto left = static_cast<double>(systemMemory());
-  if (bytes <= left) return {};
-  return Error{
-      VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
+  return memoryRefusal(voxel, 2.0 * static_cast<double>(blocks) * (sizeof(VolumeBlock) + 64));
 }
 
 }  // namespace

@@ -139,6 +139,37 @@ class AutosaveChangesTest : public QObject {
     QVERIFY(!fs::exists(fileIn(folder, "1.changes")));
   }
 
+  // Changes that cannot be read are no silent loss: the autosave is recovered without them, and they are kept and
+  // listed until they are discarded.
+  void damagedChangesAreKept() {
+    QTemporaryDir folder;
+    {
+      RecoverySession session(rootIn(folder));
+      QVERIFY(session.store(1, kInfo, document(1)));
+      QVERIFY(session.store(1, kInfo, document(2)));
+    }
+    const fs::path damaged = fileIn(folder, "1.damaged");
+    put(fileIn(folder, "1.changes"), QByteArray("no container"));
+    {
+      RecoverySession session(rootIn(folder));
+      const OrphanedAutosaves leftovers(rootIn(folder));
+      const auto joined = joinChanges(leftovers.found().at(0).file);
+      QVERIFY(joined.hasValue());
+      QVERIFY(*joined == JoinedChanges::Damaged);
+      QCOMPARE(contentOf(leftovers.found().at(0)), std::string("1"));
+      QVERIFY(session.adopt(leftovers.found().at(0), 9));
+    }
+    QVERIFY(fs::exists(damaged));
+    {
+      const OrphanedAutosaves leftovers(rootIn(folder));
+      QCOMPARE(leftovers.found().size(), std::size_t{1});
+      QCOMPARE(leftovers.skipped().size(), std::size_t{1});
+      QCOMPARE(leftovers.skipped()[0].subject, damaged.string());
+      leftovers.discardSkipped();
+    }
+    QVERIFY(!fs::exists(damaged));
+  }
+
   // Recovered, worked on, and killed again.
   void adoptedWithItsChanges() {
     QTemporaryDir folder;

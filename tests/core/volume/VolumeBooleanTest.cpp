@@ -71,6 +71,20 @@ class VolumeBooleanTest : public QObject {
     }
   }
 
+  // The least number of 16 bits has no opposite among them; files may contain it.
+  void theLeastDepth() {
+    SparseVolume first(Vec3::Zero(), 1.0), second(Vec3::Zero(), 1.0);
+    first.setContent(VoxelIndex::Zero(), {nullptr, true});
+    auto block = std::make_shared<VolumeBlock>();
+    block->depths.fill(-32768);
+    block->depths[0] = 8192;
+    second.setContent(VoxelIndex::Zero(), {block, false});
+    const Result<SparseVolume> made = combined(first, second, VolumeBoolean::Subtract);
+    QVERIFY(made.hasValue());
+    QVERIFY(made->sample(VoxelIndex(0, 0, 0)) < 0);
+    QVERIFY(made->sample(VoxelIndex(7, 7, 7)) > 0);
+  }
+
   // In one grid each voxel is decided exactly, whatever the volumes are; and so the counts keep the laws of sets.
   void everyVoxel() {
     QVERIFY(rc::check([&] {

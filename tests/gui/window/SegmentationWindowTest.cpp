@@ -223,6 +223,31 @@ class SegmentationWindowTest : public QObject {
     }
   }
 
+  // An undo drops the stroke that is painted, and nothing else: what a job made meanwhile comes after it.
+  void jobDuringADroppedStroke() {
+    WindowDriver driver;
+    QVERIFY(driver.open(scan()));
+    type(driver, "segmentLower", QStringLiteral("0"));
+    driver.click("segmentPaint");
+    QVERIFY(driver.settle());
+    QUndoStack& history = *document(driver).history();
+    QCOMPARE(history.index(), 1);
+    auto* const axial = driver.find<SliceCanvas>("slice/axial");
+    const QPoint start = axial->shownAt(Vec3(4, 3, 16)).toPoint();
+    driver.hold();
+    driver.click("segmentMakeSurface");
+    QTest::mousePress(axial, Qt::LeftButton, {}, start);
+    driver.release();
+    QVERIFY(QTest::qWaitFor([&] { return driver.window().isSettled(); }, kPatienceMs));
+    QCOMPARE(history.index(), 1);
+    history.undo();
+    QTRY_COMPARE(history.index(), 1);
+    QVERIFY(history.text(0).contains(QStringLiteral("surface")));
+    QTest::mouseRelease(axial, Qt::LeftButton, {}, start);
+    QVERIFY(driver.settle());
+    QCOMPARE(history.index(), 1);
+  }
+
   // A handle of the histogram: the segment is seen while it is dragged, and chosen once it is released. And by keys.
   void histogram() {
     WindowDriver driver;

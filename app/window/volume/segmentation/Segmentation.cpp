@@ -159,7 +159,7 @@ void Segmentation::show() {
 void Segmentation::refresh() {
   const Segment& segment = volume().segment();
   if (segment == m_shown) return;
-  m_stroke.reset();  // what was undone meanwhile is not painted on
+  dropStroke();  // what was undone meanwhile is not painted on
   m_shown = segment;
   m_panel->setSegment(segment);
   m_slices->setSegment(segment);
@@ -198,7 +198,7 @@ void Segmentation::commit(Segment segment, const QString& text) {
 // While a handle is dragged the slices show what would be chosen.
 void Segmentation::setRange(const ValueRange& range, bool stillDragging) {
   if (!m_document) return;
-  m_stroke.reset();
+  dropStroke();
   if (!stillDragging) return commit(Segment(range), tr("Choose values"));
   m_shown = Segment(range);
   m_slices->setSegment(m_shown);
@@ -232,9 +232,20 @@ void Segmentation::paint(const Vec3& index) {
 }
 
 void Segmentation::endStroke() {
+  if (const std::optional<Stroke> stroke = std::exchange(m_stroke, std::nullopt))
+    commit(stroke->segment, stroke->isErasing ? tr("Erase from segment") : tr("Paint segment"));
+  commitWaiting();
+}
+
+// What waits for its end may come in the middle of an undo, and so is committed after it.
+void Segmentation::dropStroke() {
   if (!m_stroke) return;
-  const Stroke stroke = *std::exchange(m_stroke, std::nullopt);
-  commit(stroke.segment, stroke.isErasing ? tr("Erase from segment") : tr("Paint segment"));
+  m_stroke.reset();
+  QMetaObject::invokeMethod(this, &Segmentation::commitWaiting, Qt::QueuedConnection);
+}
+
+void Segmentation::commitWaiting() {
+  if (m_stroke) return;
   for (const Waiting& waiting : std::exchange(m_waiting, {})) waiting.commit();
 }
 

@@ -56,6 +56,8 @@ class Segmentation : public QObject {
   void begin(int through, const Vec3& index, bool opposite);
   void paint(const Vec3& index);
   void endStroke();
+  void dropStroke();
+  void commitWaiting();
   // Commits at once, or when the stroke that is painted on this document has ended.
   void afterStroke(const Document& document, std::function<void()> commit);
   void setBrush();

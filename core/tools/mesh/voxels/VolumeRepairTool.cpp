@@ -6,6 +6,7 @@
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 #include "volume/SurfaceToVolume.h"
+#include "volume/VolumeOffset.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -23,24 +24,35 @@ constexpr ToolKey kVolumeRepairKeys[] = {
 
 VolumeRepairTool::VolumeRepairTool(MeshDocument& document, MeshServices services)
     : m_document(document), m_services(std::move(services)) {
-  predict();
+  measure();
 }
 
-// O(n); once for each change of the mesh or the voxel.
-void VolumeRepairTool::predict() {
+// O(n); once for each change of the mesh.
+void VolumeRepairTool::measure() {
   const TriangleSoup surface = m_document.mesh().compact().soup;
-  if (!m_isOwn) m_voxel = surface.triangles.empty() ? 0.0 : usualVoxel(surface);
-  m_megabytes = m_voxel > 0.0 ? predictedVolumeBytes(surface, m_voxel) / 1e6 : 0.0;
+  Box box;
+  for (const Vec3& p : surface.points) box.extend(p);
+  m_extent = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
+  m_area = surfaceArea(surface);
+  m_usual = surface.triangles.empty() ? 0.0 : usualVoxel(surface);
+}
+
+// As the repair asks for it, which fills gaps beside the volume that is made by then.
+double VolumeRepairTool::predictedBytes() const {
+  const double making = predictedMakingBytes(m_area, m_extent, voxel());
+  if (m_gaps == 0.0) return making;
+  const double blocks = predictedBlocks(m_area, voxel());
+  return std::max(making, predictedOffsetBytes(blocks) + predictedVolumeBytes(m_area, voxel()));
 }
 
 void VolumeRepairTool::documentChanged() {
-  predict();
+  measure();
 }
 
 ToolReply VolumeRepairTool::perform(std::string_view action) {
   if (action == "revert") return ToolReply::Finished;
   if (action != "commit") return ToolReply::Ignored;
-  m_services.commit(volumeRepairChange(m_isOwn ? m_voxel : 0.0, m_gaps, m_document.fileNumbers()));
+  m_services.commit(volumeRepairChange(m_own, m_gaps, m_document.fileNumbers()));
   return ToolReply::Used;
 }
 
@@ -50,19 +62,19 @@ std::span<const ToolKey> VolumeRepairTool::keys() {
 
 std::vector<ToolAction> VolumeRepairTool::actions() const {
   const bool isBusy = m_services.isBusy();
-  ToolAction commit = actionOf(kVolumeRepairKeys, "commit", m_voxel > 0.0 && !isBusy);
+  ToolAction commit = actionOf(kVolumeRepairKeys, "commit", m_usual > 0.0 && !isBusy);
   if (isBusy) commit.reason = QT_TRANSLATE_NOOP("Tool", "a job that changes this mesh is running");
   return {commit, actionOf(kVolumeRepairKeys, "revert")};
 }
 
 std::vector<Property> VolumeRepairTool::settings() const {
-  if (!(m_voxel > 0.0)) return {};
+  if (!(m_usual > 0.0)) return {};
   Property voxel = volumeRepairOperation().find("voxel")->property;
-  voxel.value = m_voxel;
+  voxel.value = this->voxel();
   Property memory;
   memory.id = "memory";
   memory.label = QT_TRANSLATE_NOOP("Property", "Memory for the voxels (MB)");
-  memory.value = std::ceil(m_megabytes);
+  memory.value = std::ceil(predictedBytes() / 1e6);
   memory.editable = false;
   Property gaps = volumeRepairOperation().find("close-gaps")->property;
   gaps.id = "close_gaps";
@@ -74,10 +86,7 @@ void VolumeRepairTool::setSetting(std::string_view id, const PropertyValue& valu
   const auto* number = std::get_if<double>(&value);
   if (!number || !std::isfinite(*number)) return;
   if (id == "close_gaps") m_gaps = std::max(0.0, *number);
-  if (id != "voxel" || !(*number > 0.0)) return;
-  m_voxel = *number;
-  m_isOwn = true;
-  predict();
+  if (id == "voxel" && *number > 0.0) m_own = *number;
 }
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Geometry.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 
@@ -26,14 +27,17 @@ class VolumeRepairTool : public Tool {
   void documentChanged() override;
 
  private:
-  void predict();
+  void measure();
+  double voxel() const { return m_own > 0.0 ? m_own : m_usual; }
+  double predictedBytes() const;
 
   MeshDocument& m_document;
   MeshServices m_services;
-  double m_voxel = 0.0;    // mm; 0: there are no triangles
-  bool m_isOwn = false;    // the user has set it
-  double m_gaps = 0.0;     // mm
-  double m_megabytes = 0;  // that the voxels are going to take at least
+  double m_area = 0.0;           // of the mesh, mm²
+  Vec3 m_extent = Vec3::Zero();  // of the mesh, mm
+  double m_usual = 0.0;          // voxel, mm; 0: there are no triangles
+  double m_own = 0.0;            // voxel that the user has set, mm; 0: none
+  double m_gaps = 0.0;           // mm
 };
 
 }  // namespace handwheel

@@ -237,6 +237,18 @@ class ScanBlobsTest : public QObject {
     QCOMPARE(read.volume.material(), content->volume.material());
   }
 
+  // Chunks far apart stand for no more of the image than they hold.
+  void fewSamplesOfMany() {
+    const auto content = paintedContent(0);
+    Container container;
+    m_kind.save(*content, container);
+    container.blobs["scan/samples/0100"] = container.blobs.at("scan/samples/0000");
+    (*container.manifest)["document"]["scan"]["size"] = {4096, 4096, 16};  // 4096 chunks, of which 4 are there
+    std::vector<Error> damage;
+    QVERIFY(!readScan(container, damage, {}));
+    QCOMPARE(damage.size(), std::size_t{1});
+  }
+
   // The image is there, but not what was chosen: another range is taken, and that is said.
   void lostRange() {
     const auto content = paintedContent(3);

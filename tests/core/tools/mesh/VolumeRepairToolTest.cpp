@@ -88,6 +88,12 @@ void VolumeRepairToolTest::theVoxelOfTheUserStays() {
     tool.setSetting("voxel", bad);
     QCOMPARE(settingOf(tool, "voxel"), 1.0);
   }
+  // The triangles of blocks and their hierarchy take more than anything else.
+  tool.setSetting("voxel", 0.1);
+  const double withoutFilling = settingOf(tool, "memory");
+  tool.setSetting("close_gaps", 0.5);
+  QVERIFY(settingOf(tool, "memory") > withoutFilling);
+  tool.setSetting("voxel", 1.0);
   tool.documentChanged();
   QCOMPARE(settingOf(tool, "voxel"), 1.0);
 }

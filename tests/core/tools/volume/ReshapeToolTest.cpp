@@ -128,9 +128,10 @@ class ReshapeToolTest : public QObject {
     QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);  // with nothing
     QCOMPARE(bench.runner.perform("file"), ToolReply::Used);
     QCOMPARE(bench.files, 1);
-    bench.others.push_back(
-        {"far", [](const SparseVolume&, Progress) -> Result<SparseVolume> { return ballAt(Vec3(0, 0, 100), 3.0); }});
-    bench.others.push_back({"near", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
+    bench.others.push_back({"1", "far", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
+                              return ballAt(Vec3(0, 0, 100), 3.0);
+                            }});
+    bench.others.push_back({"2", "near", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
                               return ballAt(Vec3(kApart, 0, 0), kRadius);
                             }});
     bench.set("with", 1.0);
@@ -149,6 +150,32 @@ class ReshapeToolTest : public QObject {
     QVERIFY(!bench.isProposed());
   }
 
+  // What is chosen is the body that was shown, though those before it have gone; the first that comes is proposed.
+  void bodiesComeAndGo() {
+    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
+    const auto offer = [&](const char* key, double radius) {
+      bench.others.push_back({key, key, [radius](const SparseVolume&, Progress) -> Result<SparseVolume> {
+                                return ballAt(Vec3(0, 0, 100), radius);
+                              }});
+    };
+    offer("a", 3.0);
+    bench.set("with", std::string("a"));
+    QVERIFY(!bench.waiting.empty());
+    bench.work();
+    QVERIFY(isNear(*bench.figure("difference"), ball(3.0), 0.05));
+    offer("b", 5.0);
+    offer("c", 7.0);
+    bench.set("with", 0.0);  // now all three are shown
+    bench.others.erase(bench.others.begin());
+    bench.set("with", 1.0);
+    bench.work();
+    QVERIFY(isNear(*bench.figure("difference"), ball(5.0), 0.05));
+    bench.others.clear();
+    bench.set("with", std::string("b"));
+    bench.work();
+    QVERIFY(isNear(*bench.figure("difference"), ball(5.0), 0.05));
+  }
+
   // The slider of debris: parts go by their size, the largest never; what goes is shown.
   void debris() {
     SparseVolume volume = ballOfVoxels(kRadius, kVoxel);
@@ -157,6 +184,10 @@ class ReshapeToolTest : public QObject {
       volume = *makeBoolean(volume, other, OperationValues(booleanOperation()), {});
     }
     Bench bench(volume, Change::Debris);
+    bench.set("below", 1.0);
+    bench.work();
+    QVERIFY(!bench.runner.tool()->actions().front().enabled);
+    QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);
     const std::pair<double, double> expected[] = {{1.0, 0.0}, {4.5, 1.0}, {8.0, 2.0}, {100.0, 2.0}};
     for (const auto& [below, gone] : expected) {
       bench.set("below", below);
