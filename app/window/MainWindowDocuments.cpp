@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What the main window does when documents come, change and go.
+#include "controls/FocusedField.h"
 #include "panels/DocumentsPanel.h"
 #include "panels/HintBar.h"
 #include "panels/JobBar.h"
@@ -152,6 +153,7 @@ void MainWindow::connectStartPage() {
 }
 
 void MainWindow::showDocument(DocumentTab* document) {
+  if (document != m_shown) commitFocusedField();  // its text is of the document that was shown until now
   KindUi* present = document ? &document->ui : nullptr;
   storePicture();
   m_toolChoice->putAway();
