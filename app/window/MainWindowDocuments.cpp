@@ -154,6 +154,9 @@ void MainWindow::connectStartPage() {
 
 void MainWindow::showDocument(DocumentTab* document) {
   if (document != m_shown) commitFocusedField();  // its text is of the document that was shown until now
+  // Who goes through the documents with keys goes on with them. Fields that go hand the focus on to whatever is next.
+  const QWidget* const focused = focusWidget();
+  const bool isByKeys = m_documents->isAncestorOf(focused) || m_tabs->isAncestorOf(focused);
   KindUi* present = document ? &document->ui : nullptr;
   storePicture();
   m_toolChoice->putAway();
@@ -180,9 +183,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);
-  // Who goes through the documents with keys goes on with them.
-  const QWidget* focused = focusWidget();
-  if (document && !m_documents->isAncestorOf(focused) && !m_tabs->isAncestorOf(focused)) m_viewport->setFocus();
+  if (document && !isByKeys) m_viewport->setFocus();
   m_pictureTimer.start();
   updateTitle();
   updateFigures();
